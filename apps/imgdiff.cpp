@@ -1,0 +1,95 @@
+// imgdiff A B: how much two pictures differ. Exit code 0: same, 1: different.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/image/compare.h"
+#include "core/image/image_file.h"
+
+namespace {
+
+using namespace mandelmarch;
+
+nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
+{
+    nlohmann::ordered_json json{
+        {"width", image.width()},
+        {"height", image.height()},
+        {"same", c.same()},
+        {"differing_pixels", c.differing},
+        {"visibly_differing_pixels", c.visibly_differing},
+        {"largest_difference", c.largest},
+    };
+    json["psnr_db"] = std::isinf(c.psnr) ? nlohmann::ordered_json() : nlohmann::ordered_json(c.psnr);
+    if (c.values_compared) {
+        json["differing_colours"] = c.differing_colours;
+        json["differing_depths"] = c.differing_depths;
+        json["hit_or_miss"] = c.hit_or_miss;
+    }
+    if (!c.same()) json["first"] = {c.first % image.width(), c.first / image.width()};
+    return json;
+}
+
+void print(const Image& a, const Image& b, const Comparison& c)
+{
+    fmt::print("{} of {} pixels differ, {} by more than 2/255, at most {}/255, PSNR {:.2f} dB\n", c.differing, c.pixels,
+               c.visibly_differing, c.largest, c.psnr);
+    if (c.values_compared) {
+        fmt::print("{} differ in a bit of colour, {} in a bit of depth, {} hit in one picture only\n",
+                   c.differing_colours, c.differing_depths, c.hit_or_miss);
+    }
+    if (!c.same()) fmt::print("first: {}\n", describe_pixel(a, b, c.first));
+}
+
+int body(int argc, char** argv)
+{
+    CLI::App app("imgdiff: compares two pictures (BMP, PNG, EXR) pixel by pixel.");
+    std::string first;
+    std::string second;
+    std::string map;
+    bool json = false;
+    app.add_option("A", first, "a picture")->required();
+    app.add_option("B", second, "another")->required();
+    app.add_option("--map", map, "write a map of the differences, white where equal; .png or .bmp");
+    app.add_flag("--json", json, "print JSON");
+    app.footer("Two EXR pictures are compared in every bit of colour and depth, others in their bytes.\n"
+               "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("imgdiff: {} (--help lists the options)", error.what()));
+    }
+    const auto format = image_format(map);
+    if (!map.empty()) {
+        if (!format || *format == ImageFormat::exr) {
+            throw InputError(map + ": the file name's ending tells no format for a map, expected .png or .bmp");
+        }
+        OutputFile::check(map);
+    }
+    const Image a = read_image(first);
+    const Image b = read_image(second);
+    if (a.width() != b.width() || a.height() != b.height()) {
+        fmt::print(stderr, "imgdiff: {} has {} x {} pixels, {} has {} x {}\n", first, a.width(), a.height(), second,
+                   b.width(), b.height());
+        return exit_failure;
+    }
+    const Comparison comparison = compare(a, b);
+    if (!map.empty()) write_image(map, *format, difference_map(a, b));
+    if (json) {
+        fmt::print("{}\n", to_json(a, comparison).dump(2));
+    } else {
+        print(a, b, comparison);
+    }
+    return comparison.same() ? exit_fine : exit_failure;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return mandelmarch::run_program("imgdiff", body, argc, argv); }

@@ -1,0 +1,190 @@
+#include "apps/renderer_app.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "apps/progress_bar.h"
+#include "apps/stats.h"
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/base/output_file.h"
+#include "core/image/image_file.h"
+#include "core/scene/fractal.h"
+#include "core/scene/number.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch {
+namespace {
+
+// Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
+constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
+
+struct Options {
+    std::string parameters;
+    std::string fractal;
+    std::string backend = "auto";
+    RendererOptions renderer;
+    std::string size;
+    std::string output;
+    std::string stats;
+    bool list_devices = false;
+};
+
+int whole_option(const std::string& name, const std::string& text, int low, int high)
+{
+    const auto value = parse_whole(text);
+    if (!value || *value < low || *value > high) {
+        throw InputError(fmt::format("--{}: '{}' given, expected a whole number from {} to {}", name, text, low, high));
+    }
+    return static_cast<int>(*value);
+}
+
+Options parse_options(const char* program, const char* fractal, int argc, char** argv, std::optional<int>& done)
+{
+    CLI::App app(fmt::format("{}: draws a ray-marched {} from a parameter file.", program,
+                             fractal != nullptr ? fractal : "fractal"));
+    Options options;
+    std::string device = "0";
+    std::string threads = "0";
+    std::string pack = "0";
+    std::string precision = "double";
+    std::string mode = "exact";
+    app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
+    if (fractal == nullptr) {
+        app.add_option("--fractal", options.fractal, "mandelbulb (bulb) or mandelbox (box)")->required();
+    }
+    app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
+        ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
+        ->capture_default_str();
+    app.add_option("--device", device, "which of the backend's devices, from 0 (see --list-devices)");
+    app.add_option("--precision", precision, "double or float")
+        ->check(CLI::IsMember({"double", "float"}))
+        ->capture_default_str();
+    app.add_option("--mode", mode, "exact: the plain schedule; fast: the canonical hit, contraction allowed")
+        ->check(CLI::IsMember({"exact", "fast"}))
+        ->capture_default_str();
+    app.add_option("--size", options.size, "WxH in pixels, instead of the file's");
+    app.add_option("--threads", threads, "threads on the host, 0: one a core");
+    app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
+    app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
+    app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
+    app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
+    app.footer(fmt::format(
+        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR, and about {} MiB beside; 16384 x 16384 pixels take {} MiB "
+        "as BMP or PNG.\nA file that is there is replaced when the new one is whole.\n"
+        "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
+        Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), fixed_memory >> 20,
+        ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        done = app.exit(help);
+        return options;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("{}: {} (--help lists the options)", program, error.what()));
+    }
+    options.renderer.device = whole_option("device", device, 0, 1'000'000);
+    options.renderer.threads = whole_option("threads", threads, 0, 1024);
+    options.renderer.pack = whole_option("pack", pack, 0, 1024);
+    options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
+    options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
+    if (fractal != nullptr) options.fractal = fractal;
+    if (options.parameters.empty() && !options.list_devices) {
+        throw InputError(fmt::format("{}: no parameter file given, expected {} PARAMS.dat", program, program));
+    }
+    return options;
+}
+
+// WIDTHxHEIGHT, over the scene's own.
+void apply_size(const std::string& size, Scene& scene)
+{
+    if (size.empty()) return;
+    const auto cross = size.find('x');
+    const auto width = parse_whole(size.substr(0, cross));
+    const auto height = parse_whole(cross == std::string::npos ? "" : size.substr(cross + 1));
+    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side || height.value_or(0) > max_side) {
+        throw InputError(fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", size, max_side));
+    }
+    scene.width = static_cast<int>(width.value_or(0));
+    scene.height = static_cast<int>(height.value_or(0));
+}
+
+ImageFormat format_of(const std::string& path)
+{
+    if (const auto format = image_format(path)) return *format;
+    if (OutputFile::is_stream(path)) return ImageFormat::bmp;
+    throw InputError(path + ": the file name's ending tells no format, expected .bmp, .png or .exr");
+}
+
+void check_memory(const Scene& scene, Image::Layers layers)
+{
+    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t needed = pixels * Image::bytes_per_pixel(layers) + fixed_memory;
+    const std::uint64_t available = available_memory();
+    if (needed <= available) return;
+    throw InputError(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size",
+                                 scene.width, scene.height, needed >> 20, available >> 20));
+}
+
+void list_devices(const Registry& registry)
+{
+    for (const auto& backend : registry.backends()) {
+        if (const auto why = backend->unavailable()) {
+            fmt::print("{:<10} unavailable: {}\n", backend->name(), *why);
+            continue;
+        }
+        int index = 0;
+        for (const Device& device : backend->devices()) {
+            fmt::print("{:<10} {}: {} ({}, {})\n", backend->name(), index++, device.name, device.vendor, device.driver);
+        }
+    }
+}
+
+const Backend& choose_backend(const Registry& registry, const std::string& name)
+{
+    if (name != "auto") return *registry.find(name);
+    const AutomaticChoice choice = registry.automatic();
+    fmt::print(stderr, "backend {}: {}\n", choice.backend->name(), choice.reason);
+    return *choice.backend;
+}
+
+}  // namespace
+
+int render_program(const char* program, const char* fractal, int argc, char** argv)
+{
+    std::optional<int> done;
+    const Options options = parse_options(program, fractal, argc, argv, done);
+    if (done) return *done;
+    const Registry registry = all_backends();
+    if (options.list_devices) {
+        list_devices(registry);
+        return exit_fine;
+    }
+    ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
+    for (const std::string& warning : parameters.warnings) fmt::print(stderr, "{}\n", warning);
+    Scene& scene = parameters.scene;
+    apply_size(options.size, scene);
+
+    const std::string& output = options.output.empty() ? scene.image_file : options.output;
+    const ImageFormat format = format_of(output);
+    check_image_size(format, scene.width, scene.height);
+    OutputFile::check(output);
+    if (!options.stats.empty()) OutputFile::check(options.stats);
+    check_memory(scene, layers_of(format));
+
+    const auto renderer = choose_backend(registry, options.backend).create(options.renderer);
+    Image image(scene.width, scene.height, layers_of(format));
+    ProgressBar bar(program);
+    const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
+    bar.finish();
+    write_image(output, format, image);
+    if (!options.stats.empty()) write_stats(options.stats, scene, report);
+    return exit_fine;
+}
+
+}  // namespace mandelmarch

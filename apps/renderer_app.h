@@ -1,0 +1,10 @@
+// What mandelbulb, mandelbox and render share: options, parameter file, picture, statistics.
+#pragma once
+
+namespace mandelmarch {
+
+// The whole program. `fractal` is the fractal's name, or nullptr where --fractal chooses it. Returns an exit code or
+// throws what core/base/error.h turns into one.
+int render_program(const char* program, const char* fractal, int argc, char** argv);
+
+}  // namespace mandelmarch

@@ -1,0 +1,43 @@
+#include "apps/stats.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/output_file.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+
+void write_stats(const std::string& path, const Scene& scene, const RenderReport& report)
+{
+    const Timings& t = report.timings;
+    const nlohmann::ordered_json json{
+        {"schema", 1},
+        {"fractal", scene.fractal->name},
+        {"width", scene.width},
+        {"height", scene.height},
+        {"backend", report.backend},
+        {"device", {{"name", report.device.name}, {"vendor", report.device.vendor}, {"driver", report.device.driver}}},
+        {"precision", name_of(report.precision)},
+        {"mode", name_of(report.mode)},
+        {"threads", report.threads},
+        {"pack", report.pack},
+        {"instruction_set", report.instruction_set},
+        {"seconds",
+         {{"context", t.context},
+          {"build", t.build},
+          {"upload", t.upload},
+          {"kernel", t.kernel},
+          {"readback", t.readback},
+          {"wall", t.wall}}},
+        {"work",
+         {{"steps", report.work.steps},
+          {"de_calls", report.work.estimates},
+          {"iterations", report.work.iterations}}},
+    };
+    const std::string text = json.dump(2) + "\n";
+    OutputFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,13 @@
+// --stats: what really ran, how long it took and what work it did, as JSON.
+#pragma once
+
+#include <string>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+// Times in seconds. Throws Error if the file cannot be written.
+void write_stats(const std::string& path, const Scene& scene, const RenderReport& report);
+
+}  // namespace mandelmarch

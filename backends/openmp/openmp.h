@@ -1,0 +1,12 @@
+// The OpenMP backend: the kernel text on all cores of this machine, one pixel or a pack of pixels at once on each.
+#pragma once
+
+#include <memory>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+std::unique_ptr<Backend> make_openmp_backend();
+
+}  // namespace mandelmarch

@@ -1,0 +1,30 @@
+// The distance estimators of the reference backend.
+#pragma once
+
+#include "core/render/backend.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch::reference {
+
+// Mandelbox and Mandelbulb, with their scene's constants. Each call of operator() adds to the work it is given.
+class Mandelbox {
+public:
+    explicit Mandelbox(const Scene& scene);
+    double operator()(Vector p, Work& work) const;
+
+private:
+    int iterations_;
+    double scale_, inner2_, fixed2_, escape2_, remainder_;
+};
+
+class Mandelbulb {
+public:
+    explicit Mandelbulb(const Scene& scene);
+    double operator()(Vector p, Work& work) const;
+
+private:
+    int iterations_;
+    double bailout_, power_;
+};
+
+}  // namespace mandelmarch::reference

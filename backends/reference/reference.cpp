@@ -1,0 +1,230 @@
+#include "backends/reference/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "backends/reference/estimators.h"
+#include "core/base/cpu.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double far_end = 1000;  // largest t
+constexpr int most_steps = 8000;
+constexpr double stride = 0.95;  // of the distance estimate
+// The canonical hit is looked for in small steps, as the Mandelbulb's estimate can be five times too large.
+constexpr double small_stride = 0.15;
+constexpr int most_small_steps = 200'000;
+
+struct Axes {
+    Vector forward, right, up;
+    double tangent;  // of half the vertical angle
+    double aspect;
+};
+
+Axes axes_of(const Scene& scene)
+{
+    Axes axes{};
+    axes.forward = unit(scene.target - scene.eye);
+    axes.right = unit(cross(axes.forward, unit(scene.up)));
+    axes.up = cross(axes.right, axes.forward);
+    axes.tangent = std::tan(scene.field_of_view * 65 / 2 * std::numbers::pi / 180);
+    axes.aspect = static_cast<double>(scene.width) / scene.height;
+    return axes;
+}
+
+Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
+{
+    const double u = 2.0 * i / scene.width - 1;
+    const double v = 2.0 * j / scene.height - 1;
+    return unit((u * axes.aspect * axes.tangent) * axes.right + (v * axes.tangent) * axes.up + axes.forward);
+}
+
+struct Hit {
+    bool found = false;
+    double t = 0;          // of the hit point
+    double tolerance = 0;  // there
+};
+
+template <class Fractal>
+class Tracer {
+public:
+    Tracer(const Scene& scene, Mode mode)
+        : scene_(scene), mode_(mode), fractal_(scene), axes_(axes_of(scene)), eps_(std::pow(10.0, scene.detail))
+    {
+    }
+
+    const Work& work() const { return work_; }
+
+    // Draws pixel (i, j) into pixel (x, y) of the tile.
+    void draw(int i, int j, int at, Tile<double>& tile)
+    {
+        const Work before = work_;
+        const Vector direction = direction_through(scene_, axes_, i, j);
+        const Hit hit = mode_ == Mode::exact ? plain_hit(direction) : canonical_hit(direction);
+        Vector colour{0.4, 0.4, 0.4};
+        if (hit.found) {
+            const Vector p = scene_.eye + hit.t * direction;
+            colour = shaded(normal(p - hit.tolerance * direction), direction);
+        }
+        tile.red[at] = colour.x;
+        tile.green[at] = colour.y;
+        tile.blue[at] = colour.z;
+        tile.depth[at] = hit.found ? hit.t : std::numeric_limits<double>::infinity();
+        tile.steps[at] = static_cast<int>(work_.steps - before.steps);
+        tile.estimates[at] = static_cast<int>(work_.estimates - before.estimates);
+        tile.iterations[at] = static_cast<int>(work_.iterations - before.iterations);
+    }
+
+private:
+    double distance_at(Vector direction, double t)
+    {
+        ++work_.steps;
+        return fractal_(scene_.eye + t * direction, work_);
+    }
+
+    // The last sample of the plain schedule.
+    Hit plain_hit(Vector direction)
+    {
+        double t = 0;
+        double sample = 0;
+        double distance = 0;
+        int steps = 0;
+        do {
+            sample = t;
+            distance = distance_at(direction, t);
+            t += stride * distance;
+            ++steps;
+        } while (distance > t * eps_ && t <= far_end && steps < most_steps);
+        return {distance < t * eps_, sample, t * eps_};
+    }
+
+    // The first t with DE(t) = eps t: small steps to a point inside, then bisection to the last bit.
+    Hit canonical_hit(Vector direction)
+    {
+        const auto outside = [&](double t, double distance) { return !(distance < eps_ * t); };
+        double low = 0;
+        double high = 0;
+        double distance = distance_at(direction, high);
+        int steps = 1;
+        if (distance < 0) return {true, 0, 0};
+        while (outside(high, distance)) {
+            low = high;
+            high += small_stride * distance;
+            if (!(high <= far_end) || ++steps > most_small_steps) return {};
+            distance = distance_at(direction, high);
+        }
+        for (;;) {
+            const double middle = 0.5 * (low + high);
+            if (!(middle > low && middle < high)) return {true, high, high * eps_};
+            (outside(middle, distance_at(direction, middle)) ? low : high) = middle;
+        }
+    }
+
+    // Central differences.
+    Vector normal(Vector p)
+    {
+        const double h = std::max(length(p), 1.0) * std::sqrt(std::numeric_limits<double>::epsilon());
+        const auto slope = [&](Vector step) { return fractal_(p + step, work_) - fractal_(p - step, work_); };
+        return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
+    }
+
+    Vector shaded(Vector n, Vector direction) const
+    {
+        const double light = 1.8 * std::max(0.3, dot(n - Vector{1, 1, 1}, direction));
+        const auto channel = [&](double component) {
+            const double c = (light * component + 1) / 2 * scene_.brightness;
+            if (std::isnan(c)) return 0.0;
+            const double cut = std::clamp(c, 0.0, 1.0);
+            return cut * cut;
+        };
+        const Vector colour{channel(n.x), channel(n.y), channel(n.z)};
+        return scene_.colouring == 1 ? Vector{colour.z, colour.y, colour.x} : colour;
+    }
+
+    const Scene& scene_;
+    Mode mode_;
+    Fractal fractal_;
+    Axes axes_;
+    double eps_;
+    Work work_;
+};
+
+Device this_cpu()
+{
+    return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = "serial C++", .is_gpu = false};
+}
+
+class ReferenceRenderer : public Renderer {
+public:
+    explicit ReferenceRenderer(Mode mode) : mode_(mode) {}
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        if (scene.fractal->name == "mandelbox") return draw<reference::Mandelbox>(scene, image, progress);
+        if (scene.fractal->name == "mandelbulb") return draw<reference::Mandelbulb>(scene, image, progress);
+        throw Unavailable(fmt::format("backend reference: it does not draw the {}", scene.fractal->name));
+    }
+
+private:
+    template <class Fractal>
+    RenderReport draw(const Scene& scene, Image& image, const Progress& progress) const
+    {
+        const auto start = std::chrono::steady_clock::now();
+        Tracer<Fractal> tracer(scene, mode_);
+        Tile<double> tile;
+        for (int bottom = 0; bottom < scene.height; bottom += tile_side) {
+            for (int left = 0; left < scene.width; left += tile_side) {
+                const int width = std::min(tile_side, scene.width - left);
+                const int height = std::min(tile_side, scene.height - bottom);
+                for (int y = 0; y < height; ++y) {
+                    for (int x = 0; x < width; ++x) tracer.draw(left + x, bottom + y, y * tile_side + x, tile);
+                }
+                image.store(tile, left, bottom, width, height);
+            }
+            if (progress) progress(std::min(1.0, static_cast<double>(bottom + tile_side) / scene.height));
+        }
+        RenderReport report{.backend = "reference",
+                            .device = this_cpu(),
+                            .precision = Precision::f64,
+                            .mode = mode_,
+                            .threads = 1,
+                            .pack = 1,
+                            .instruction_set = "baseline",
+                            .timings = {},
+                            .work = tracer.work()};
+        report.timings.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.timings.kernel = report.timings.wall;
+        return report;
+    }
+
+    Mode mode_;
+};
+
+class ReferenceBackend : public Backend {
+public:
+    std::string_view name() const override { return "reference"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return {this_cpu()}; }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        if (options.device != 0) {
+            throw Unavailable(fmt::format("backend reference: there is no device {}, only device 0", options.device));
+        }
+        if (options.precision != Precision::f64) throw Unavailable("backend reference: it draws in double only");
+        return std::make_unique<ReferenceRenderer>(options.mode);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_reference_backend() { return std::make_unique<ReferenceBackend>(); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,16 @@
+# Programs, and the libraries with their headers as the package mandelmarch: find_package(mandelmarch),
+# target_link_libraries(x mandelmarch::backends).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+install(TARGETS mandelbulb mandelbox render imgdiff RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mandelmarch_core mandelmarch_reference mandelmarch_openmp mandelmarch_backends mandelmarch_warnings
+    EXPORT mandelmarch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/backends
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mandelmarch FILES_MATCHING PATTERN "*.h")
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mandelmarch)
+install(EXPORT mandelmarch NAMESPACE mandelmarch:: FILE mandelmarchTargets.cmake DESTINATION ${package_folder})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarchConfig.cmake.in mandelmarchConfig.cmake
+    INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(mandelmarchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mandelmarchConfig.cmake ${PROJECT_BINARY_DIR}/mandelmarchConfigVersion.cmake
+    DESTINATION ${package_folder})

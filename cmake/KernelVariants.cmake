@@ -1,0 +1,24 @@
+# The kernel text is compiled once per fractal, precision and mode: this file knows the lists and generates the sources.
+
+# A fractal is a file in core/kernel/fractals.
+file(GLOB fractal_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/core/kernel/fractals
+    ${PROJECT_SOURCE_DIR}/core/kernel/fractals/*.h)
+list(TRANSFORM fractal_files REPLACE "\\.h$" "" OUTPUT_VARIABLE MANDELMARCH_FRACTALS)
+
+# mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
+# to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode and file.
+function(mandelmarch_kernel_variants target)
+    foreach(template ${ARGN})
+        foreach(fractal ${MANDELMARCH_FRACTALS})
+            foreach(precision float double)
+                foreach(mode exact fast)
+                    string(COMPARE EQUAL ${precision} float is_float)
+                    set(file ${CMAKE_CURRENT_BINARY_DIR}/${template}_${fractal}_${precision}_${mode}.cpp)
+                    configure_file(${template}.cpp.in ${file} @ONLY)
+                    target_sources(${target} PRIVATE ${file})
+                    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${MANDELMARCH_FP_${mode}}")
+                endforeach()
+            endforeach()
+        endforeach()
+    endforeach()
+endfunction()

@@ -1,0 +1,10 @@
+# MANDELMARCH_SANITIZER=address|thread, for every target.
+if(MANDELMARCH_SANITIZER STREQUAL "address")
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+elseif(MANDELMARCH_SANITIZER STREQUAL "thread")
+    add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=thread)
+elseif(MANDELMARCH_SANITIZER)
+    message(FATAL_ERROR "MANDELMARCH_SANITIZER is '${MANDELMARCH_SANITIZER}', expected address or thread")
+endif()

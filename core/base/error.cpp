@@ -1,0 +1,31 @@
+#include "core/base/error.h"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace mandelmarch {
+
+int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
+{
+    // A reader that goes away and a file size limit become errors of the write that meets them.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        return body(argc, argv);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return exit_usage;
+    } catch (const Unavailable& error) {
+        std::fprintf(stderr, "%s: %s\n", program, error.what());
+        return exit_unavailable;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "%s: out of memory\n", program);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: %s\n", program, error.what());
+    }
+    return exit_failure;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,41 @@
+// Output that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace mandelmarch {
+
+// Writes beside the target and renames on commit(). A target that exists and is no regular file (a device, a pipe), or
+// that lies in /dev or /proc, is written into instead and never replaced. A symbolic link stays; its target is replaced.
+// Errors are thrown as Error with the path and the cause.
+class OutputFile {
+public:
+    explicit OutputFile(const std::string& path);
+    ~OutputFile();  // without a commit(), what was written beside the target is removed
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(const void* data, std::size_t size);
+    // The next write goes to `offset` bytes from the beginning. Not for streams.
+    void seek(std::uint64_t offset);
+    void commit();
+
+    // Throws InputError if the target certainly cannot be written: its folder is missing or not writable, or it is a
+    // folder itself. Touches nothing.
+    static void check(const std::string& path);
+
+    // True if the target exists and is no regular file, so that it is written into.
+    static bool is_stream(const std::string& path);
+
+private:
+    [[noreturn]] void fail(const char* action) const;
+
+    std::string path_;       // as the user named it
+    std::string target_;     // what is replaced; empty for a stream
+    std::string temporary_;  // beside it
+    int descriptor_ = -1;
+};
+
+}  // namespace mandelmarch

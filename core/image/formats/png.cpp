@@ -1,0 +1,79 @@
+// PNG through libpng's simplified interface: 8 bits a channel, rows from the top down.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/image/formats/formats.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+struct Sink {
+    OutputFile& file;
+    std::exception_ptr error;
+};
+
+// A C stream over an OutputFile; the first error is kept for later, as C code stands between.
+ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
+{
+    auto& sink = *static_cast<Sink*>(cookie);
+    try {
+        sink.file.write(data, size);
+        return static_cast<ssize_t>(size);
+    } catch (...) {
+        sink.error = std::current_exception();
+        return 0;
+    }
+}
+
+// The image's rows as libpng wants them: the first is the top row, so that the step to the next is negative.
+png_int_32 row_stride(const Image& image) { return -3 * image.width(); }
+
+}  // namespace
+
+void write_png(OutputFile& file, const std::string& path, const Image& image)
+{
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    header.width = static_cast<png_uint_32>(image.width());
+    header.height = static_cast<png_uint_32>(image.height());
+    header.format = PNG_FORMAT_RGB;
+    Sink sink{file, nullptr};
+    const Stream stream(fopencookie(&sink, "wb", {nullptr, write_to_sink, nullptr, nullptr}), &std::fclose);
+    if (!stream) throw Error(path + ": cannot open a stream for it");
+    const int written = png_image_write_to_stdio(&header, stream.get(), 0, image.bytes().data(), row_stride(image),
+                                                 nullptr);
+    const bool flushed = std::fflush(stream.get()) == 0;
+    if (sink.error) std::rethrow_exception(sink.error);
+    if (written == 0 || !flushed) throw Error(fmt::format("{}: cannot write PNG: {}", path, header.message));
+}
+
+Image read_png(const std::string& path)
+{
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(fmt::format("{}: {}, expected a PNG picture", path, why));
+    };
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&header, path.c_str()) == 0) refuse(header.message);
+    const std::unique_ptr<png_image, void (*)(png_image*)> guard(&header, &png_image_free);
+    if (header.width > max_side || header.height > max_side) {
+        refuse(fmt::format("its size is {} x {} pixels", header.width, header.height));
+    }
+    header.format = PNG_FORMAT_RGB;
+    Image image(static_cast<int>(header.width), static_cast<int>(header.height), Image::Layers::bytes);
+    const png_color black{};
+    if (png_image_finish_read(&header, &black, image.bytes().data(), row_stride(image), nullptr) == 0) {
+        refuse(header.message);
+    }
+    return image;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,57 @@
+// A rendered picture in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/image/tile.h"
+
+namespace mandelmarch {
+
+// One pixel as a backend computed it.
+struct PixelValue {
+    double red = 0, green = 0, blue = 0;  // 0 to 1, as displayed
+    double depth = 0;                     // +infinity: nothing hit
+    std::int32_t steps = 0;
+    std::int32_t iterations = 0;
+};
+
+// Rows go from the bottom to the top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
+class Image {
+public:
+    enum class Layers { bytes, all };
+
+    Image() = default;
+    // Black. `all` keeps, beside the three bytes, the values they came from.
+    Image(int width, int height, Layers layers);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t pixels() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_); }
+    bool has_values() const { return !values_.empty(); }
+
+    // Three bytes a pixel: red, green, blue.
+    const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+    std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+    // Empty unless the image keeps all layers.
+    const std::vector<PixelValue>& values() const { return values_; }
+    std::vector<PixelValue>& values() { return values_; }
+
+    // Takes pixel (0, 0) to (width - 1, height - 1) of a tile to (left, bottom) and up. A byte is trunc(255 c), computed
+    // in the tile's own number type. Different parts of an image can be stored from different threads.
+    template <class Real>
+    void store(const Tile<Real>& tile, int left, int bottom, int width, int height);
+
+    // Memory that an image takes, in bytes per pixel.
+    static std::size_t bytes_per_pixel(Layers layers);
+
+private:
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<std::uint8_t> bytes_;
+    std::vector<PixelValue> values_;
+};
+
+}  // namespace mandelmarch

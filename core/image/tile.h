@@ -1,0 +1,22 @@
+// A square of finished pixels on its way from a backend into an image. Plain data: it is shared with translation units
+// that are compiled for one instruction set and must hold no code of the standard library.
+#pragma once
+
+namespace mandelmarch {
+
+inline constexpr int tile_side = 16;  // pixels
+inline constexpr int tile_pixels = tile_side * tile_side;
+
+// Real is the kernel's number type. Pixel (x, y) of the tile stands at y * tile_side + x; y grows upwards.
+template <class Real>
+struct Tile {
+    Real red[tile_pixels];    // 0 to 1, as displayed
+    Real green[tile_pixels];
+    Real blue[tile_pixels];
+    Real depth[tile_pixels];  // +infinity: nothing hit
+    int steps[tile_pixels];
+    int estimates[tile_pixels];
+    int iterations[tile_pixels];
+};
+
+}  // namespace mandelmarch

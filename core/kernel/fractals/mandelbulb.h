@@ -1,0 +1,165 @@
+// Kernel text, part 4: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
+// the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
+
+FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
+FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }  // P
+
+// z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
+struct BulbPower {
+    real rho;          // sqrt(x^2 + y^2), 0 on the axis
+    real r_less;       // r^(P-1)
+    Complex polar;     // r^P (cos P0 + i sin P0)
+    Complex azimuth;   // cos P1 + i sin P1
+};
+
+// The azimuth of a point on the z axis is 0. A squared distance from the axis below AXIS counts as on it: above it no
+// term that matters can be subnormal, so that devices that flush subnormal numbers to zero draw the same picture.
+FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
+{
+    real rho2 = z.x * z.x + z.y * z.y;
+    mask off_axis = rho2 > BY_PRECISION(1.0e-290, 1.0e-30);
+    BulbPower power;
+    power.rho = pick(off_axis, root(rho2), R(0.0));
+    if (scene.exponent > 0) {
+        // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
+        real inverse = quotient(R(1.0), pick(off_axis, power.rho, R(1.0)));
+        Complex direction = complex_number(pick(off_axis, z.x * inverse, R(1.0)), pick(off_axis, z.y * inverse, R(0.0)));
+        power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
+        power.azimuth = raised(direction, scene.exponent);
+        power.r_less = raised_real(r, scene.exponent - 1);
+    } else {
+        real ln_r = natural_log(r);
+        real r_power = exponential(bulb_power(scene) * ln_r);
+        Complex turned = cosine_and_sine(bulb_power(scene) * angle_of(power.rho, z.z));
+        real azimuth = pick(off_axis, angle_of(z.y, z.x), R(0.0));
+        power.polar = complex_number(r_power * turned.re, r_power * turned.im);
+        power.azimuth = cosine_and_sine(bulb_power(scene) * azimuth);
+        power.r_less = exponential((bulb_power(scene) - 1) * ln_r);
+    }
+    return power;
+}
+
+FN vec3 bulb_point(BulbPower power)
+{
+    return vec3(power.polar.im * power.azimuth.re, power.polar.im * power.azimuth.im, power.polar.re);
+}
+
+FN vec3 plus(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+{
+    vec3 z = p;
+    real dr = 1;
+    real r = norm(z);
+    whole iterations = 0;
+    on = on && r <= bulb_bailout(scene);
+    int i = 0;
+    while (i < scene.max_iterations && any(on)) {
+        BulbPower power = bulb_raised(scene, z, r);
+        dr = pick(on, power.r_less * bulb_power(scene) * dr + 1, dr);
+        z = pick3(on, plus(bulb_point(power), p), z);
+        iterations = iterations + count(on);
+        i = i + 1;
+        // The radius after the last iteration is not taken: the original leaves with the one before.
+        if (i < scene.max_iterations) r = pick(on, norm(z), r);
+        on = on && r <= bulb_bailout(scene);
+    }
+    Estimate result;
+    result.distance = quotient(R(0.5) * natural_log(r) * r, dr);
+    result.iterations = iterations;
+    return result;
+}
+
+// d/dv of z, r and dr along one axis v of p.
+struct BulbTangent {
+    vec3 z;
+    real r;
+    real dr;
+};
+
+FN BulbTangent bulb_tangent(vec3 axis, real r_slope)
+{
+    BulbTangent v;
+    v.z = axis;
+    v.r = r_slope;
+    v.dr = 0;
+    return v;
+}
+
+// One iteration of a tangent: the chain rule through (r, 0, 1), each angle's slope taken from z and dz; on the axis the
+// azimuth stands still.
+FN BulbTangent bulb_advance(Scene scene, BulbTangent v, vec3 axis, vec3 z, real r, real dr, BulbPower power)
+{
+    mask off_axis = power.rho > 0;
+    real rho = pick(off_axis, power.rho, R(1.0));
+    real r2 = r * r;
+    real d_rho = pick(off_axis, quotient(z.x * v.z.x + z.y * v.z.y, rho), v.z.x);
+    real d_polar = quotient(z.z * d_rho - power.rho * v.z.z, r2);
+    real d_azimuth = pick(off_axis, quotient(quotient(z.x * v.z.y - z.y * v.z.x, rho), rho), R(0.0));
+    real d_ln_r = quotient(inner(z, v.z), r2);
+    // Slopes of polar and azimuth, both without the factor P.
+    Complex polar = complex_number(power.polar.re * d_ln_r - power.polar.im * d_polar,
+                                   power.polar.im * d_ln_r + power.polar.re * d_polar);
+    Complex azimuth = complex_number(-power.azimuth.im * d_azimuth, power.azimuth.re * d_azimuth);
+    vec3 d = vec3(polar.im * power.azimuth.re + power.polar.im * azimuth.re,
+                  polar.im * power.azimuth.im + power.polar.im * azimuth.im, polar.re);
+    BulbTangent next;
+    next.z = along(axis, d, bulb_power(scene));
+    next.r = 0;
+    next.dr = bulb_power(scene) * power.r_less * ((bulb_power(scene) - 1) * d_ln_r * dr + v.dr);
+    return next;
+}
+
+FN BulbTangent bulb_pick(mask on, BulbTangent a, BulbTangent b)
+{
+    BulbTangent v;
+    v.z = pick3(on, a.z, b.z);
+    v.r = pick(on, a.r, b.r);
+    v.dr = pick(on, a.dr, b.dr);
+    return v;
+}
+
+// The derivative of DE, times dr > 0.
+FN real bulb_slope(real r, real dr, real ln_r, BulbTangent v)
+{
+    return quotient((ln_r + 1) * v.r, dr) - quotient(ln_r * r, dr) * quotient(v.dr, dr);
+}
+
+// The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
+{
+    vec3 z = p;
+    real dr = 1;
+    real r = norm(z);
+    BulbTangent x = bulb_tangent(vec3(1, 0, 0), quotient(z.x, r));
+    BulbTangent y = bulb_tangent(vec3(0, 1, 0), quotient(z.y, r));
+    BulbTangent w = bulb_tangent(vec3(0, 0, 1), quotient(z.z, r));
+    on = on && r <= bulb_bailout(scene);
+    int i = 0;
+    while (i < scene.max_iterations && any(on)) {
+        BulbPower power = bulb_raised(scene, z, r);
+        BulbTangent next_x = bulb_advance(scene, x, vec3(1, 0, 0), z, r, dr, power);
+        BulbTangent next_y = bulb_advance(scene, y, vec3(0, 1, 0), z, r, dr, power);
+        BulbTangent next_w = bulb_advance(scene, w, vec3(0, 0, 1), z, r, dr, power);
+        dr = pick(on, power.r_less * bulb_power(scene) * dr + 1, dr);
+        z = pick3(on, plus(bulb_point(power), p), z);
+        i = i + 1;
+        // The slope of the radius, like the radius, is not taken after the last iteration.
+        if (i < scene.max_iterations) {
+            r = pick(on, norm(z), r);
+            next_x.r = quotient(inner(z, next_x.z), r);
+            next_y.r = quotient(inner(z, next_y.z), r);
+            next_w.r = quotient(inner(z, next_w.z), r);
+        } else {
+            next_x.r = x.r;
+            next_y.r = y.r;
+            next_w.r = w.r;
+        }
+        x = bulb_pick(on, next_x, x);
+        y = bulb_pick(on, next_y, y);
+        w = bulb_pick(on, next_w, w);
+        on = on && r <= bulb_bailout(scene);
+    }
+    real ln_r = natural_log(r);
+    return vec3(bulb_slope(r, dr, ln_r, x), bulb_slope(r, dr, ln_r, y), bulb_slope(r, dr, ln_r, w));
+}

@@ -1,0 +1,170 @@
+// Prelude: the words of the kernel text as packs of MM_REGISTERS native SIMD registers, on Google Highway. Registers of
+// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and
+// include it inside a namespace in HWY_NAMESPACE, before the text.
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#define FN HWY_API
+#define FN_CALLED HWY_NOINLINE HWY_MAYBE_UNUSED
+#define EACH_REGISTER _Pragma("GCC unroll 8") for (int u = 0; u < MM_REGISTERS; ++u)
+#define vec3(a, b, c) make_vec3(a, b, c)
+#define R(x) MM_REAL(x)
+#if MM_REAL_IS_FLOAT
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
+#else
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
+#endif
+
+typedef MM_REAL scalar;
+using Reals = hn::ScalableTag<scalar>;
+using Wholes = hn::RebindToSigned<Reals>;
+using Int = hn::TFromD<Wholes>;
+
+constexpr int register_lanes = static_cast<int>(hn::MaxLanes(Reals()));
+constexpr int pack_lanes = MM_REGISTERS * register_lanes;
+
+struct mask {
+    hn::Mask<Reals> of[MM_REGISTERS];
+};
+
+// One whole number per lane.
+struct whole {
+    hn::Vec<Wholes> of[MM_REGISTERS];
+
+    HWY_INLINE whole() = default;
+    HWY_INLINE whole(Int value) { EACH_REGISTER of[u] = hn::Set(Wholes(), value); }
+};
+
+// One real number per lane.
+struct real {
+    hn::Vec<Reals> of[MM_REGISTERS];
+
+    HWY_INLINE real() = default;
+    HWY_INLINE real(scalar value) { EACH_REGISTER of[u] = hn::Set(Reals(), value); }
+};
+
+#define LANEWISE(type, result, name, operation)                      \
+    FN result name(const type& a, const type& b)                             \
+    {                                                                \
+        result c;                                                    \
+        EACH_REGISTER c.of[u] = hn::operation(a.of[u], b.of[u]);     \
+        return c;                                                    \
+    }
+#define LANEWISE_MASK(type, name, operation)                                                     \
+    FN mask name(const type& a, const type& b)                                                          \
+    {                                                                                            \
+        mask c;                                                                                  \
+        EACH_REGISTER c.of[u] = hn::RebindMask(Reals(), hn::operation(a.of[u], b.of[u]));        \
+        return c;                                                                                \
+    }
+LANEWISE(real, real, operator+, Add)
+LANEWISE(real, real, operator-, Sub)
+LANEWISE(real, real, operator*, Mul)
+LANEWISE(real, real, quotient, Div)
+LANEWISE_MASK(real, operator<, Lt)
+LANEWISE_MASK(real, operator<=, Le)
+LANEWISE_MASK(real, operator>, Gt)
+LANEWISE_MASK(real, operator>=, Ge)
+LANEWISE_MASK(real, operator==, Eq)
+LANEWISE(whole, whole, operator+, Add)
+LANEWISE_MASK(whole, operator<, Lt)
+LANEWISE(mask, mask, operator&&, And)
+LANEWISE(mask, mask, operator||, Or)
+#undef LANEWISE
+#undef LANEWISE_MASK
+
+FN mask operator!(mask a)
+{
+    EACH_REGISTER a.of[u] = hn::Not(a.of[u]);
+    return a;
+}
+
+FN real operator-(real a)
+{
+    EACH_REGISTER a.of[u] = hn::Neg(a.of[u]);
+    return a;
+}
+
+FN bool any(const mask& on)
+{
+    hn::Mask<Reals> all = on.of[0];
+    EACH_REGISTER all = hn::Or(all, on.of[u]);
+    return !hn::AllFalse(Reals(), all);
+}
+
+FN real pick(const mask& on, const real& a, const real& b)
+{
+    real c;
+    EACH_REGISTER c.of[u] = hn::IfThenElse(on.of[u], a.of[u], b.of[u]);
+    return c;
+}
+
+// 1 where the lane is on, else 0.
+FN whole count(const mask& on)
+{
+    whole c;
+    EACH_REGISTER c.of[u] = hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), hn::Set(Wholes(), 1));
+    return c;
+}
+
+FN real root(real a)
+{
+    EACH_REGISTER a.of[u] = hn::Sqrt(a.of[u]);
+    return a;
+}
+
+FN real magnitude(real a)
+{
+    EACH_REGISTER a.of[u] = hn::Abs(a.of[u]);
+    return a;
+}
+
+// The nearest whole number, ties to even.
+FN real nearest(real a)
+{
+    EACH_REGISTER a.of[u] = hn::Round(a.of[u]);
+    return a;
+}
+
+#if MM_REAL_IS_FLOAT
+constexpr int mantissa_bits = 23;
+constexpr Int exponent_mask = 0xff;
+constexpr Int exponent_bias = 127;
+#else
+constexpr int mantissa_bits = 52;
+constexpr Int exponent_mask = 0x7ff;
+constexpr Int exponent_bias = 1023;
+#endif
+
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a)
+{
+    EACH_REGISTER
+    {
+        auto bits = hn::ShiftRight<mantissa_bits>(hn::BitCast(Wholes(), a.of[u]));
+        auto field = hn::And(bits, hn::Set(Wholes(), exponent_mask));
+        a.of[u] = hn::ConvertTo(Reals(), hn::Sub(field, hn::Set(Wholes(), exponent_bias)));
+    }
+    return a;
+}
+
+// 2^n of a whole number n of the normal range.
+FN real two_to(real n)
+{
+    EACH_REGISTER
+    {
+        auto field = hn::Add(hn::ConvertTo(Wholes(), n.of[u]), hn::Set(Wholes(), exponent_bias));
+        n.of[u] = hn::BitCast(Reals(), hn::ShiftLeft<mantissa_bits>(field));
+    }
+    return n;
+}
+
+struct vec3 {
+    real x, y, z;
+};
+
+struct alignas(4 * sizeof(scalar)) triple {
+    scalar x, y, z;
+};
+
+FN vec3 make_vec3(const real& x, const real& y, const real& z) { return {x, y, z}; }

@@ -1,0 +1,62 @@
+// Prelude: the words of the kernel text as plain scalar C++. Define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or
+// 0) and include it inside a namespace of your own, before the text; undefine.h takes the words away again.
+
+#define FN __attribute__((always_inline)) inline
+#ifndef FN_CALLED
+#define FN_CALLED FN
+#endif
+#define vec3(a, b, c) make_vec3(a, b, c)
+#define pick(on, a, b) ((on) ? (a) : (b))
+#define any(on) (on)
+#define count(on) ((on) ? 1 : 0)
+#define R(x) MM_REAL(x)
+#if MM_REAL_IS_FLOAT
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
+#else
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
+#endif
+
+typedef MM_REAL real;
+typedef MM_REAL scalar;
+typedef int whole;
+typedef bool mask;
+
+struct vec3 {
+    real x, y, z;
+};
+
+struct alignas(4 * sizeof(scalar)) triple {
+    scalar x, y, z;
+};
+
+FN vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
+
+FN real quotient(real a, real b) { return a / b; }
+
+#if MM_REAL_IS_FLOAT
+FN real root(real a) { return __builtin_sqrtf(a); }
+
+FN real magnitude(real a) { return __builtin_fabsf(a); }
+
+// The nearest whole number, ties to even.
+FN real nearest(real a) { return __builtin_rintf(a); }
+
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned, a) >> 23) & 0xff) - 127.0F; }
+
+// 2^n of a whole number n in [-126, 127].
+FN real two_to(real n) { return __builtin_bit_cast(real, (int(n) + 127) << 23); }
+#else
+FN real root(real a) { return __builtin_sqrt(a); }
+
+FN real magnitude(real a) { return __builtin_fabs(a); }
+
+// The nearest whole number, ties to even.
+FN real nearest(real a) { return __builtin_rint(a); }
+
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned long long, a) >> 52) & 0x7ff) - 1023.0; }
+
+// 2^n of a whole number n in [-1022, 1023].
+FN real two_to(real n) { return __builtin_bit_cast(real, ((long long)(n) + 1023) << 52); }
+#endif

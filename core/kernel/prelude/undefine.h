@@ -1,0 +1,9 @@
+// Takes the words of a C++ prelude away again, so that another one, or other code, can follow.
+#undef FN
+#undef FN_CALLED
+#undef vec3
+#undef pick
+#undef any
+#undef count
+#undef R
+#undef BY_PRECISION

@@ -1,0 +1,56 @@
+// Kernel text, part 1: what a kernel is told about the picture, and what it hands back.
+
+// Everything that is the same for every pixel. core/render/kernel_scene.cpp fills it, once, in double, then rounds.
+// Ints, then reals, then triples: this order has the same layout in C++, in OpenCL C and in GLSL's std430.
+struct Scene {
+    int width;           // pixels
+    int height;          // pixels
+    int max_iterations;  // n of the distance estimator, 1 and more
+    int max_steps;       // samples on a ray
+    int exponent;        // a whole power P, or 0 where P is no whole number (or the fractal has none)
+    int colouring;       // 0 or 1, as in the parameter file
+    int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample
+    int differences;     // 1: the normal comes from central differences; 0: from the analytic gradient
+
+    scalar tolerance;        // 10^D: a surface is hit where DE < tolerance * t
+    scalar stride;           // the share of the distance estimate that one step goes
+    scalar end;              // no sample lies beyond this t
+    scalar miss;             // depth of a pixel that hits nothing: +infinity
+    scalar brightness;
+    scalar difference_step;  // of the central differences, relative to max(|p|, 1)
+    scalar spare_0;
+    scalar spare_1;
+    scalar fractal[8];       // the fractal's own constants, named in its file
+
+    triple eye;      // camera
+    triple forward;  // unit vector
+    triple across;   // from the picture's middle to its right edge, at distance 1
+    triple upward;   // from the picture's middle to its top edge, at distance 1
+};
+
+// A ray on its way. It can be stored after any step and taken up again by another pass.
+struct Ray {
+    vec3 direction;     // unit vector
+    real t;             // where the next sample will be taken
+    real last_t;        // where the last sample was taken
+    real last_distance; // the distance estimate there
+    real before_t;      // where the sample before the last one was taken
+    whole steps;        // samples taken while marching
+    whole estimates;    // calls of the distance estimator, those of refining and of the normal included
+    whole iterations;   // iterations in all those calls
+};
+
+// A pixel, finished.
+struct Pixel {
+    vec3 colour;  // 0 to 1, as displayed
+    real depth;   // t of the hit
+    whole steps;
+    whole estimates;
+    whole iterations;
+};
+
+// What a distance estimator returns: a lower bound of the distance to the surface, and what it cost.
+struct Estimate {
+    real distance;
+    whole iterations;
+};

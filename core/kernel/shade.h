@@ -1,0 +1,103 @@
+// Kernel text, part 6: from a ray's hit to a pixel's colour.
+
+struct Normal {
+    vec3 direction;  // unit vector
+    whole estimates;
+    whole iterations;
+};
+
+// The gradient of DE by central differences, six estimates; the step is relative to the larger of |p| and 1.
+FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
+{
+    real h = larger(norm(p), 1) * scene.difference_step;
+    vec3 slope = vec3(0, 0, 0);
+    Normal normal;
+    normal.estimates = 0;
+    normal.iterations = 0;
+    int axis = 0;
+    while (axis < 3) {
+        vec3 ahead = p;
+        vec3 behind = p;
+        if (axis == 0) {
+            ahead.x = p.x + h;
+            behind.x = p.x - h;
+        } else if (axis == 1) {
+            ahead.y = p.y + h;
+            behind.y = p.y - h;
+        } else {
+            ahead.z = p.z + h;
+            behind.z = p.z - h;
+        }
+        Estimate a = estimate(scene, ahead, on);
+        Estimate b = estimate(scene, behind, on);
+        real difference = a.distance - b.distance;
+        if (axis == 0) slope.x = difference;
+        if (axis == 1) slope.y = difference;
+        if (axis == 2) slope.z = difference;
+        normal.estimates = normal.estimates + count(on) + count(on);
+        normal.iterations = normal.iterations + a.iterations + b.iterations;
+        axis = axis + 1;
+    }
+    normal.direction = unit(slope);
+    return normal;
+}
+
+FN Normal normal_at(Scene scene, vec3 p, mask on)
+{
+    Normal normal;
+    if (scene.differences != 0) {
+        normal = normal_by_differences(scene, p, on);
+    } else {
+        normal.direction = unit(gradient(scene, p, on));
+        normal.estimates = count(on);
+        normal.iterations = 0;
+    }
+    return normal;
+}
+
+// (light n + 1) / 2 * brightness, cut to [0, 1] and squared; 0 where it is not a number.
+FN real channel(Scene scene, real light, real n)
+{
+    real c = (light * n + 1) * R(0.5) * scene.brightness;
+    c = pick(c > 0, pick(c < 1, c, R(1.0)), R(0.0));
+    return c * c;
+}
+
+// The original program's light: colour is the normal itself, lit by the view's angle to it.
+FN vec3 lit(Scene scene, vec3 direction, vec3 n)
+{
+    real light = R(1.8) * larger(inner(minus(n, vec3(1, 1, 1)), direction), R(0.3));
+    vec3 colour = vec3(channel(scene, light, n.x), channel(scene, light, n.y), channel(scene, light, n.z));
+    if (scene.colouring == 1) colour = vec3(colour.z, colour.y, colour.x);
+    return colour;
+}
+
+// A ray that has ended, to its pixel.
+FN Pixel shade(Scene scene, Ray ray)
+{
+    mask hit = has_hit(scene, ray);
+    Pixel pixel;
+    pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
+    pixel.depth = scene.miss;
+    pixel.steps = ray.steps;
+    pixel.estimates = ray.estimates;
+    pixel.iterations = ray.iterations;
+    if (any(hit)) {
+        // The normal is taken one tolerance before the hit.
+        vec3 p = along(point_at(scene, ray, ray.last_t), ray.direction, -tolerance(scene, ray));
+        Normal normal = normal_at(scene, p, hit);
+        pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+        pixel.depth = pick(hit, ray.last_t, pixel.depth);
+        pixel.estimates = pixel.estimates + normal.estimates;
+        pixel.iterations = pixel.iterations + normal.iterations;
+    }
+    return pixel;
+}
+
+// The whole pixel in one go.
+FN Pixel draw(Scene scene, real i, real j)
+{
+    Ray ray = march(scene, begin(scene, i, j), scene.max_steps);
+    if (scene.canonical != 0) ray = refine(scene, ray);
+    return shade(scene, ray);
+}

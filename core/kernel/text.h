@@ -1,0 +1,8 @@
+// The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
+// No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
+#include "core/kernel/scene.h"
+#include "core/kernel/vectors.h"
+#include "core/kernel/numbers.h"
+#include MM_FRACTAL_FILE
+#include "core/kernel/march.h"
+#include "core/kernel/shade.h"

@@ -1,0 +1,86 @@
+// Kernel text, part 2: vectors, component by component: OpenCL C has no operators for a struct of packs.
+
+FN real inner(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+FN real norm(vec3 a) { return root(inner(a, a)); }
+
+// p + t d
+FN vec3 along(vec3 p, vec3 d, real t) { return vec3(d.x * t + p.x, d.y * t + p.y, d.z * t + p.z); }
+
+FN vec3 minus(vec3 a, vec3 b) { return vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+FN vec3 times(real s, vec3 a) { return vec3(s * a.x, s * a.y, s * a.z); }
+
+FN vec3 unit(vec3 a)
+{
+    real length = norm(a);
+    return vec3(quotient(a.x, length), quotient(a.y, length), quotient(a.z, length));
+}
+
+FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on, a.y, b.y), pick(on, a.z, b.z)); }
+
+// A triple of the scene, for every lane.
+FN vec3 wide(triple a) { return vec3(a.x, a.y, a.z); }
+
+FN real larger(real a, real b) { return pick(a > b, a, b); }
+
+FN real smaller(real a, real b) { return pick(a < b, a, b); }
+
+struct Complex {
+    real re;
+    real im;
+};
+
+FN Complex complex_number(real re, real im)
+{
+    Complex c;
+    c.re = re;
+    c.im = im;
+    return c;
+}
+
+FN Complex product(Complex a, Complex b)
+{
+    return complex_number(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+}
+
+FN Complex squared(Complex a)
+{
+    real twice = a.re + a.re;
+    return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
+}
+
+// The highest bit of n, n >= 1.
+FN int highest_bit(int n)
+{
+    int bit = 1;
+    while (bit <= n / 2) bit = bit * 2;
+    return bit;
+}
+
+// a^n, n >= 1: left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3).
+FN Complex raised(Complex a, int n)
+{
+    Complex result = a;
+    int bit = highest_bit(n) / 2;
+    while (bit > 0) {
+        result = squared(result);
+        if ((n & bit) != 0) result = product(result, a);
+        bit = bit / 2;
+    }
+    return result;
+}
+
+// a^n, n >= 0.
+FN real raised_real(real a, int n)
+{
+    real result = a;
+    if (n == 0) result = 1;
+    int bit = highest_bit(n) / 2;
+    while (bit > 0) {
+        result = result * result;
+        if ((n & bit) != 0) result = result * a;
+        bit = bit / 2;
+    }
+    return result;
+}

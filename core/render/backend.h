@@ -1,0 +1,97 @@
+// The backend interface. A backend knows core/ and nothing of other backends; programs know this page and the registry.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+
+enum class Precision { f64, f32 };  // double, float
+enum class Mode { exact, fast };
+
+std::string_view name_of(Precision precision);  // "double", "float"
+std::string_view name_of(Mode mode);            // "exact", "fast"
+
+struct Device {
+    std::string name;
+    std::string vendor;
+    std::string driver;   // name and version
+    bool is_gpu = false;
+};
+
+// How a renderer is made.
+struct RendererOptions {
+    int device = 0;  // index into Backend::devices()
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    int threads = 0;  // 0: all that there are; for backends that run on the host's cores
+    int pack = 0;     // pixels computed at once on a core; 0: the backend's choice
+};
+
+// Seconds, each part apart; `wall` is the whole render() call.
+struct Timings {
+    double context = 0;   // finding and opening the device, in create()
+    double build = 0;     // compiling the kernel, in create()
+    double upload = 0;
+    double kernel = 0;
+    double readback = 0;
+    double wall = 0;
+};
+
+// Work done for one picture, counted by the kernel itself.
+struct Work {
+    std::uint64_t steps = 0;       // samples taken while marching
+    std::uint64_t estimates = 0;   // calls of the distance estimator, all of them
+    std::uint64_t iterations = 0;  // of the distance estimator
+};
+
+// What really ran.
+struct RenderReport {
+    std::string backend;
+    Device device;
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    int threads = 1;
+    int pack = 1;
+    std::string instruction_set;  // or device architecture; may be empty
+    Timings timings;
+    Work work;
+};
+
+// Called with the finished share of the picture, 0 to 1, from the thread that called render().
+using Progress = std::function<void(double)>;
+
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+
+    // Draws `scene` into `image`, which has the scene's size. The whole image is written. Can be called again.
+    // Throws Unavailable if the scene's fractal cannot be drawn, Error if the device fails.
+    virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
+};
+
+class Backend {
+public:
+    virtual ~Backend() = default;
+
+    virtual std::string_view name() const = 0;
+
+    // Why there is nothing to run on; nullopt if there is.
+    virtual std::optional<std::string> unavailable() const = 0;
+
+    // Empty if unavailable.
+    virtual std::vector<Device> devices() const = 0;
+
+    // Throws Unavailable if the device is not there or cannot do what is asked.
+    virtual std::unique_ptr<Renderer> create(const RendererOptions& options) const = 0;
+};
+
+}  // namespace mandelmarch

@@ -1,0 +1,88 @@
+#include "core/render/kernel_scene.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+namespace {
+
+// Constants of the original program.
+constexpr double stride = 0.95;               // of the distance estimate
+constexpr double end = 1000;                  // largest t of a sample
+constexpr int max_steps = 8000;
+constexpr double degrees_per_field = 65;      // of vertical angle, per unit of the field of view
+constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
+
+template <class KernelScene>
+constexpr bool is_float = std::is_same_v<decltype(KernelScene::tolerance), float>;
+
+// std430 and OpenCL C see the same bytes: ints, reals, then triples at multiples of four reals.
+template <class KernelScene>
+constexpr bool layout_is_portable()
+{
+    constexpr std::size_t real = sizeof(KernelScene::tolerance);
+    return offsetof(KernelScene, tolerance) == 32 && offsetof(KernelScene, fractal) == 32 + 8 * real &&
+           offsetof(KernelScene, eye) == 32 + 16 * real && sizeof(KernelScene) == 32 + 32 * real;
+}
+static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
+
+template <class Triple>
+void assign(Triple& to, Vector from)
+{
+    using Real = decltype(to.x);
+    to = {static_cast<std::remove_reference_t<Real>>(from.x), static_cast<std::remove_reference_t<Real>>(from.y),
+          static_cast<std::remove_reference_t<Real>>(from.z)};
+}
+
+}  // namespace
+
+Camera camera_of(const Scene& scene)
+{
+    const double tangent = std::tan(scene.field_of_view * degrees_per_field / 2 * std::numbers::pi / 180);
+    const double aspect = static_cast<double>(scene.width) / scene.height;
+    const Vector forward = unit(scene.target - scene.eye);
+    const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
+    const Vector right = unit(cross(forward, (1 / up_length) * scene.up));
+    return {forward, (aspect * tangent) * right, tangent * cross(right, forward)};
+}
+
+template <class KernelScene>
+KernelScene kernel_scene(const Scene& scene, Mode mode)
+{
+    using Real = decltype(KernelScene::tolerance);
+    const auto real = [](double value) { return static_cast<Real>(value); };
+    const FractalConstants constants =
+        scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
+    const Camera camera = camera_of(scene);
+
+    KernelScene k{};
+    k.width = scene.width;
+    k.height = scene.height;
+    k.max_iterations = scene.iterations;
+    k.max_steps = max_steps;
+    k.exponent = constants.exponent;
+    k.colouring = scene.colouring;
+    k.canonical = mode == Mode::fast;
+    k.differences = !is_float<KernelScene>;
+    k.tolerance = real(std::pow(10.0, scene.detail));
+    k.stride = real(stride);
+    k.end = real(end);
+    k.miss = std::numeric_limits<Real>::infinity();
+    k.brightness = real(scene.brightness);
+    k.difference_step = real(difference_step);
+    for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
+    assign(k.eye, scene.eye);
+    assign(k.forward, camera.forward);
+    assign(k.across, camera.across);
+    assign(k.upward, camera.upward);
+    return k;
+}
+
+template layout_f64::Scene kernel_scene(const Scene&, Mode);
+template layout_f32::Scene kernel_scene(const Scene&, Mode);
+
+}  // namespace mandelmarch

@@ -1,0 +1,43 @@
+// A scene as the kernel text takes it, in each precision.
+#pragma once
+
+#include "core/render/backend.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+
+// The layouts come from the text itself (core/kernel/scene.h); a backend passes them on as bytes.
+namespace layout_f64 {
+#define MM_REAL double
+#define MM_REAL_IS_FLOAT 0
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/scene.h"
+#include "core/kernel/prelude/undefine.h"
+#undef MM_REAL
+#undef MM_REAL_IS_FLOAT
+}  // namespace layout_f64
+namespace layout_f32 {
+#define MM_REAL float
+#define MM_REAL_IS_FLOAT 1
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/scene.h"
+#include "core/kernel/prelude/undefine.h"
+#undef MM_REAL
+#undef MM_REAL_IS_FLOAT
+}  // namespace layout_f32
+
+// Computed in double, then rounded.
+// exact: the plain schedule's hit. fast: the canonical hit.
+// The normal comes from central differences in double and from the analytic gradient in float.
+template <class KernelScene>
+KernelScene kernel_scene(const Scene& scene, Mode mode);
+
+// The camera's axes: forward is the unit vector of the view; across and upward lead from the picture's middle to its
+// right and top edges at distance 1.
+struct Camera {
+    Vector forward, across, upward;
+};
+
+Camera camera_of(const Scene& scene);
+
+}  // namespace mandelmarch

@@ -1,0 +1,56 @@
+#include "core/render/registry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace mandelmarch {
+namespace {
+
+class NotBuilt : public Backend {
+public:
+    explicit NotBuilt(std::string_view name) : name_(name) {}
+
+    std::string_view name() const override { return name_; }
+    std::optional<std::string> unavailable() const override { return "not built"; }
+    std::vector<Device> devices() const override { return {}; }
+    std::unique_ptr<Renderer> create(const RendererOptions&) const override
+    {
+        throw Unavailable(fmt::format("backend {}: not built", name_));
+    }
+
+private:
+    std::string name_;
+};
+
+}  // namespace
+
+std::string_view name_of(Precision precision) { return precision == Precision::f64 ? "double" : "float"; }
+
+std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }
+
+const Backend* Registry::find(std::string_view name) const
+{
+    const auto found = std::ranges::find(backends_, name, [](const auto& backend) { return backend->name(); });
+    return found == backends_.end() ? nullptr : found->get();
+}
+
+AutomaticChoice Registry::automatic() const
+{
+    std::string reason = "openacc is not in this build";
+    if (const Backend* openacc = find("openacc")) {
+        const auto devices = openacc->devices();
+        const auto gpu = std::ranges::find_if(devices, &Device::is_gpu);
+        if (gpu != devices.end()) return {openacc, "openacc has the GPU " + gpu->name};
+        reason = "openacc has no GPU: " + openacc->unavailable().value_or("only the host");
+    }
+    const Backend* openmp = find("openmp");
+    if (openmp == nullptr) throw Unavailable(reason + ", and openmp is not in this build");
+    return {openmp, reason};
+}
+
+std::unique_ptr<Backend> not_built(std::string_view name) { return std::make_unique<NotBuilt>(name); }
+
+}  // namespace mandelmarch

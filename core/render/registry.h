@@ -1,0 +1,38 @@
+// The backends of this program, by name.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+// What `auto` chose, and why, in words for the user.
+struct AutomaticChoice {
+    const Backend* backend;
+    std::string reason;
+};
+
+class Registry {
+public:
+    explicit Registry(std::vector<std::unique_ptr<Backend>> backends) : backends_(std::move(backends)) {}
+
+    std::span<const std::unique_ptr<Backend>> backends() const { return backends_; }
+
+    // nullptr if there is no such backend.
+    const Backend* find(std::string_view name) const;
+
+    // OpenACC where it has a GPU, else OpenMP.
+    AutomaticChoice automatic() const;
+
+private:
+    std::vector<std::unique_ptr<Backend>> backends_;
+};
+
+// A backend that this build does not have: unavailable, "not built".
+std::unique_ptr<Backend> not_built(std::string_view name);
+
+}  // namespace mandelmarch

@@ -1,0 +1,45 @@
+// The schedule of passes, the same for every backend: bands of rows, and the kernel text's entries over each band.
+#pragma once
+
+#include <cstdint>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+// The kernel text's entry points. `draw` is a whole pixel in one go; the others are its parts, over stored rays.
+enum class Entry { draw, begin, march, refine, shade };
+
+// Rows [first_row, first_row + rows) of the picture, from the bottom.
+struct Band {
+    int first_row;
+    int rows;
+};
+
+// What a device can do in one go.
+struct Limits {
+    std::int64_t pixels_per_band;           // what its buffers hold
+    std::int64_t loops_per_invocation = 0;  // loop iterations that one invocation survives; 0: any number
+};
+
+// A backend's side of the schedule.
+class Executor {
+public:
+    virtual ~Executor() = default;
+
+    // Runs one entry on every pixel of the band. `steps` is for `march`: the most steps of a ray in this pass.
+    virtual void run(Entry entry, const Band& band, int steps) = 0;
+
+    // After `march`: true while a ray of the band has neither hit nor left.
+    virtual bool marching(const Band& band) = 0;
+
+    // Takes the band's finished pixels into the image.
+    virtual void read_back(const Band& band, Image& image) = 0;
+};
+
+// Draws the scene band by band. Where one invocation survives a whole ray's march, a band is one `draw` pass; elsewhere
+// it is begin, march as often as needed, refine (in fast mode) and shade.
+void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
+                  const Progress& progress);
+
+}  // namespace mandelmarch

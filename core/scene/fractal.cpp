@@ -1,0 +1,90 @@
+#include "core/scene/fractal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double huge = 1e6;
+constexpr Meaning ignored{"a number (ignored)", -1e300, 1e300};
+
+std::string_view no_objection(const Scene&) { return {}; }
+
+std::string_view box_objection(const Scene& scene)
+{
+    const double scale = scene.shape[0];
+    return scale == 0 || scale == 1 ? "scale must not be 0 or 1, expected 2 or -1.5, say" : std::string_view{};
+}
+
+FractalConstants bulb_constants(const Scene& scene, double largest)
+{
+    const double power = scene.shape[2];
+    // r^P must stay finite while the loop runs, so the bailout radius is at most largest^(1/P).
+    const double bailout = std::min(scene.shape[1], std::pow(largest, 1 / power));
+    return {.values = {bailout, power}, .exponent = power == std::floor(power) ? static_cast<int>(power) : 0};
+}
+
+FractalConstants box_constants(const Scene& scene, double)
+{
+    const auto [scale, inner, fixed] = scene.shape;
+    const double growth = std::abs(scale);
+    return {.values = {scale, growth, inner * inner, fixed * fixed, (fixed * fixed) / (inner * inner),
+                       scene.escape * scene.escape, std::abs(scale - 1), std::pow(growth, 1 - scene.iterations)}};
+}
+
+// One row registers a fractal.
+constexpr std::array table{
+    Fractal{"mandelbulb", "bulb", {ignored, {"bailout", 0, huge, true}, {"power", 0, 1000, true}}, ignored,
+            no_objection, bulb_constants},
+    Fractal{"mandelbox", "box", {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
+            {"escape time", 0, 1e15, true}, box_objection, box_constants},
+};
+
+}  // namespace
+
+std::span<const Fractal> fractals() { return table; }
+
+const Fractal& fractal_named(std::string_view name)
+{
+    std::string known;
+    for (const Fractal& fractal : table) {
+        if (fractal.name == name || fractal.nickname == name) return fractal;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", fractal.name);
+    }
+    throw InputError(fmt::format("no fractal is called '{}', expected one of {}", name, known));
+}
+
+void check_scene(const Scene& scene, const std::function<std::string(Item)>& where)
+{
+    const Vector view = scene.target - scene.eye;
+    const double distance = std::hypot(view.x, view.y, view.z);
+    if (!(distance > 0)) {
+        throw InputError(where(Item::target) + ": the camera stands on its target, expected another look-at point");
+    }
+    const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
+    if (!(up_length > 0)) throw InputError(where(Item::up) + ": the up vector is zero, expected a direction");
+    const Vector side = cross((1 / distance) * view, (1 / up_length) * scene.up);
+    // The sine of an angle that leaves no digits for the picture's axes.
+    if (!(length(side) > 1e-8)) {
+        throw InputError(where(Item::up) + ": the up vector is parallel to the view, expected another direction");
+    }
+    if (const std::string_view objection = scene.fractal->objection(scene); !objection.empty()) {
+        throw InputError(fmt::format("{}: {}", where(Item::shape), objection));
+    }
+    constexpr double largest = 1e37;  // of a float, with room
+    for (const double value : scene.fractal->constants(scene, largest).values) {
+        if (!(std::abs(value) < largest)) {
+            throw InputError(where(Item::iterations) + ": the fractal's constants overflow, expected smaller values (a "
+                                                       "scale under 1 wants few iterations)");
+        }
+    }
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,42 @@
+// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row in fractal.cpp.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace mandelmarch {
+
+struct Scene;
+
+// What one number of a parameter file means, and its range. `low` and `high` are allowed themselves unless `open_low`.
+struct Meaning {
+    std::string_view name;
+    double low;
+    double high;
+    bool open_low = false;
+};
+
+// What the kernel text of a fractal needs that is the same for all pixels, computed in double.
+struct FractalConstants {
+    std::array<double, 8> values{};
+    int exponent = 0;  // see Scene::exponent in core/kernel/scene.h
+};
+
+struct Fractal {
+    std::string_view name;      // the kernel file's stem, too
+    std::string_view nickname;  // short form on command lines
+    std::array<Meaning, 3> shape;
+    Meaning escape;
+    // What is wrong with the three values of line 7 together, or nothing.
+    std::string_view (*objection)(const Scene& scene);
+    // `largest` is the largest finite power of ten of the number type, as a double.
+    FractalConstants (*constants)(const Scene& scene, double largest);
+};
+
+std::span<const Fractal> fractals();
+
+// By name or nickname. Throws InputError with the known names.
+const Fractal& fractal_named(std::string_view name);
+
+}  // namespace mandelmarch

@@ -1,0 +1,228 @@
+#include "core/scene/parameter_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/number.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has 500
+constexpr std::string_view blanks = " \t\r\f\v";
+
+// What a message shows of the user's text: printable, and not too much of it.
+std::string quoted(std::string_view text)
+{
+    constexpr std::size_t most = 40;
+    std::string shown;
+    for (const char c : text.substr(0, most)) shown += c >= ' ' && c <= '~' ? c : '?';
+    return "'" + shown + (text.size() > most ? "'..." : "'");
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// The line without its comment: from a # that begins the line or follows a blank.
+std::string_view without_comment(std::string_view line)
+{
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '#' && (i == 0 || blanks.find(line[i - 1]) != std::string_view::npos)) return line.substr(0, i);
+    }
+    return line;
+}
+
+class Parser {
+public:
+    Parser(std::string_view text, const std::string& name, const Fractal& fractal)
+        : rest_(text), name_(name), fractal_(fractal)
+    {
+        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+    }
+
+    ParameterFile parse()
+    {
+        Scene& scene = result_.scene;
+        scene.fractal = &fractal_;
+        scene.eye = vector(Item::eye, "camera location");
+        scene.target = vector(Item::target, "look-at point");
+        scene.up = vector(Item::up, "up vector");
+        begin(Item::field_of_view, "field of view", 1);
+        scene.field_of_view = real({"field of view", 0, max_field_of_view, true});
+        if (scene.field_of_view >= max_field_of_view) {
+            fail("field of view is 180 degrees or more, expected less than 180/65");
+        }
+        begin(Item::size, "width and height", 2);
+        scene.width = whole("width", 1, max_side);
+        scene.height = whole("height", 1, max_side);
+        begin(Item::detail, "detail level", 1);
+        scene.detail = single({"detail level", -37, 3});
+        begin(Item::shape, "three numbers", 3);
+        for (std::size_t i = 0; i < 3; ++i) scene.shape[i] = single(fractal_.shape[i]);
+        begin(Item::iterations, "maximum of iterations and one more number", 2);
+        scene.iterations = whole("maximum of iterations", 1, max_iterations);
+        scene.escape = single(fractal_.escape);
+        begin(Item::colouring, "colouring type", 1);
+        scene.colouring = whole("colouring type", 0, colouring_types - 1);
+        begin(Item::brightness, "brightness", 1);
+        scene.brightness = single({"brightness", 0, 1e6});
+        scene.image_file = file_name();
+        if (next_line()) fail(fmt::format("{} follows the last entry, expected the end of the file", quoted(line_)));
+        check_scene(scene, [this](Item item) { return place(lines_.at(static_cast<std::size_t>(item))); });
+        return std::move(result_);
+    }
+
+private:
+    std::string place(int line) const { return fmt::format("{}:{}", name_, line); }
+
+    [[noreturn]] void fail(const std::string& text) const { throw InputError(place(number_) + ": " + text); }
+
+    // Takes the next line that holds more than blanks and a comment; false at the end.
+    bool next_line()
+    {
+        while (!rest_.empty()) {
+            const auto end = rest_.find('\n');
+            line_ = rest_.substr(0, end);
+            rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+            ++number_;
+            if (line_.find('\0') != std::string_view::npos) fail("the line holds a NUL byte, expected text");
+            line_ = trimmed(without_comment(line_));
+            if (!line_.empty()) return true;
+        }
+        return false;
+    }
+
+    // Takes the line of an entry that has `count` numbers.
+    void begin(Item item, const char* what, int count)
+    {
+        if (!next_line()) {
+            number_ = std::max(number_, 1);
+            fail(fmt::format("the file ends, expected {}", what));
+        }
+        lines_.at(static_cast<std::size_t>(item)) = number_;
+        int words = 0;
+        fields_ = line_;
+        for (auto rest = line_; !rest.empty(); ++words) take_word(rest);
+        if (words != count) {
+            fail(fmt::format("{} value{} in {}, expected {} ({})", words, words == 1 ? "" : "s", quoted(line_), count,
+                             what));
+        }
+    }
+
+    static std::string_view take_word(std::string_view& rest)
+    {
+        const auto word = rest.substr(0, rest.find_first_of(blanks));
+        rest = trimmed(rest.substr(word.size()));
+        return word;
+    }
+
+    double real(const Meaning& meaning)
+    {
+        const auto word = take_word(fields_);
+        const auto value = parse_real(word);
+        if (!value) fail(fmt::format("{} is {}, expected a decimal number", meaning.name, quoted(word)));
+        check_range(*value, meaning, word);
+        return *value;
+    }
+
+    // A real number, rounded to single precision; the rounded one must be in the range.
+    double single(const Meaning& meaning)
+    {
+        const auto word = fields_.substr(0, fields_.find_first_of(blanks));
+        const auto value = real(meaning);
+        if (meaning.high > 1e38) return value;  // ignored
+        const double rounded = static_cast<float>(value);
+        check_range(rounded, meaning, word);
+        return rounded;
+    }
+
+    void check_range(double value, const Meaning& meaning, std::string_view word) const
+    {
+        const bool low_enough = value <= meaning.high;
+        const bool high_enough = meaning.open_low ? value > meaning.low : value >= meaning.low;
+        if (low_enough && high_enough) return;
+        fail(fmt::format("{} is {}, expected {} {:.6g} and at most {:.6g}", meaning.name, quoted(word),
+                         meaning.open_low ? "more than" : "at least", meaning.low, meaning.high));
+    }
+
+    int whole(const char* what, int low, int high)
+    {
+        const auto word = take_word(fields_);
+        const auto value = parse_whole(word);
+        if (!value || *value < low || *value > high) {
+            fail(fmt::format("{} is {}, expected a whole number from {} to {}", what, quoted(word), low, high));
+        }
+        return static_cast<int>(*value);
+    }
+
+    Vector vector(Item item, const char* what)
+    {
+        begin(item, what, 3);
+        const Meaning component{what, -1e9, 1e9};
+        const double x = real(component);
+        const double y = real(component);
+        return {x, y, real(component)};
+    }
+
+    std::string file_name()
+    {
+        constexpr const char* what = "the image's file name";
+        if (!next_line()) fail(fmt::format("the file ends, expected {}", what));
+        if (parse_real(line_)) {
+            const std::string number = quoted(line_);
+            const std::string here = place(number_);
+            if (!next_line()) fail(fmt::format("{} is no file name, expected {}", number, what));
+            result_.warnings.push_back(fmt::format(
+                "{}: warning: {} taken as the super-sampling of an older format and ignored", here, number));
+        }
+        lines_.at(static_cast<std::size_t>(Item::image_file)) = number_;
+        if (line_.size() > 4096) fail(fmt::format("the line has {} characters, expected a file name", line_.size()));
+        return std::string(line_);
+    }
+
+    std::string_view rest_;    // what has not been read
+    std::string_view line_;    // the current line, trimmed
+    std::string_view fields_;  // what is left of its values
+    int number_ = 0;           // the current line's number, from 1
+    std::array<int, item_count> lines_{};
+    const std::string& name_;
+    const Fractal& fractal_;
+    ParameterFile result_;
+};
+
+}  // namespace
+
+ParameterFile parse_parameters(std::string_view text, const std::string& name, const Fractal& fractal)
+{
+    return Parser(text, name, fractal).parse();
+}
+
+ParameterFile read_parameters(const std::string& path, const Fractal& fractal)
+{
+    const auto fail = [&](const std::string& why) {
+        throw InputError(fmt::format("{}:1: {}, expected a parameter file", path, why));
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file) fail(fmt::format("it cannot be opened ({})", std::strerror(errno)));
+    std::string text(largest_file + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    if (std::ferror(file.get())) fail(fmt::format("it cannot be read ({})", std::strerror(errno)));
+    if (text.size() > largest_file) fail(fmt::format("it has more than {} bytes", largest_file));
+    return parse_parameters(text, path, fractal);
+}
+
+}  // namespace mandelmarch
