@@ -57,8 +57,9 @@ int body(int argc, char** argv)
     app.add_option("B", second, "another")->required();
     app.add_option("--map", map, "write a map of the differences, white where equal; .png or .bmp");
     app.add_flag("--json", json, "print JSON");
-    app.footer("Two EXR pictures are compared in every bit of colour and depth, others in their bytes.\n"
-               "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
+    app.footer(
+        "Two EXR pictures are compared in every bit of colour and depth, others in their bytes.\n"
+        "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {

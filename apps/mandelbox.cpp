@@ -3,6 +3,8 @@
 
 int main(int argc, char** argv)
 {
-    const auto body = [](int count, char** values) { return mandelmarch::render_program("mandelbox", "mandelbox", count, values); };
+    const auto body = [](int count, char** values) {
+        return mandelmarch::render_program("mandelbox", "mandelbox", count, values);
+    };
     return mandelmarch::run_program("mandelbox", body, argc, argv);
 }

@@ -3,6 +3,8 @@
 
 int main(int argc, char** argv)
 {
-    const auto body = [](int count, char** values) { return mandelmarch::render_program("mandelbulb", "mandelbulb", count, values); };
+    const auto body = [](int count, char** values) {
+        return mandelmarch::render_program("mandelbulb", "mandelbulb", count, values);
+    };
     return mandelmarch::run_program("mandelbulb", body, argc, argv);
 }

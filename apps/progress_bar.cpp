@@ -8,13 +8,15 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int bar_width = 40;                                 // characters
-constexpr auto interval = std::chrono::milliseconds(100);     // between two looks of the bar
+constexpr int bar_width = 40;                              // characters
+constexpr auto interval = std::chrono::milliseconds(100);  // between two looks of the bar
 
 }  // namespace
 
 ProgressBar::ProgressBar(std::string title)
-    : title_(std::move(title)), terminal_(isatty(STDERR_FILENO) != 0), start_(std::chrono::steady_clock::now()),
+    : title_(std::move(title)),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()),
       last_(start_)
 {
 }

@@ -75,7 +75,8 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR, and about {} MiB beside; 16384 x 16384 pixels take {} MiB "
+        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR, and about {} MiB beside; 16384 x 16384 pixels take {} "
+        "MiB "
         "as BMP or PNG.\nA file that is there is replaced when the new one is whole.\n"
         "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), fixed_memory >> 20,
@@ -107,8 +108,10 @@ void apply_size(const std::string& size, Scene& scene)
     const auto cross = size.find('x');
     const auto width = parse_whole(size.substr(0, cross));
     const auto height = parse_whole(cross == std::string::npos ? "" : size.substr(cross + 1));
-    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side || height.value_or(0) > max_side) {
-        throw InputError(fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", size, max_side));
+    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side ||
+        height.value_or(0) > max_side) {
+        throw InputError(
+            fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", size, max_side));
     }
     scene.width = static_cast<int>(width.value_or(0));
     scene.height = static_cast<int>(height.value_or(0));
@@ -127,8 +130,9 @@ void check_memory(const Scene& scene, Image::Layers layers)
     const std::uint64_t needed = pixels * Image::bytes_per_pixel(layers) + fixed_memory;
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
-    throw InputError(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size",
-                                 scene.width, scene.height, needed >> 20, available >> 20));
+    throw InputError(
+        fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size",
+                    scene.width, scene.height, needed >> 20, available >> 20));
 }
 
 void list_devices(const Registry& registry)

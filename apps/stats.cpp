@@ -30,9 +30,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
           {"readback", t.readback},
           {"wall", t.wall}}},
         {"work",
-         {{"steps", report.work.steps},
-          {"de_calls", report.work.estimates},
-          {"iterations", report.work.iterations}}},
+         {{"steps", report.work.steps}, {"de_calls", report.work.estimates}, {"iterations", report.work.iterations}}},
     };
     const std::string text = json.dump(2) + "\n";
     OutputFile file(path);

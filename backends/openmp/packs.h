@@ -5,30 +5,30 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
-#define MM_REGISTERS 1
-namespace registers_1 {
-#include "backends/openmp/pack_tile.h"
-}
-#undef MM_REGISTERS
 #define MM_REGISTERS 2
 namespace registers_2 {
 #include "backends/openmp/pack_tile.h"
 }
 #undef MM_REGISTERS
+#if MANDELMARCH_ALL_PACKS
 #define MM_REGISTERS 4
 namespace registers_4 {
 #include "backends/openmp/pack_tile.h"
 }
 #undef MM_REGISTERS
+#endif
 
 // The best last: two registers hide most of the latency and leave room for the rest of the state.
 VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);
-    return {{{name, registers_1::pack_lanes, registers_1::draw_tile},
-             {name, registers_4::pack_lanes, registers_4::draw_tile},
+#if MANDELMARCH_ALL_PACKS
+    return {{{name, registers_4::pack_lanes, registers_4::draw_tile},
              {name, registers_2::pack_lanes, registers_2::draw_tile}},
-            3};
+            2};
+#else
+    return {{{name, registers_2::pack_lanes, registers_2::draw_tile}}, 1};
+#endif
 }
 
 }  // namespace

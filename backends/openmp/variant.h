@@ -1,5 +1,5 @@
-// A variant: the kernel text compiled for one fractal, precision, mode, instruction set and pack width. Plain data: it is
-// shared with translation units that are compiled for one instruction set.
+// A variant: the kernel text compiled for one fractal, precision, mode, instruction set and pack width. Plain data: it
+// is shared with translation units that are compiled for one instruction set.
 #pragma once
 
 #include "core/image/tile.h"

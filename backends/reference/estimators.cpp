@@ -59,8 +59,9 @@ double Mandelbulb::operator()(Vector p, Work& work) const
         const double polar = power_ * std::acos(z.z / r);
         const double azimuth = power_ * std::atan2(z.y, z.x);
         dr = power_ * std::pow(r, power_ - 1) * dr + 1;
-        z = std::pow(r, power_) * Vector{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-                                         std::cos(polar)} + p;
+        z = std::pow(r, power_) *
+                Vector{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)} +
+            p;
     }
     ++work.estimates;
     work.iterations += static_cast<std::uint64_t>(i);

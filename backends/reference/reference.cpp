@@ -157,10 +157,7 @@ private:
     Work work_;
 };
 
-Device this_cpu()
-{
-    return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = "serial C++", .is_gpu = false};
-}
+Device this_cpu() { return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = "serial C++", .is_gpu = false}; }
 
 class ReferenceRenderer : public Renderer {
 public:

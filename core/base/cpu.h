@@ -5,7 +5,7 @@
 
 namespace mandelmarch {
 
-std::string cpu_name();    // as the CPU calls itself, "CPU" where unknown
+std::string cpu_name();  // as the CPU calls itself, "CPU" where unknown
 std::string cpu_vendor();
 
 }  // namespace mandelmarch

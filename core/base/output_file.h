@@ -8,8 +8,8 @@
 namespace mandelmarch {
 
 // Writes beside the target and renames on commit(). A target that exists and is no regular file (a device, a pipe), or
-// that lies in /dev or /proc, is written into instead and never replaced. A symbolic link stays; its target is replaced.
-// Errors are thrown as Error with the path and the cause.
+// that lies in /dev or /proc, is written into instead and never replaced. A symbolic link stays; its target is
+// replaced. Errors are thrown as Error with the path and the cause.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);

@@ -39,8 +39,8 @@ public:
     const std::vector<PixelValue>& values() const { return values_; }
     std::vector<PixelValue>& values() { return values_; }
 
-    // Takes pixel (0, 0) to (width - 1, height - 1) of a tile to (left, bottom) and up. A byte is trunc(255 c), computed
-    // in the tile's own number type. Different parts of an image can be stored from different threads.
+    // Takes pixel (0, 0) to (width - 1, height - 1) of a tile to (left, bottom) and up. A byte is trunc(255 c),
+    // computed in the tile's own number type. Different parts of an image can be stored from different threads.
     template <class Real>
     void store(const Tile<Real>& tile, int left, int bottom, int width, int height);
 

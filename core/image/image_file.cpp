@@ -69,7 +69,8 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
 Image read_image(const std::string& path)
 {
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw InputError(path + ": it is a directory, expected a picture");
+    if (std::filesystem::is_directory(path, ignored))
+        throw InputError(path + ": it is a directory, expected a picture");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(fmt::format("{}: {}, expected a picture", path, std::strerror(errno)));
     std::array<char, 4> magic{};

@@ -10,7 +10,7 @@ inline constexpr int tile_pixels = tile_side * tile_side;
 // Real is the kernel's number type. Pixel (x, y) of the tile stands at y * tile_side + x; y grows upwards.
 template <class Real>
 struct Tile {
-    Real red[tile_pixels];    // 0 to 1, as displayed
+    Real red[tile_pixels];  // 0 to 1, as displayed
     Real green[tile_pixels];
     Real blue[tile_pixels];
     Real depth[tile_pixels];  // +infinity: nothing hit

@@ -56,18 +56,18 @@ FN Ray march(Scene scene, Ray ray, int steps)
     return ray;
 }
 
-// The canonical hit: the root of DE(t) = tolerance t between the last two samples, by bisection to a hundredth of the
+// The canonical hit: the root of DE(t) = tolerance t between the last two samples, by bisection to a thousandth of the
 // tolerance, or until no number is left between the two. A ray whose first sample was a hit stays where it is.
 FN Ray refine(Scene scene, Ray ray)
 {
-    real low = ray.before_t;   // DE > tolerance t
-    real high = ray.last_t;    // DE < tolerance t
+    real low = ray.before_t;  // DE > tolerance t
+    real high = ray.last_t;   // DE < tolerance t
     mask on = has_hit(scene, ray) && ray.last_distance < scene.tolerance * high && high > low;
     ray.t = pick(on, high, ray.t);
     int i = 0;
     while (i < 60 && any(on)) {
         real t = R(0.5) * (low + high);
-        on = on && t > low && t < high && high - low > R(0.01) * scene.tolerance * high;
+        on = on && t > low && t < high && high - low > R(0.001) * scene.tolerance * high;
         Estimate here = estimate(scene, point_at(scene, ray, t), on);
         mask inside = on && here.distance < scene.tolerance * t;
         low = pick(on && !inside, t, low);

@@ -12,15 +12,15 @@ struct Scene {
     int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample
     int differences;     // 1: the normal comes from central differences; 0: from the analytic gradient
 
-    scalar tolerance;        // 10^D: a surface is hit where DE < tolerance * t
-    scalar stride;           // the share of the distance estimate that one step goes
-    scalar end;              // no sample lies beyond this t
-    scalar miss;             // depth of a pixel that hits nothing: +infinity
+    scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
+    scalar stride;     // the share of the distance estimate that one step goes
+    scalar end;        // no sample lies beyond this t
+    scalar miss;       // depth of a pixel that hits nothing: +infinity
     scalar brightness;
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
     scalar spare_0;
     scalar spare_1;
-    scalar fractal[8];       // the fractal's own constants, named in its file
+    scalar fractal[8];  // the fractal's own constants, named in its file
 
     triple eye;      // camera
     triple forward;  // unit vector
@@ -30,14 +30,14 @@ struct Scene {
 
 // A ray on its way. It can be stored after any step and taken up again by another pass.
 struct Ray {
-    vec3 direction;     // unit vector
-    real t;             // where the next sample will be taken
-    real last_t;        // where the last sample was taken
-    real last_distance; // the distance estimate there
-    real before_t;      // where the sample before the last one was taken
-    whole steps;        // samples taken while marching
-    whole estimates;    // calls of the distance estimator, those of refining and of the normal included
-    whole iterations;   // iterations in all those calls
+    vec3 direction;      // unit vector
+    real t;              // where the next sample will be taken
+    real last_t;         // where the last sample was taken
+    real last_distance;  // the distance estimate there
+    real before_t;       // where the sample before the last one was taken
+    whole steps;         // samples taken while marching
+    whole estimates;     // calls of the distance estimator, those of refining and of the normal included
+    whole iterations;    // iterations in all those calls
 };
 
 // A pixel, finished.

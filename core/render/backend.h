@@ -23,7 +23,7 @@ std::string_view name_of(Mode mode);            // "exact", "fast"
 struct Device {
     std::string name;
     std::string vendor;
-    std::string driver;   // name and version
+    std::string driver;  // name and version
     bool is_gpu = false;
 };
 
@@ -38,8 +38,8 @@ struct RendererOptions {
 
 // Seconds, each part apart; `wall` is the whole render() call.
 struct Timings {
-    double context = 0;   // finding and opening the device, in create()
-    double build = 0;     // compiling the kernel, in create()
+    double context = 0;  // finding and opening the device, in create()
+    double build = 0;    // compiling the kernel, in create()
     double upload = 0;
     double kernel = 0;
     double readback = 0;

@@ -11,10 +11,10 @@ namespace mandelmarch {
 namespace {
 
 // Constants of the original program.
-constexpr double stride = 0.95;               // of the distance estimate
-constexpr double end = 1000;                  // largest t of a sample
+constexpr double stride = 0.95;  // of the distance estimate
+constexpr double end = 1000;     // largest t of a sample
 constexpr int max_steps = 8000;
-constexpr double degrees_per_field = 65;      // of vertical angle, per unit of the field of view
+constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
 constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
 
 template <class KernelScene>
@@ -55,8 +55,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
 {
     using Real = decltype(KernelScene::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
-    const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
+    const FractalConstants constants = scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
     const Camera camera = camera_of(scene);
 
     KernelScene k{};

@@ -25,8 +25,8 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
                   const Progress& progress)
 {
     const std::int64_t width = scene.width;
-    const std::int64_t wanted = std::clamp(width * scene.height / bands_wanted, std::min(smallest_band, limits.pixels_per_band),
-                                           limits.pixels_per_band);
+    const std::int64_t wanted = std::clamp(width * scene.height / bands_wanted,
+                                           std::min(smallest_band, limits.pixels_per_band), limits.pixels_per_band);
     // Whole tiles where the limits allow it.
     std::int64_t rows = std::max<std::int64_t>(1, wanted / width);
     if (rows > tile_side) rows = rows / tile_side * tile_side;

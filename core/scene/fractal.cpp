@@ -41,10 +41,18 @@ FractalConstants box_constants(const Scene& scene, double)
 
 // One row registers a fractal.
 constexpr std::array table{
-    Fractal{"mandelbulb", "bulb", {ignored, {"bailout", 0, huge, true}, {"power", 0, 1000, true}}, ignored,
-            no_objection, bulb_constants},
-    Fractal{"mandelbox", "box", {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
-            {"escape time", 0, 1e15, true}, box_objection, box_constants},
+    Fractal{"mandelbulb",
+            "bulb",
+            {ignored, {"bailout", 0, huge, true}, {"power", 0, 1000, true}},
+            ignored,
+            no_objection,
+            bulb_constants},
+    Fractal{"mandelbox",
+            "box",
+            {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
+            {"escape time", 0, 1e15, true},
+            box_objection,
+            box_constants},
 };
 
 }  // namespace
@@ -81,8 +89,9 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     constexpr double largest = 1e37;  // of a float, with room
     for (const double value : scene.fractal->constants(scene, largest).values) {
         if (!(std::abs(value) < largest)) {
-            throw InputError(where(Item::iterations) + ": the fractal's constants overflow, expected smaller values (a "
-                                                       "scale under 1 wants few iterations)");
+            throw InputError(where(Item::iterations) +
+                             ": the fractal's constants overflow, expected smaller values (a "
+                             "scale under 1 wants few iterations)");
         }
     }
 }

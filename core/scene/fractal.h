@@ -1,4 +1,5 @@
-// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row in fractal.cpp.
+// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row in
+// fractal.cpp.
 #pragma once
 
 #include <array>

@@ -11,22 +11,22 @@ namespace mandelmarch {
 
 struct Fractal;
 
-inline constexpr int max_side = 65535;          // pixels
-inline constexpr int max_iterations = 10'000;   // of the distance estimator
+inline constexpr int max_side = 65535;         // pixels
+inline constexpr int max_iterations = 10'000;  // of the distance estimator
 inline constexpr double max_field_of_view = 180.0 / 65.0;
-inline constexpr int colouring_types = 2;       // 0 and 1
+inline constexpr int colouring_types = 2;  // 0 and 1
 
 struct Scene {
     const Fractal* fractal = nullptr;
     Vector eye{7, 7, 7};
     Vector target{0, 0, 0};
     Vector up{0, 1, 0};
-    double field_of_view = 1;              // in units of 65 degrees of vertical angle; 0 < f < max_field_of_view
-    int width = 0, height = 0;             // pixels, 1 to max_side
-    double detail = -3;                    // a surface is hit where DE < 10^detail * t
+    double field_of_view = 1;                // in units of 65 degrees of vertical angle; 0 < f < max_field_of_view
+    int width = 0, height = 0;               // pixels, 1 to max_side
+    double detail = -3;                      // a surface is hit where DE < 10^detail * t
     std::array<double, 3> shape{2, 0.5, 1};  // line 7; the fractal says what the three mean
-    int iterations = 1;                    // n, 1 to max_iterations
-    double escape = 0;                     // line 8, second value
+    int iterations = 1;                      // n, 1 to max_iterations
+    double escape = 0;                       // line 8, second value
     int colouring = 0;
     double brightness = 1;
     std::string image_file;

@@ -14,8 +14,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t header_size = 54;       // bytes, both headers
-constexpr std::uint32_t info_size = 40;       // bytes
+constexpr std::size_t header_size = 54;         // bytes, both headers
+constexpr std::uint32_t info_size = 40;         // bytes
 constexpr std::uint32_t dots_per_metre = 2835;  // 72 dots per inch
 
 std::size_t row_size(int width, int bits) { return (static_cast<std::size_t>(width) * bits / 8 + 3) / 4 * 4; }
@@ -90,7 +90,8 @@ Image decode_bmp(std::span<const std::byte> data, const std::string& name)
         refuse(fmt::format("its size is {} x {} pixels", width, height));
     }
     const std::size_t stride = row_size(width, bits);
-    if (start < header_size || start > data.size() || (data.size() - start) / stride < static_cast<std::size_t>(height)) {
+    if (start < header_size || start > data.size() ||
+        (data.size() - start) / stride < static_cast<std::size_t>(height)) {
         refuse("the file ends in its pixels");
     }
     Image image(width, static_cast<int>(height), Image::Layers::bytes);

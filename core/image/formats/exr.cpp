@@ -21,10 +21,7 @@ namespace {
 
 // One row of the file.
 struct Row {
-    explicit Row(int width)
-        : red(width), green(width), blue(width), depth(width), steps(width), iterations(width)
-    {
-    }
+    explicit Row(int width) : red(width), green(width), blue(width), depth(width), steps(width), iterations(width) {}
 
     std::vector<float> red, green, blue, depth;
     std::vector<std::uint32_t> steps, iterations;

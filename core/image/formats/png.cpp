@@ -48,8 +48,8 @@ void write_png(OutputFile& file, const std::string& path, const Image& image)
     Sink sink{file, nullptr};
     const Stream stream(fopencookie(&sink, "wb", {nullptr, write_to_sink, nullptr, nullptr}), &std::fclose);
     if (!stream) throw Error(path + ": cannot open a stream for it");
-    const int written = png_image_write_to_stdio(&header, stream.get(), 0, image.bytes().data(), row_stride(image),
-                                                 nullptr);
+    const int written =
+        png_image_write_to_stdio(&header, stream.get(), 0, image.bytes().data(), row_stride(image), nullptr);
     const bool flushed = std::fflush(stream.get()) == 0;
     if (sink.error) std::rethrow_exception(sink.error);
     if (written == 0 || !flushed) throw Error(fmt::format("{}: cannot write PNG: {}", path, header.message));

@@ -2,14 +2,14 @@
 // Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1.
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
 
-FN scalar box_scale(Scene scene) { return scene.fractal[0]; }             // s
-FN scalar box_growth(Scene scene) { return scene.fractal[1]; }            // |s|
-FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }     // rMin^2
-FN scalar box_fixed_radius2(Scene scene) { return scene.fractal[3]; }     // rFixed^2
-FN scalar box_inner_factor(Scene scene) { return scene.fractal[4]; }      // rFixed^2 / rMin^2
-FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }           // escape radius^2
-FN scalar box_offset(Scene scene) { return scene.fractal[6]; }            // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }         // |s|^(1 - n)
+FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // s
+FN scalar box_growth(Scene scene) { return scene.fractal[1]; }         // |s|
+FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
+FN scalar box_fixed_radius2(Scene scene) { return scene.fractal[3]; }  // rFixed^2
+FN scalar box_inner_factor(Scene scene) { return scene.fractal[4]; }   // rFixed^2 / rMin^2
+FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }        // escape radius^2
+FN scalar box_offset(Scene scene) { return scene.fractal[6]; }         // |s - 1|
+FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }      // |s|^(1 - n)
 
 FN real folded(real c) { return pick(c > 1, 2 - c, pick(c < -1, -2 - c, c)); }
 

@@ -6,10 +6,10 @@ FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }  // P
 
 // z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
-    real rho;          // sqrt(x^2 + y^2), 0 on the axis
-    real r_less;       // r^(P-1)
-    Complex polar;     // r^P (cos P0 + i sin P0)
-    Complex azimuth;   // cos P1 + i sin P1
+    real rho;         // sqrt(x^2 + y^2), 0 on the axis
+    real r_less;      // r^(P-1)
+    Complex polar;    // r^P (cos P0 + i sin P0)
+    Complex azimuth;  // cos P1 + i sin P1
 };
 
 // The azimuth of a point on the z axis is 0. A squared distance from the axis below AXIS counts as on it: above it no
@@ -23,7 +23,8 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
     if (scene.exponent > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
         real inverse = quotient(R(1.0), pick(off_axis, power.rho, R(1.0)));
-        Complex direction = complex_number(pick(off_axis, z.x * inverse, R(1.0)), pick(off_axis, z.y * inverse, R(0.0)));
+        Complex direction =
+            complex_number(pick(off_axis, z.x * inverse, R(1.0)), pick(off_axis, z.y * inverse, R(0.0)));
         power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
         power.azimuth = raised(direction, scene.exponent);
         power.r_less = raised_real(r, scene.exponent - 1);

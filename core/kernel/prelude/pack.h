@@ -1,6 +1,6 @@
 // Prelude: the words of the kernel text as packs of MM_REGISTERS native SIMD registers, on Google Highway. Registers of
-// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and
-// include it inside a namespace in HWY_NAMESPACE, before the text.
+// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS
+// and include it inside a namespace in HWY_NAMESPACE, before the text.
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -43,19 +43,19 @@ struct real {
     HWY_INLINE real(scalar value) { EACH_REGISTER of[u] = hn::Set(Reals(), value); }
 };
 
-#define LANEWISE(type, result, name, operation)                      \
-    FN result name(const type& a, const type& b)                             \
-    {                                                                \
-        result c;                                                    \
-        EACH_REGISTER c.of[u] = hn::operation(a.of[u], b.of[u]);     \
-        return c;                                                    \
+#define LANEWISE(type, result, name, operation)                  \
+    FN result name(const type& a, const type& b)                 \
+    {                                                            \
+        result c;                                                \
+        EACH_REGISTER c.of[u] = hn::operation(a.of[u], b.of[u]); \
+        return c;                                                \
     }
-#define LANEWISE_MASK(type, name, operation)                                                     \
-    FN mask name(const type& a, const type& b)                                                          \
-    {                                                                                            \
-        mask c;                                                                                  \
-        EACH_REGISTER c.of[u] = hn::RebindMask(Reals(), hn::operation(a.of[u], b.of[u]));        \
-        return c;                                                                                \
+#define LANEWISE_MASK(type, name, operation)                                              \
+    FN mask name(const type& a, const type& b)                                            \
+    {                                                                                     \
+        mask c;                                                                           \
+        EACH_REGISTER c.of[u] = hn::RebindMask(Reals(), hn::operation(a.of[u], b.of[u])); \
+        return c;                                                                         \
     }
 LANEWISE(real, real, operator+, Add)
 LANEWISE(real, real, operator-, Sub)

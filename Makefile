@@ -1,0 +1,43 @@
+# Thin targets over the CMake presets. `make demo` and `make test` install what is missing on Debian 12.
+PRESET ?= release
+PREFIX ?= /usr/local
+BUILD := build/$(PRESET)
+
+.PHONY: build mandelbulb mandelbox demo test fuzz lint install clean setup
+
+build: setup
+	@tools/build $(PRESET) all
+	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo bin/
+	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
+
+mandelbulb mandelbox: setup
+	@tools/build $(PRESET) $@
+	@cp $(BUILD)/bin/$@ $@
+
+# Draws both official scenes on every backend, proves that they agree and prints the times.
+demo: build
+	@bin/demo
+
+# Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
+test: build
+	ctest --preset $(PRESET)
+
+# A longer search for inputs that break the readers: make fuzz SECONDS=3600
+SECONDS ?= 600
+fuzz: setup
+	@tools/build asan parameter_file_fuzz bmp_fuzz
+	@for name in parameter_file bmp; do \
+	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/tests/$${name}_fuzz $(CURDIR) build/fuzz/$$name $(SECONDS) || exit 1; \
+	done
+
+lint: setup
+	@tools/lint
+
+install: build
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+clean:
+	rm -rf build bin mandelbulb mandelbox
+
+setup:
+	@tools/setup

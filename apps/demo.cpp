@@ -1,0 +1,120 @@
+// demo: draws both official scenes on every backend, in both precisions and modes, proves that the pictures agree and
+// prints a table of times. Exit code 1 where a picture fails.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace {
+
+using namespace mandelmarch;
+
+constexpr int side = 540;       // pixels
+constexpr int repetitions = 5;  // the table shows the fastest
+
+// Most pixels, in a hundred, that may be visibly off the reference picture of the same mode. Exact double is the
+// reference's own schedule, and single pixels of the bulb depend on the last bit of its trigonometry.
+double allowed_percent(const Scene& scene, const RendererOptions& options)
+{
+    const bool box = scene.fractal->nickname == "box";
+    if (options.mode == Mode::fast) return 2;
+    if (options.precision == Precision::f64) return box ? 0 : 0.01;
+    return box ? 1 : 0.1;
+}
+
+class Demo {
+public:
+    // Draws, compares and prints one row; false where the picture fails.
+    bool row(const Backend& backend, const Scene& scene, const RendererOptions& options)
+    {
+        const std::string head = fmt::format("{:<11} {:<10} {:<7} {:<6} ", scene.fractal->name,
+                                             fmt::format("{}{}", backend.name(), options.pack == 1 ? " 1" : ""),
+                                             name_of(options.precision), name_of(options.mode));
+        RenderReport report;
+        Image image;
+        try {
+            const auto renderer = backend.create(options);
+            image = Image(scene.width, scene.height, Image::Layers::all);
+            report = renderer->render(scene, image);
+            for (int i = 1; i < (backend.name() == "reference" ? 1 : repetitions); ++i) {
+                report.timings.wall = std::min(report.timings.wall, renderer->render(scene, image).timings.wall);
+            }
+        } catch (const Unavailable& error) {
+            fmt::print("{}unavailable: {}\n", head, error.what());
+            return true;
+        }
+        const auto key = std::pair(scene.fractal->name, options.mode);
+        if (backend.name() == "reference") reference_[key] = {image, report.timings.wall};
+        const auto& [expected, ignored] = reference_.at(key);
+        const double seconds = reference_.at({scene.fractal->name, Mode::exact}).second;
+        if (backend.name() == "reference") {
+            fmt::print("{}{:9.1f} {:>9.2f}   yardstick\n", head, 1e3 * report.timings.wall,
+                       seconds / report.timings.wall);
+            return true;
+        }
+        const Comparison c = compare(expected, image);
+        const double percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
+        bool fine = percent <= allowed_percent(scene, options);
+        std::string proof = fmt::format("{:.3f} % off the reference", percent);
+        if (options.mode == Mode::exact) {
+            // All backends draw the same bits in exact mode; the first one to draw sets them.
+            const auto [first, is_first] = exact_.try_emplace({scene.fractal->name, options.precision}, image);
+            const bool same = compare(first->second, image).same();
+            fine = fine && same;
+            proof += is_first ? "" : same ? ", same bits" : ", OTHER BITS";
+        }
+        if (fine) {
+            fmt::print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall,
+                       proof);
+        } else {
+            fmt::print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", proof);
+        }
+        return fine;
+    }
+
+private:
+    std::map<std::pair<std::string_view, Mode>, std::pair<Image, double>> reference_;
+    std::map<std::pair<std::string_view, Precision>, Image> exact_;
+};
+
+int body(int argc, char**)
+{
+    if (argc > 1) throw InputError("demo: it takes no arguments");
+    const Registry registry = all_backends();
+    fmt::print(
+        "{} x {} pixels; fastest of {} pictures; speed-up over reference, exact; openmp 1: the text as scalar C++\n",
+        side, side, repetitions);
+    fmt::print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms",
+               "speed-up", "picture");
+    Demo demo;
+    bool fine = true;
+    for (const auto& [fractal, file] : {std::pair("mandelbulb", "paramsBulb.dat"), {"mandelbox", "paramsBox.dat"}}) {
+        Scene scene = read_parameters(file, fractal_named(fractal)).scene;
+        scene.width = scene.height = side;
+        for (const auto& backend : registry.backends()) {
+            if (const auto why = backend->unavailable()) {
+                fmt::print("{:<11} {:<10} unavailable: {}\n", fractal, backend->name(), *why);
+                continue;
+            }
+            for (const Mode mode : {Mode::exact, Mode::fast}) {
+                for (const Precision precision : {Precision::f64, Precision::f32}) {
+                    if (backend->name() == "reference" && precision == Precision::f32) continue;
+                    fine = demo.row(*backend, scene, {.precision = precision, .mode = mode}) && fine;
+                    if (backend->name() != "openmp") continue;
+                    fine = demo.row(*backend, scene, {.precision = precision, .mode = mode, .pack = 1}) && fine;
+                }
+            }
+        }
+    }
+    return fine ? exit_fine : exit_failure;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return mandelmarch::run_program("demo", body, argc, argv); }

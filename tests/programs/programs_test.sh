@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# programs_test.sh BIN SOURCE: the programs as a user runs them: exit codes, messages, files left behind.
+set -uo pipefail
+bin=$1
+source=$2
+folder=$(mktemp -d)
+trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+cd "$folder"
+cp "$source"/params*.dat .
+failures=0
+
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# expect CODE COMMAND...: the exit code, and for 2 and 77 exactly one line on stderr and no new file.
+expect() {
+    local code=$1 before after got
+    shift
+    before=$(find . -type f ! -name stderr ! -name stdout | sort)
+    "$@" >stdout 2>stderr </dev/null
+    got=$?
+    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
+    after=$(find . -type f ! -name stderr ! -name stdout | sort)
+    if [ "$code" = 2 ] || [ "$code" = 77 ]; then
+        [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $* : $(head -c 300 stderr)"
+        [ "$before" = "$after" ] || fail "files changed: $*"
+    fi
+    [ -z "$(find . -name '.mandelmarch-*')" ] || fail "a half file is left: $*"
+}
+
+# says PATTERN: the last command's stderr.
+says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+
+small="--size 40x30 --backend openmp"
+
+# Pictures and their defaults.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small
+[ -f imageBulb.bmp ] || fail "the file named in the parameter file is missing"
+expect 0 "$bin/mandelbox" paramsBox.dat $small
+[ -f image.bmp ] || fail "the file named in the parameter file is missing"
+expect 0 "$bin/render" --fractal mandelbox paramsBox.dat $small --output again.bmp
+expect 0 cmp image.bmp again.bmp
+expect 0 "$bin/mandelbox" paramsBox.dat --size 40x30 --output again.png
+says '^backend openmp: '
+for format in bmp png exr; do
+    expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.$format
+    expect 0 "$bin/imgdiff" a.$format a.$format
+done
+expect 0 "$bin/imgdiff" a.bmp a.png
+expect 0 "$bin/imgdiff" a.png a.exr
+expect 0 "$bin/mandelbulb" paramsBulb.dat --size 333x217 --backend openmp --output odd.bmp
+[ "$(stat -c %s odd.bmp)" = $((54 + 217 * 1000)) ] || fail "size of a padded BMP"
+expect 0 "$bin/mandelbulb" paramsBulb.dat --size 1x1 --output one.bmp
+"$bin/mandelbulb" paramsBulb.dat $small --output /dev/stdout >piped.bmp 2>/dev/null || fail "writing to /dev/stdout"
+expect 0 cmp piped.bmp a.bmp
+[ -s stderr ] && fail "something on stderr without a terminal: $(cat stderr)"
+
+# imgdiff.
+expect 1 "$bin/imgdiff" a.bmp image.bmp
+expect 1 "$bin/imgdiff" a.bmp odd.bmp
+expect 1 "$bin/imgdiff" a.bmp image.bmp --json --map map.png
+grep -q '"same": false' stdout || fail "imgdiff --json"
+[ -s map.png ] || fail "imgdiff --map"
+expect 2 "$bin/imgdiff" a.bmp missing.bmp
+expect 2 "$bin/imgdiff" a.bmp paramsBox.dat
+expect 2 "$bin/imgdiff" a.bmp
+expect 2 "$bin/imgdiff" a.bmp a.bmp --map map.exr
+
+# Statistics.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png
+for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
+    '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
+    grep -q "$text" stats.json || fail "statistics without $text"
+done
+
+# Backends and devices.
+for backend in openacc opencl vulkan; do
+    "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
+    expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend $backend --output new.bmp
+    says 'not built'
+done
+expect 77 "$bin/mandelbulb" paramsBulb.dat $small --device 5 --output new.bmp
+expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend reference --precision float --output new.bmp
+"$bin/mandelbulb" --list-devices | grep -q '^openmp *0: ' || fail "--list-devices"
+
+# Wrong arguments.
+for arguments in "" "--nonsense" "paramsBulb.dat --backend metal" "paramsBulb.dat --precision half" \
+    "paramsBulb.dat --mode slow" "paramsBulb.dat --size 0x5" "paramsBulb.dat --size 5" "paramsBulb.dat --size 0x10x10" \
+    "paramsBulb.dat --size -5x5" "paramsBulb.dat --size 5.5x5" "paramsBulb.dat --size 65536x1" "paramsBulb.dat --size x" \
+    "paramsBulb.dat --threads -1" "paramsBulb.dat --threads many" "paramsBulb.dat --pack 3 --backend openmp" \
+    "paramsBulb.dat --device -1" "paramsBulb.dat more.dat"; do
+    expect 2 "$bin/mandelbulb" $arguments
+done
+expect 2 "$bin/render" paramsBulb.dat
+expect 2 "$bin/render" --fractal sponge paramsBulb.dat
+expect 0 "$bin/mandelbulb" --help
+grep -q 'bytes a pixel' stdout || fail "--help tells no memory figure"
+
+# Wrong parameter files: place, then what is wrong.
+expect 2 "$bin/mandelbulb" missing.dat
+says '^missing.dat:1: .*expected'
+expect 2 "$bin/mandelbulb" .
+says '^\.:1: .*directory'
+: >empty.dat
+expect 2 "$bin/mandelbulb" empty.dat
+says '^empty.dat:1: the file ends'
+head -c 3000 /dev/urandom >junk.dat
+expect 2 "$bin/mandelbulb" junk.dat
+says '^junk.dat:[0-9]+: '
+head -c 1000000 /dev/zero | tr '\0' 7 >long.dat
+expect 2 "$bin/mandelbulb" long.dat
+head -c 9000000 /dev/zero >zeros.dat
+expect 2 "$bin/mandelbulb" zeros.dat
+says '^zeros.dat:'
+
+# Wrong outputs, seen before anything is drawn.
+sed 's/^imageBulb.bmp/image/' paramsBulb.dat >noending.dat
+expect 2 "$bin/mandelbulb" noending.dat $small
+sed 's/^imageBulb.bmp/image.jpeg/' paramsBulb.dat >unknown.dat
+expect 2 "$bin/mandelbulb" unknown.dat $small
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output missing/a.bmp
+mkdir folder.bmp
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output folder.bmp
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --stats missing/a.json --output new.bmp
+if [ "$(id -u)" != 0 ]; then
+    mkdir locked && chmod 555 locked
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output locked/a.bmp
+fi
+expect 2 "$bin/mandelbulb" paramsBulb.dat --size 65535x65535 --output huge.bmp
+says 'PNG or EXR'
+expect 2 "$bin/mandelbulb" paramsBulb.dat --size 65535x65535 --output huge.exr
+says 'MiB of memory'
+
+# Disks that are full, by device and by limit.
+expect 1 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/full
+says 'No space left'
+cp a.bmp kept.bmp
+expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 200x200 --backend openmp --output kept.bmp"
+says 'File too large'
+expect 0 cmp kept.bmp a.bmp
+for format in png exr; do
+    expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 300x300 --backend openmp --output full.$format"
+    [ -e full.$format ] && fail "half a $format"
+done
+"$bin/mandelbulb" paramsBulb.dat $small --output /dev/stdout 2>stderr | head -c 10 >/dev/null
+
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))

@@ -1,0 +1,27 @@
+// Scenes for tests.
+#pragma once
+
+#include <string>
+
+#include "core/render/backend.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch {
+
+// The text of an official scene's parameter file, as in the repository.
+std::string official_text(const std::string& nickname);
+
+// An official scene at another size, in pixels.
+Scene official_scene(const std::string& nickname, int width, int height);
+
+// Scenes away from the official ones: other powers, a negative scale, other radii, other up vectors, a camera inside.
+struct NamedScene {
+    std::string name;
+    Scene scene;
+};
+std::vector<NamedScene> odd_scenes();
+
+// The picture with all layers.
+Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
+
+}  // namespace mandelmarch

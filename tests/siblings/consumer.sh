@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# consumer.sh BUILD: installs the build into an empty folder and builds and runs a program against the package there.
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cmake --install "$1" --prefix "$folder/prefix" >/dev/null
+cmake -S consumer -B "$folder/build" -DCMAKE_PREFIX_PATH="$folder/prefix" -DCMAKE_BUILD_TYPE=Release >/dev/null
+cmake --build "$folder/build"
+"$folder/build/consumer"

@@ -1,0 +1,205 @@
+// Picture files: what is written can be read, appears whole or not at all, and streams are written into.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/base/output_file.h"
+#include "core/image/compare.h"
+#include "core/image/image_file.h"
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+protected:
+    Files() : folder(fs::temp_directory_path() / ("mandelmarch-test-" + std::to_string(getpid())))
+    {
+        fs::create_directories(folder);
+    }
+    ~Files() override { fs::remove_all(folder); }
+
+    std::string path(const std::string& name) const { return (folder / name).string(); }
+
+    std::size_t entries() const
+    {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+
+    static Image noise(int width, int height)
+    {
+        Image image(width, height, Image::Layers::all);
+        std::mt19937 random(static_cast<unsigned>(width * 1000 + height));
+        for (std::size_t i = 0; i < image.pixels(); ++i) {
+            PixelValue& v = image.values()[i];
+            for (double* c : {&v.red, &v.green, &v.blue}) *c = static_cast<float>(random() % 1000) / 1000.0F;
+            v.depth = i % 5 == 0 ? INFINITY : static_cast<float>(random() % 1000);
+            v.steps = static_cast<std::int32_t>(random() % 8000);
+            v.iterations = static_cast<std::int32_t>(random() % 80'000'000);
+            image.bytes()[3 * i] = static_cast<std::uint8_t>(255 * static_cast<float>(v.red));
+            image.bytes()[3 * i + 1] = static_cast<std::uint8_t>(255 * static_cast<float>(v.green));
+            image.bytes()[3 * i + 2] = static_cast<std::uint8_t>(255 * static_cast<float>(v.blue));
+        }
+        return image;
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Files, EveryFormatComesBack)
+{
+    for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {3, 2}, {5, 4}, {33, 17}, {64, 64}}) {
+        const Image image = noise(width, height);
+        for (const char* name : {"a.bmp", "a.png", "a.exr"}) {
+            write_image(path(name), *image_format(name), image);
+            const Image back = read_image(path(name));
+            EXPECT_EQ(back.bytes(), image.bytes()) << name << " " << width;
+            if (back.has_values()) {
+                const Comparison c = compare(image, back);
+                EXPECT_TRUE(c.values_compared && c.same()) << describe_pixel(image, back, c.first);
+                EXPECT_EQ(back.values().back().iterations, image.values().back().iterations);
+                EXPECT_EQ(back.values().back().steps, image.values().back().steps);
+            }
+        }
+    }
+}
+
+TEST_F(Files, BmpRowsArePaddedToFourBytes)
+{
+    for (int width = 1; width <= 9; ++width) {
+        write_image(path("a.bmp"), ImageFormat::bmp, noise(width, 3));
+        EXPECT_EQ(fs::file_size(path("a.bmp")), 54U + 3U * ((3U * static_cast<unsigned>(width) + 3U) / 4U * 4U));
+    }
+}
+
+TEST_F(Files, BmpBeyondFourGibibytesIsRefused)
+{
+    EXPECT_NO_THROW(check_image_size(ImageFormat::bmp, 16384, 16384));
+    EXPECT_NO_THROW(check_image_size(ImageFormat::png, 65535, 65535));
+    try {
+        check_image_size(ImageFormat::bmp, 65535, 65535);
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("PNG or EXR"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(Files, OldFileStaysWhereWritingFails)
+{
+    write_image(path("a.bmp"), ImageFormat::bmp, noise(8, 8));
+    const auto size = fs::file_size(path("a.bmp"));
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit old{};
+    getrlimit(RLIMIT_FSIZE, &old);
+    const rlimit small{4096, old.rlim_max};
+    for (const char* name : {"a.bmp", "b.bmp", "b.png", "b.exr"}) {
+        setrlimit(RLIMIT_FSIZE, &small);
+        EXPECT_THROW(write_image(path(name), *image_format(name), noise(200, 200)), Error) << name;
+        setrlimit(RLIMIT_FSIZE, &old);
+        EXPECT_EQ(entries(), 1U) << name << " left something";
+    }
+    EXPECT_EQ(fs::file_size(path("a.bmp")), size);
+}
+
+TEST_F(Files, FullDeviceIsAnErrorAndStays)
+{
+    EXPECT_THROW(write_image("/dev/full", ImageFormat::bmp, noise(8, 8)), Error);
+    EXPECT_THROW(write_image("/dev/full", ImageFormat::png, noise(8, 8)), Error);
+    EXPECT_THROW(write_image("/dev/full", ImageFormat::exr, noise(8, 8)), Error);
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(Files, PipeIsWrittenInto)
+{
+    const std::string pipe = path("pipe.png");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const std::string copy = path("copy.png");
+    ASSERT_EQ(std::system(("cat " + pipe + " > " + copy + " &").c_str()), 0);
+    const Image image = noise(9, 9);
+    write_image(pipe, ImageFormat::png, image);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    for (int tries = 0; tries < 100; ++tries) {
+        if (fs::exists(copy) && fs::file_size(copy) > 200) break;
+        usleep(20'000);
+    }
+    EXPECT_EQ(read_image(copy).bytes(), image.bytes());
+}
+
+TEST_F(Files, LinkStaysAndItsTargetIsReplaced)
+{
+    write_image(path("real.bmp"), ImageFormat::bmp, noise(4, 4));
+    fs::create_symlink(path("real.bmp"), path("link.bmp"));
+    const Image image = noise(5, 5);
+    write_image(path("link.bmp"), ImageFormat::bmp, image);
+    EXPECT_TRUE(fs::is_symlink(path("link.bmp")));
+    EXPECT_EQ(read_image(path("real.bmp")).bytes(), image.bytes());
+}
+
+TEST_F(Files, UnwritableTargetsAreSeenBeforehand)
+{
+    EXPECT_THROW(OutputFile::check(path("missing/a.bmp")), InputError);
+    EXPECT_THROW(OutputFile::check(folder.string()), InputError);
+    EXPECT_THROW(OutputFile::check(""), InputError);
+    EXPECT_THROW(OutputFile::check(path(std::string(300, 'a') + ".bmp")), InputError);
+    EXPECT_NO_THROW(OutputFile::check(path("a.bmp")));
+    EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(Files, DamagedPicturesAreRefused)
+{
+    for (const char* name : {"a.bmp", "a.png", "a.exr"}) {
+        write_image(path(name), *image_format(name), noise(20, 20));
+        fs::resize_file(path(name), fs::file_size(path(name)) / 2);
+        EXPECT_THROW(read_image(path(name)), InputError) << name;
+    }
+    EXPECT_THROW(read_image(path("none.png")), InputError);
+    EXPECT_THROW(read_image(folder.string()), InputError);
+    std::ofstream(path("text.png")) << "no picture";
+    EXPECT_THROW(read_image(path("text.png")), InputError);
+}
+
+TEST_F(Files, TopDownAnd32BitBmpsAreRead)
+{
+    std::string bmp("BM", 2);
+    bmp.resize(54 + 8, '\0');
+    bmp[10] = 54;
+    bmp[14] = 40;
+    bmp[18] = 1;
+    for (int i = 22; i < 26; ++i) bmp[static_cast<std::size_t>(i)] = '\xff';
+    bmp[22] = '\xfe';  // height -2: top row first
+    bmp[26] = 1;
+    bmp[28] = 32;
+    bmp[54] = 10;  // blue of the top row
+    bmp[58] = 20;
+    const Image image = decode_bmp(std::as_bytes(std::span(bmp)), "memory");
+    EXPECT_EQ(image.height(), 2);
+    EXPECT_EQ(image.bytes()[2], 20);
+    EXPECT_EQ(image.bytes()[5], 10);
+}
+
+TEST(Formats, ByEnding)
+{
+    EXPECT_EQ(image_format("a.BMP"), ImageFormat::bmp);
+    EXPECT_EQ(image_format("x/y.exr"), ImageFormat::exr);
+    EXPECT_EQ(image_format("noending"), std::nullopt);
+    EXPECT_EQ(image_format("a.jpeg"), std::nullopt);
+}
+
+TEST(Memory, IsPlausible)
+{
+    EXPECT_GT(available_memory(), 1ULL << 20);
+    EXPECT_LT(available_memory(), 1ULL << 50);
+}
+
+}  // namespace
+}  // namespace mandelmarch

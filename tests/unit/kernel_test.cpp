@@ -1,0 +1,182 @@
+// The kernel text as scalar C++: its elementary functions, its gradients, and its entry points over stored rays.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "core/render/kernel_scene.h"
+#include "tests/scenes.h"
+
+// The text in double and float, for both fractals.
+#define MM_REAL double
+#define MM_REAL_IS_FLOAT 0
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
+namespace bulb64 {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace bulb64
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
+namespace box64 {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace box64
+#undef MM_REAL
+#undef MM_REAL_IS_FLOAT
+#define MM_REAL float
+#define MM_REAL_IS_FLOAT 1
+namespace box32 {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace box32
+
+namespace mandelmarch {
+namespace {
+
+// |a - b| in units of the last place of b, at 1 and above: in units of 2^-52.
+double error_of(double a, double b, double epsilon) { return std::abs(a - b) / (epsilon * std::max(1.0, std::abs(b))); }
+
+TEST(ElementaryFunctions, AgreeWithTheLibraryInDouble)
+{
+    constexpr double epsilon = 0x1p-52;
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> wide(-50, 50);
+    for (int i = 0; i < 200'000; ++i) {
+        const double x = wide(random);
+        const double y = wide(random);
+        EXPECT_LT(error_of(bulb64::exponential(x) / std::exp(x), 1, epsilon), 3) << x;
+        EXPECT_LT(error_of(bulb64::natural_log(std::exp(x)), std::log(std::exp(x)), epsilon), 2) << x;
+        EXPECT_LT(error_of(bulb64::cosine_and_sine(20 * x).re, std::cos(20 * x), epsilon), 2) << x;
+        EXPECT_LT(error_of(bulb64::cosine_and_sine(20 * x).im, std::sin(20 * x), epsilon), 2) << x;
+        EXPECT_LT(error_of(bulb64::angle_of(y, x), std::atan2(y, x), epsilon), 3) << y << " " << x;
+    }
+    EXPECT_EQ(bulb64::angle_of(0, 0), 0);
+    EXPECT_EQ(bulb64::natural_log(1), 0);
+    EXPECT_LT(bulb64::natural_log(0), -1e29);
+    EXPECT_EQ(bulb64::exponential(0), 1);
+}
+
+TEST(ElementaryFunctions, AgreeWithTheLibraryInFloat)
+{
+    constexpr double epsilon = 0x1p-23;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> wide(-50, 50);
+    for (int i = 0; i < 200'000; ++i) {
+        const float x = wide(random);
+        const float y = wide(random);
+        EXPECT_LT(error_of(double{box32::exponential(x)} / std::exp(double{x}), 1, epsilon), 3) << x;
+        EXPECT_LT(error_of(box32::natural_log(std::exp(x)), std::log(double{std::exp(x)}), epsilon), 2) << x;
+        EXPECT_LT(error_of(box32::cosine_and_sine(10 * x).re, std::cos(double{10 * x}), epsilon), 2) << x;
+        EXPECT_LT(error_of(box32::cosine_and_sine(10 * x).im, std::sin(double{10 * x}), epsilon), 2) << x;
+        EXPECT_LT(error_of(box32::angle_of(y, x), std::atan2(double{y}, double{x}), epsilon), 3) << y << " " << x;
+    }
+}
+
+TEST(ElementaryFunctions, WholePowers)
+{
+    for (int n = 1; n < 40; ++n) {
+        EXPECT_NEAR(bulb64::raised_real(1.1, n) / std::pow(1.1, n), 1, 1e-13) << n;
+        const bulb64::Complex c = bulb64::raised(bulb64::complex_number(0.6, 0.8), n);
+        EXPECT_NEAR(c.re, std::cos(n * std::atan2(0.8, 0.6)), 1e-13) << n;
+        EXPECT_NEAR(c.im, std::sin(n * std::atan2(0.8, 0.6)), 1e-13) << n;
+    }
+    EXPECT_EQ(bulb64::raised_real(3, 0), 1);
+}
+
+template <class KernelScene>
+KernelScene scene_for_kernel(const Scene& scene)
+{
+    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
+    static_assert(sizeof(KernelScene) == sizeof(from));
+    KernelScene to;
+    std::memcpy(&to, &from, sizeof(to));
+    return to;
+}
+
+// The angle between the analytic gradient and central differences at points seen from the camera, in radians.
+TEST(Gradient, OfTheBulbAgreesWithDifferences)
+{
+    for (const double power : {8.0, 3.0, 7.5}) {
+        Scene scene = official_scene("bulb", 40, 40);
+        scene.shape[2] = power;
+        scene.iterations = 6;  // little chaos
+        const auto k = scene_for_kernel<bulb64::Scene>(scene);
+        int hits = 0;
+        for (int i = 0; i < 40 * 40; ++i) {
+            const bulb64::Ray ray = bulb64::march(k, bulb64::begin(k, i % 40, i / 40), 8000);
+            if (!bulb64::has_hit(k, ray)) continue;
+            ++hits;
+            const bulb64::vec3 p = bulb64::point_at(k, ray, ray.last_t * 0.999);
+            const bulb64::vec3 a = bulb64::unit(bulb64::gradient(k, p, true));
+            const bulb64::vec3 b = bulb64::normal_by_differences(k, p, true).direction;
+            EXPECT_GT(bulb64::inner(a, b), 1 - 1e-6) << "power " << power << ", pixel " << i;
+        }
+        EXPECT_GT(hits, 100);
+    }
+}
+
+TEST(Gradient, OfTheBoxAgreesWithDifferences)
+{
+    Scene scene = official_scene("box", 40, 40);
+    scene.iterations = 6;
+    const auto k = scene_for_kernel<box64::Scene>(scene);
+    int hits = 0;
+    int off = 0;  // differences across a fold see two slopes
+    for (int i = 0; i < 40 * 40; ++i) {
+        const box64::Ray ray = box64::march(k, box64::begin(k, i % 40, i / 40), 8000);
+        if (!box64::has_hit(k, ray)) continue;
+        ++hits;
+        const box64::vec3 p = box64::point_at(k, ray, ray.last_t * 0.999);
+        const box64::vec3 a = box64::unit(box64::gradient(k, p, true));
+        const box64::vec3 b = box64::normal_by_differences(k, p, true).direction;
+        off += box64::inner(a, b) < 1 - 1e-6;
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_LE(off, hits / 100);
+}
+
+// A ray stored after any number of steps goes on to the same pixel.
+TEST(StagedEntries, DrawWhatTheWholePixelDraws)
+{
+    for (const int canonical : {0, 1}) {
+        auto k = scene_for_kernel<bulb64::Scene>(official_scene("bulb", 30, 20));
+        k.canonical = canonical;
+        for (int i = 0; i < 30 * 20; ++i) {
+            const bulb64::Pixel whole = bulb64::draw(k, i % 30, i / 30);
+            bulb64::Ray ray = bulb64::begin(k, i % 30, i / 30);
+            for (int pass = 0; bulb64::marching(k, ray); ++pass) ray = bulb64::march(k, ray, 1 + pass % 3);
+            if (canonical != 0) ray = bulb64::refine(k, ray);
+            const bulb64::Pixel staged = bulb64::shade(k, ray);
+            EXPECT_EQ(whole.depth, staged.depth) << i;
+            EXPECT_EQ(whole.colour.x, staged.colour.x) << i;
+            EXPECT_EQ(whole.steps, staged.steps) << i;
+            EXPECT_EQ(whole.iterations, staged.iterations) << i;
+        }
+    }
+}
+
+// But for rays that step across a dip of DE under its tolerance: one in a hundred at most.
+TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
+{
+    auto k = scene_for_kernel<box64::Scene>(official_scene("box", 30, 30));
+    k.canonical = 1;
+    auto slow = k;
+    slow.stride = 0.5;
+    int hits = 0;
+    int off = 0;
+    for (int i = 0; i < 30 * 30; ++i) {
+        const double t = box64::draw(k, i % 30, i / 30).depth;
+        if (std::isinf(t)) continue;
+        ++hits;
+        off += std::abs(box64::draw(slow, i % 30, i / 30).depth - t) > 0.002 * k.tolerance * t;
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_LE(off, hits / 100);
+}
+
+}  // namespace
+}  // namespace mandelmarch

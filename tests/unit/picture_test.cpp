@@ -1,0 +1,109 @@
+// The pictures themselves: against the original program's, against the reference backend, float against double.
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/image/image_file.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class Picture : public testing::TestWithParam<const char*> {
+protected:
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    const Backend& reference = *registry.find("reference");
+    const Scene scene = official_scene(GetParam(), 270, 270);
+    const bool bulb = GetParam() == std::string("bulb");
+
+    Image original() const
+    {
+        return read_image(std::string(MANDELMARCH_SOURCE_DIR) + "/tests/reference/" + GetParam() + "_270.png");
+    }
+    // "At most" of this many pixels in a hundred thousand may be visibly different.
+    static std::uint64_t share(const Comparison& c) { return c.visibly_differing * 100'000 / c.pixels; }
+};
+
+TEST_P(Picture, ExactDoubleIsTheOriginals)
+{
+    const Image image = render(openmp, scene, {});
+    EXPECT_LE(compare(image, original()).visibly_differing, bulb ? 2U : 0U);
+}
+
+TEST_P(Picture, ReferenceIsTheOriginals)
+{
+    const Image image = render(reference, scene, {});
+    EXPECT_LE(compare(image, original()).visibly_differing, bulb ? 2U : 0U);
+}
+
+// The twin: one step less of detail, and the bar is missed by far.
+TEST_P(Picture, AnotherSceneIsNotTheOriginals)
+{
+    Scene other = scene;
+    other.iterations = 4;
+    EXPECT_GT(compare(render(openmp, other, {}), original()).visibly_differing, 1000U);
+}
+
+TEST_P(Picture, FloatIsCloseToDouble)
+{
+    const Image exact = render(openmp, scene, {});
+    const Image single = render(openmp, scene, {.precision = Precision::f32});
+    EXPECT_LE(share(compare(exact, single)), bulb ? 100U : 1000U);
+}
+
+TEST_P(Picture, FastIsCloseToTheCanonicalReference)
+{
+    const Scene small = official_scene(GetParam(), 120, 120);
+    const Image canonical = render(reference, small, {.mode = Mode::fast});
+    for (const Precision precision : {Precision::f64, Precision::f32}) {
+        const Comparison c = compare(canonical, render(openmp, small, {.precision = precision, .mode = Mode::fast}));
+        EXPECT_LE(share(c), 2000U) << name_of(precision);
+        EXPECT_LE(c.hit_or_miss, c.pixels * 2 / 1000) << name_of(precision);
+    }
+    // The plain hit is another picture: the twin.
+    EXPECT_GT(share(compare(canonical, render(openmp, small, {}))), 2000U);
+}
+
+TEST_P(Picture, MissesAreInfinitelyFarAndGrey)
+{
+    const Image image = render(openmp, scene, {});
+    const PixelValue& corner = image.values().front();
+    EXPECT_TRUE(std::isinf(corner.depth));
+    EXPECT_EQ(corner.red, 0.4);
+    EXPECT_EQ(image.bytes()[0], 102);
+}
+
+INSTANTIATE_TEST_SUITE_P(Official, Picture, testing::Values("bulb", "box"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
+{
+    const Registry registry = all_backends();
+    for (const auto& [name, scene] : odd_scenes()) {
+        const Image expected = render(*registry.find("reference"), scene, {});
+        const Image image = render(*registry.find("openmp"), scene, {});
+        const Comparison c = compare(expected, image);
+        EXPECT_LE(c.visibly_differing, 1 + c.pixels / 500)
+            << name << ": " << describe_pixel(expected, image, std::max<std::int64_t>(0, c.first));
+    }
+}
+
+TEST(Registry, BackendsThatAreNotBuiltSaySo)
+{
+    const Registry registry = all_backends();
+    for (const auto& backend : registry.backends()) {
+        if (!backend->unavailable()) {
+            EXPECT_FALSE(backend->devices().empty());
+            continue;
+        }
+        EXPECT_THROW(backend->create({}), Unavailable) << backend->name();
+    }
+    EXPECT_EQ(registry.find("nothing"), nullptr);
+    EXPECT_THROW(registry.find("openmp")->create({.device = 1}), Unavailable);
+    EXPECT_THROW(registry.find("reference")->create({.precision = Precision::f32}), Unavailable);
+}
+
+}  // namespace
+}  // namespace mandelmarch

@@ -1,0 +1,108 @@
+// Exact mode draws the same bits whatever the number of threads and pixels at once, and the staged entry points over
+// stored rays draw what the whole pixel draws. Each has a twin that must differ.
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/render/kernel_scene.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class SameBits : public testing::TestWithParam<Precision> {
+protected:
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+
+    Image draw(const Scene& scene, int threads, int pack, Mode mode = Mode::exact) const
+    {
+        return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .pack = pack});
+    }
+
+    static std::vector<NamedScene> scenes()
+    {
+        std::vector<NamedScene> all = odd_scenes();
+        all.push_back({"bulb", official_scene("bulb", 333, 217)});
+        all.push_back({"box", official_scene("box", 333, 217)});
+        return all;
+    }
+};
+
+TEST_P(SameBits, OneThreadAndMany)
+{
+    for (const auto& [name, scene] : scenes()) {
+        const Image one = draw(scene, 1, 0);
+        const Image many = draw(scene, 7, 0);
+        const Comparison difference = compare(one, many);
+        EXPECT_TRUE(difference.same()) << name << ": "
+                                       << describe_pixel(one, many, std::max<std::int64_t>(0, difference.first));
+    }
+}
+
+TEST_P(SameBits, ScalarAndEveryPackWidth)
+{
+    int widths = 0;
+    for (const int pack : {2, 4, 8, 16, 32, 64}) {
+        for (const auto& [name, scene] : scenes()) {
+            Image packed;
+            try {
+                packed = draw(scene, 2, pack);
+            } catch (const InputError&) {
+                break;  // this machine has no such pack
+            }
+            ++widths;
+            const Image scalar = draw(scene, 2, 1);
+            const Comparison difference = compare(scalar, packed);
+            EXPECT_TRUE(difference.same())
+                << name << ", pack " << pack << ": "
+                << describe_pixel(scalar, packed, std::max<std::int64_t>(0, difference.first));
+        }
+    }
+    EXPECT_GT(widths, 0) << "no pack width could be tried";
+}
+
+// The twin: the comparison does see one bit.
+TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
+{
+    const Scene scene = official_scene("box", 64, 64);
+    const Image image = draw(scene, 1, 1);
+    Image colour = image;
+    colour.values()[1234].green = std::nextafter(colour.values()[1234].green, 2.0);
+    EXPECT_EQ(compare(image, colour).first, 1234);
+    Image depth = image;
+    depth.values()[77].depth = std::nextafter(depth.values()[77].depth, 0.0);
+    EXPECT_EQ(compare(image, depth).differing_depths, 1);
+    Image sign = image;
+    sign.values()[5].depth = -sign.values()[5].depth;
+    EXPECT_FALSE(compare(image, sign).same());
+}
+
+// The other twin: contraction and the canonical hit change bits.
+TEST_P(SameBits, FastModeDiffers)
+{
+    const Scene scene = official_scene("box", 64, 64);
+    EXPECT_FALSE(compare(draw(scene, 1, 0), draw(scene, 1, 0, Mode::fast)).same());
+}
+
+TEST_P(SameBits, WorkDoesNotDependOnThreadsOrPacks)
+{
+    const Scene scene = official_scene("bulb", 100, 70);
+    const auto work = [&](int threads, int pack) {
+        Image image(scene.width, scene.height, Image::Layers::bytes);
+        return openmp.create({.precision = GetParam(), .threads = threads, .pack = pack})->render(scene, image).work;
+    };
+    const Work one = work(1, 1);
+    const Work many = work(5, 0);
+    EXPECT_EQ(one.steps, many.steps);
+    EXPECT_EQ(one.estimates, many.estimates);
+    EXPECT_EQ(one.iterations, many.iterations);
+    EXPECT_GT(one.iterations, one.estimates);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, SameBits, testing::Values(Precision::f64, Precision::f32),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+}  // namespace
+}  // namespace mandelmarch
