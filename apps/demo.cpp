@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <thread>
 
 #include "backends/all.h"
+#include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
@@ -87,6 +89,7 @@ int body(int argc, char**)
 {
     if (argc > 1) throw InputError("demo: it takes no arguments");
     const Registry registry = all_backends();
+    fmt::print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
     fmt::print(
         "{} x {} pixels; fastest of {} pictures; speed-up over reference, exact; openmp 1: the text as scalar C++\n",
         side, side, repetitions);
