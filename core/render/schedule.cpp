@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/image/tile.h"
+#include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {
@@ -12,10 +13,11 @@ namespace {
 constexpr std::int64_t bands_wanted = 64;
 constexpr std::int64_t smallest_band = 64 * 1024;  // pixels
 
-// Loop iterations of one estimate: its own, and in each those that raise to a whole power, at most its bits.
+// Loop iterations of one estimate: its own, and in each those that raise to a whole power: three loops for the highest
+// bit of the exponent and three over its bits.
 std::int64_t loops_per_estimate(const Scene& scene)
 {
-    const auto bits = std::bit_width(static_cast<unsigned>(scene.shape[2] > 0 ? scene.shape[2] : 0));
+    const auto bits = std::bit_width(static_cast<unsigned>(scene.fractal->constants(scene, 1e37).exponent));
     return std::int64_t{scene.iterations} * (1 + 6 * bits);
 }
 
