@@ -11,7 +11,7 @@ namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-constexpr std::int64_t smallest_band = 64 * 1024;  // pixels
+constexpr std::int64_t smallest_band = 1 << 16;  // pixels
 
 // Loop iterations of one estimate: its own, and in each those that raise to a whole power: three loops for the highest
 // bit of the exponent and three over its bits.
