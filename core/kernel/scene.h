@@ -18,7 +18,7 @@ struct Scene {
     scalar miss;       // depth of a pixel that hits nothing: +infinity
     scalar brightness;
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
-    scalar spare_0;
+    scalar spare_0;          // these two bring the triples to a multiple of four reals
     scalar spare_1;
     scalar fractal[8];  // the fractal's own constants, named in its file
 
