@@ -23,6 +23,8 @@ namespace {
 
 // Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
+// An EXR for a pipe is made in memory: six channels of four bytes, twice while they are handed over.
+constexpr std::uint64_t exr_stream_memory = 48;  // bytes a pixel
 
 struct Options {
     std::string parameters;
@@ -75,12 +77,13 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR, and about {} MiB beside; 16384 x 16384 pixels take {} "
+        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
+        "16384 pixels take {} "
         "MiB "
         "as BMP or PNG.\nA file that is there is replaced when the new one is whole.\n"
         "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
-        Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), fixed_memory >> 20,
-        ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
+        Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
+        fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {
@@ -124,10 +127,13 @@ ImageFormat format_of(const std::string& path)
     throw InputError(path + ": the file name's ending tells no format, expected .bmp, .png or .exr");
 }
 
-void check_memory(const Scene& scene, Image::Layers layers)
+// `stream`: the picture goes into a pipe or device.
+void check_memory(const Scene& scene, ImageFormat format, bool stream)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
-    const std::uint64_t needed = pixels * Image::bytes_per_pixel(layers) + fixed_memory;
+    const std::uint64_t per_pixel =
+        Image::bytes_per_pixel(layers_of(format)) + (stream && format == ImageFormat::exr ? exr_stream_memory : 0);
+    const std::uint64_t needed = pixels * per_pixel + fixed_memory;
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
     throw InputError(
@@ -179,7 +185,7 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     check_image_size(format, scene.width, scene.height);
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
-    check_memory(scene, layers_of(format));
+    check_memory(scene, format, OutputFile::is_stream(output));
 
     const auto renderer = choose_backend(registry, options.backend).create(options.renderer);
     Image image(scene.width, scene.height, layers_of(format));
