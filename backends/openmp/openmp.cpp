@@ -22,6 +22,14 @@ using openmp::Variant;
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
+void add_to(Work& to, const Work& from)
+{
+    to.steps += from.steps;
+    to.estimates += from.estimates;
+    to.iterations += from.iterations;
+}
+#pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
+
 // Tiles are drawn straight into the image, so that there is nothing to read back.
 template <class Real>
 class TileExecutor : public Executor {
@@ -35,10 +43,8 @@ public:
     {
         const int columns = (scene_.width + tile_side - 1) / tile_side;
         const int rows = (band.rows + tile_side - 1) / tile_side;
-        std::uint64_t steps = 0;
-        std::uint64_t estimates = 0;
-        std::uint64_t iterations = 0;
-#pragma omp parallel for num_threads(threads_) schedule(dynamic) reduction(+ : steps, estimates, iterations)
+        Work work;
+#pragma omp parallel for num_threads(threads_) schedule(dynamic) reduction(sum : work)
         for (int index = 0; index < columns * rows; ++index) {
             const int left = index % columns * tile_side;
             const int bottom = band.first_row + index / columns * tile_side;
@@ -46,18 +52,10 @@ public:
             const int height = std::min(tile_side, band.first_row + band.rows - bottom);
             Tile<Real> tile;
             variant_.draw(&scene_, left, bottom, tile);
-            image_.store(tile, left, bottom, width, height);
-            for (int y = 0; y < height; ++y) {
-                for (int x = 0; x < width; ++x) {
-                    steps += static_cast<std::uint64_t>(tile.steps[y * tile_side + x]);
-                    estimates += static_cast<std::uint64_t>(tile.estimates[y * tile_side + x]);
-                    iterations += static_cast<std::uint64_t>(tile.iterations[y * tile_side + x]);
-                }
-            }
+            image_.store(planes_of(tile), left, bottom, width, height);
+            add_work(work, planes_of(tile), width, height);
         }
-        work_.steps += steps;
-        work_.estimates += estimates;
-        work_.iterations += iterations;
+        add_to(work_, work);
     }
 
     bool marching(const Band&) override { return false; }

@@ -184,7 +184,7 @@ private:
                 for (int y = 0; y < height; ++y) {
                     for (int x = 0; x < width; ++x) tracer.draw(left + x, bottom + y, y * tile_side + x, tile);
                 }
-                image.store(tile, left, bottom, width, height);
+                image.store(planes_of(tile), left, bottom, width, height);
             }
             if (progress) progress(std::min(1.0, static_cast<double>(bottom + tile_side) / scene.height));
         }

@@ -11,25 +11,43 @@ Image::Image(int width, int height, Layers layers) : width_(width), height_(heig
 std::size_t Image::bytes_per_pixel(Layers layers) { return layers == Layers::all ? 3 + sizeof(PixelValue) : 3; }
 
 template <class Real>
-void Image::store(const Tile<Real>& tile, int left, int bottom, int width, int height)
+Planes<Real> planes_of(const Tile<Real>& tile)
+{
+    return {tile.red, tile.green, tile.blue, tile.depth, tile.steps, tile.estimates, tile.iterations, tile_side};
+}
+
+template <class Real>
+Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride)
+{
+    return {reals,  reals + pixels,  reals + 2 * pixels,  reals + 3 * pixels,
+            wholes, wholes + pixels, wholes + 2 * pixels, stride};
+}
+
+template Planes<float> planes_of(const Tile<float>&);
+template Planes<double> planes_of(const Tile<double>&);
+template Planes<float> planes_of(const float*, const int*, std::size_t, std::size_t);
+template Planes<double> planes_of(const double*, const int*, std::size_t, std::size_t);
+
+template <class Real>
+void Image::store(const Planes<Real>& planes, int left, int bottom, int width, int height)
 {
     const auto byte = [](Real c) { return static_cast<std::uint8_t>(255 * c); };
     for (int y = 0; y < height; ++y) {
         const std::size_t row = static_cast<std::size_t>(bottom + y) * static_cast<std::size_t>(width_);
         for (int x = 0; x < width; ++x) {
-            const int from = y * tile_side + x;
+            const std::size_t from = static_cast<std::size_t>(y) * planes.stride + static_cast<std::size_t>(x);
             const std::size_t to = row + static_cast<std::size_t>(left + x);
-            bytes_[3 * to] = byte(tile.red[from]);
-            bytes_[3 * to + 1] = byte(tile.green[from]);
-            bytes_[3 * to + 2] = byte(tile.blue[from]);
+            bytes_[3 * to] = byte(planes.red[from]);
+            bytes_[3 * to + 1] = byte(planes.green[from]);
+            bytes_[3 * to + 2] = byte(planes.blue[from]);
             if (!has_values()) continue;
-            values_[to] = {tile.red[from],   tile.green[from], tile.blue[from],
-                           tile.depth[from], tile.steps[from], tile.iterations[from]};
+            values_[to] = {planes.red[from],   planes.green[from], planes.blue[from],
+                           planes.depth[from], planes.steps[from], planes.iterations[from]};
         }
     }
 }
 
-template void Image::store(const Tile<float>&, int, int, int, int);
-template void Image::store(const Tile<double>&, int, int, int, int);
+template void Image::store(const Planes<float>&, int, int, int, int);
+template void Image::store(const Planes<double>&, int, int, int, int);
 
 }  // namespace mandelmarch

@@ -17,6 +17,31 @@ struct PixelValue {
     std::int32_t iterations = 0;
 };
 
+// Finished pixels where a backend left them, one plane for each value. Pixel (x, y) stands at y * stride + x of every
+// plane. Real is the kernel's number type.
+template <class Real>
+struct Planes {
+    const Real* red;  // 0 to 1, as displayed
+    const Real* green;
+    const Real* blue;
+    const Real* depth;  // +infinity: nothing hit
+    const int* steps;
+    const int* estimates;
+    const int* iterations;
+    std::size_t stride;  // pixels
+};
+
+template <class Real>
+Planes<Real> planes_of(const Tile<Real>& tile);
+
+// The layout of a device's buffers: the planes red, green, blue and depth one after another in `reals`, the planes
+// steps, estimates and iterations in `wholes`, each of `pixels` values.
+inline constexpr int real_planes = 4;
+inline constexpr int whole_planes = 3;
+
+template <class Real>
+Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride);
+
 // Rows go from the bottom to the top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
 class Image {
 public:
@@ -39,10 +64,10 @@ public:
     const std::vector<PixelValue>& values() const { return values_; }
     std::vector<PixelValue>& values() { return values_; }
 
-    // Takes pixel (0, 0) to (width - 1, height - 1) of a tile to (left, bottom) and up. A byte is trunc(255 c),
+    // Takes pixel (0, 0) to (width - 1, height - 1) of the planes to (left, bottom) and up. A byte is trunc(255 c),
     // computed in the tile's own number type. Different parts of an image can be stored from different threads.
     template <class Real>
-    void store(const Tile<Real>& tile, int left, int bottom, int width, int height);
+    void store(const Planes<Real>& planes, int left, int bottom, int width, int height);
 
     // Memory that an image takes, in bytes per pixel.
     static std::size_t bytes_per_pixel(Layers layers);

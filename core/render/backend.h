@@ -39,7 +39,7 @@ struct RendererOptions {
 // Seconds, each part apart; `wall` is the whole render() call.
 struct Timings {
     double context = 0;  // finding and opening the device, in create()
-    double build = 0;    // compiling the kernel, in create()
+    double build = 0;    // making the kernel ready, in the first picture of a fractal; 0 after that
     double upload = 0;
     double kernel = 0;
     double readback = 0;
@@ -52,6 +52,10 @@ struct Work {
     std::uint64_t estimates = 0;   // calls of the distance estimator, all of them
     std::uint64_t iterations = 0;  // of the distance estimator
 };
+
+// Adds the counts of width x height pixels.
+template <class Real>
+void add_work(Work& work, const Planes<Real>& planes, int width, int height);
 
 // What really ran.
 struct RenderReport {

@@ -23,6 +23,22 @@ std::int64_t loops_per_estimate(const Scene& scene)
 
 }  // namespace
 
+template <class Real>
+void add_work(Work& work, const Planes<Real>& planes, int width, int height)
+{
+    for (int y = 0; y < height; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * planes.stride;
+        for (std::size_t at = row; at < row + static_cast<std::size_t>(width); ++at) {
+            work.steps += static_cast<std::uint64_t>(planes.steps[at]);
+            work.estimates += static_cast<std::uint64_t>(planes.estimates[at]);
+            work.iterations += static_cast<std::uint64_t>(planes.iterations[at]);
+        }
+    }
+}
+
+template void add_work(Work&, const Planes<float>&, int, int);
+template void add_work(Work&, const Planes<double>&, int, int);
+
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress)
 {
