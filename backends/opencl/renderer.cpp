@@ -252,13 +252,13 @@ private:
         const std::string_view text = text_of(fractal);
         if (text.empty()) throw Unavailable(fmt::format("backend opencl: it does not draw the {}", fractal));
         cl::Program program(session_->context, std::string(text));
-        try {
-            program.build(session_->device, build_.options.c_str());
-        } catch (const cl::BuildError& error) {
-            std::string log = error.getBuildLog().empty() ? "" : error.getBuildLog().front().second;
+        const cl_int code = clBuildProgram(program(), 1, &session_->device(), build_.options.c_str(), nullptr, nullptr);
+        if (code == CL_BUILD_PROGRAM_FAILURE) {
+            std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(session_->device);
             std::ranges::replace(log, '\n', ' ');
             throw Error(fmt::format("backend opencl: the kernel does not compile: {}", log.substr(0, 500)));
         }
+        if (code != CL_SUCCESS) throw cl::Error(code, "clBuildProgram");
         return session_->programs.emplace(fractal, std::move(program)).first->second;
     }
 
