@@ -58,7 +58,9 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     std::string mode = "exact";
     app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
     if (fractal == nullptr) {
-        app.add_option("--fractal", options.fractal, "mandelbulb (bulb) or mandelbox (box)")->required();
+        std::string names;
+        for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+        app.add_option("--fractal", options.fractal, names)->required();
     }
     app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
         ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
