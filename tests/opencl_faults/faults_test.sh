@@ -39,6 +39,16 @@ same() {  # FAULT OPTION...
     fi
 }
 
+differs() {  # FAULT OPTION...
+    local fault=$1
+    shift
+    if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
+        "$bin/imgdiff" expected.exr picture.exr >difference; then
+        echo "FAILED: $fault $*: the same picture, expected another; $(cat stderr)"
+        failures=$((failures + 1))
+    fi
+}
+
 fails dies 1 "backend opencl: .*out of resources, or died"
 fails hangs 1 "no answer from the device in 1 s"
 fails memory 1 "out of memory"
@@ -50,7 +60,8 @@ fails none 77 "there is no device 9" --device 9
 fails none 2 "no vector length" --pack 3
 same none --precision float
 same no-double --precision float
-same inexact --precision float          # quotients and roots in double
+same inexact --precision float  # quotients and roots in double
+differs inexact-liar --precision float  # the twin: inexact division shows where it is trusted
 size=300x200
 same small-buffers --precision double  # in bands
 same small-buffers --precision float

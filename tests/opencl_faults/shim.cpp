@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace {
@@ -58,6 +59,21 @@ cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* d
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
 
+// A device whose quotient of floats is a unit or so off in the last place, whether it says so ("inexact") or not.
+cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings, const size_t* lengths,
+                                     cl_int* error)
+{
+    auto* create = real<decltype(clCreateProgramWithSource)>("clCreateProgramWithSource");
+    if (!fault("inexact") && !fault("inexact-liar")) return create(context, count, strings, lengths, error);
+    constexpr std::string_view exact = "return a / b;";
+    std::string text(strings[0], lengths[0]);
+    const auto at = text.find(exact);
+    if (at == std::string::npos) std::abort();  // the prelude has changed, and this twin must follow
+    text.replace(at, exact.size(), "return a * (1 / b);");
+    const char* begin = text.c_str();
+    return create(context, 1, &begin, nullptr, error);
+}
+
 cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* count)
 {
     if (fault("absent")) return -1001;  // CL_PLATFORM_NOT_FOUND_KHR
@@ -72,6 +88,9 @@ cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, size_t size, vo
     if (value != nullptr && (fault("inexact") || fault("no-double-inexact")) && what == CL_DEVICE_SINGLE_FP_CONFIG) {
         *static_cast<cl_device_fp_config*>(value) &=
             ~static_cast<cl_device_fp_config>(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT);
+    }
+    if (value != nullptr && fault("inexact-liar") && what == CL_DEVICE_SINGLE_FP_CONFIG) {
+        *static_cast<cl_device_fp_config*>(value) |= CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
     }
     if (value != nullptr && fault("small-buffers") && what == CL_DEVICE_MAX_MEM_ALLOC_SIZE) {
         *static_cast<cl_ulong*>(value) = 1 << 20;
