@@ -5,11 +5,16 @@
 #include <limits>
 
 #include "backends/all.h"
+#include "backends/skeleton/kernel.h"
 #include "core/render/kernel_scene.h"
-#include "tests/equivalence/broken_text.h"
 #include "tests/equivalence/equivalence.h"
 
 namespace mandelmarch {
+namespace skeleton {
+extern const Kernel wrong_fold;
+extern const Kernel contracted;
+}  // namespace skeleton
+
 namespace {
 
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down };
@@ -23,7 +28,14 @@ public:
         if (defect_ == Defect::last_picture && last_.pixels() == image.pixels()) {
             image = last_;
         } else {
-            draw(scene, image);
+            const skeleton::Kernel& kernel = defect_ == Defect::wrong_fold    ? skeleton::wrong_fold
+                                             : defect_ == Defect::contraction ? skeleton::contracted
+                                                                              : *skeleton::kernel_of("mandelbox");
+            if (options_.precision == Precision::f32) {
+                draw(kernel.in_float, kernel_scene<layout_f32::Scene>(scene, options_.mode), image);
+            } else {
+                draw(kernel.in_double, kernel_scene<layout_f64::Scene>(scene, options_.mode), image);
+            }
         }
         last_ = image;
         RenderReport report;
@@ -32,29 +44,19 @@ public:
     }
 
 private:
-    void draw(const Scene& scene, Image& image) const
+    template <class Real, class KernelScene>
+    void draw(skeleton::DrawBand<Real> kernel, const KernelScene& scene, Image& image) const
     {
-        const bool is_float = options_.precision == Precision::f32;
-        const auto f64 = kernel_scene<layout_f64::Scene>(scene, options_.mode);
-        const auto f32 = kernel_scene<layout_f32::Scene>(scene, options_.mode);
-        const void* kernel = is_float ? static_cast<const void*>(&f32) : &f64;
-        broken::Text& text = defect_ == Defect::wrong_fold    ? broken::wrong_fold
-                             : defect_ == Defect::contraction ? broken::contracted
-                                                              : broken::whole;
-        for (int j = 0; j < scene.height; ++j) {
-            for (int i = 0; i < scene.width; ++i) {
-                broken::Values value{};
-                text(kernel, is_float, i, defect_ == Defect::upside_down ? scene.height - 1 - j : j, value);
-                if (defect_ == Defect::not_a_number && i == 20 && j == 30) {
-                    value.green = std::numeric_limits<double>::quiet_NaN();
-                }
-                Tile<double> tile{};
-                tile.red[0] = value.red;
-                tile.green[0] = value.green;
-                tile.blue[0] = value.blue;
-                tile.depth[0] = value.depth;
-                image.store(planes_of(tile), i, j, 1, 1);
-            }
+        const std::size_t pixels = image.pixels();
+        std::vector<Real> reals(real_planes * pixels);
+        std::vector<int> wholes(whole_planes * pixels);
+        kernel(&scene, 0, image.height(), pixels, reals.data(), wholes.data());
+        if (defect_ == Defect::not_a_number) reals[pixels + 30] = std::numeric_limits<Real>::quiet_NaN();
+        const auto width = static_cast<std::size_t>(image.width());
+        for (int j = 0; j < image.height(); ++j) {
+            const int from = defect_ == Defect::upside_down ? image.height() - 1 - j : j;
+            const std::size_t at = static_cast<std::size_t>(from) * width;
+            image.store(planes_of(reals.data() + at, wholes.data() + at, pixels, width), 0, j, image.width(), 1);
         }
     }
 
