@@ -92,11 +92,11 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     }
 
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
-    build.options = fmt::format("-cl-std=CL1.2 -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={} -DMM_EXACT={:d}", is_float,
-                                build.lanes, exact);
+    build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
+                                exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
     // OpenCL lets a float quotient be 2.5 ULP off and a root 3; one computed in double and rounded once is exact.
     if (is_float && exact && exact_float) {
-        build.options += " -cl-fp32-correctly-rounded-divide-sqrt";
+        build.options += " " MANDELMARCH_OPENCL_DIVISION;
     } else if (is_float && exact && has_double) {
         build.in_double = true;
     } else if (is_float && exact) {
