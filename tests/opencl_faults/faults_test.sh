@@ -13,7 +13,7 @@ failures=0
 draw() {  # FAULT OPTION...
     local fault=$1
     shift
-    MANDELMARCH_FAULT=$fault MANDELMARCH_DEVICE_TIMEOUT=1 LD_PRELOAD=$shim timeout 60 "$bin/render" --fractal box \
+    MANDELMARCH_FAULT=$fault MANDELMARCH_DEVICE_TIMEOUT=${patience:-100} LD_PRELOAD=$shim timeout 60 "$bin/render" --fractal box \
         "$root/paramsBox.dat" --backend opencl --size "${size:-40x30}" --output picture.exr "$@" 2>stderr
 }
 
@@ -50,7 +50,7 @@ differs() {  # FAULT OPTION...
 }
 
 fails dies 1 "backend opencl: .*out of resources, or died"
-fails hangs 1 "no answer from the device in 1 s"
+patience=1 fails hangs 1 "no answer from the device in 1 s"
 fails memory 1 "out of memory"
 fails compiler 1 "no compiler"
 fails absent 77 "no OpenCL device"
