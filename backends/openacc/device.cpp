@@ -16,22 +16,22 @@ std::string text_of(int device, acc_device_property_t property)
 
 }  // namespace
 
-std::vector<Device> find_devices()
+int device_count() { return acc_get_num_devices(acc_device_nvidia) + 1; }
+
+Device open_device(int index)
 {
-    std::vector<Device> devices;
-    const int count = acc_get_num_devices(acc_device_nvidia);
-    for (int i = 0; i < count; ++i) {
-        devices.push_back({.name = text_of(i, acc_property_name),
-                           .vendor = text_of(i, acc_property_vendor),
-                           .driver = text_of(i, acc_property_driver),
-                           .is_gpu = true});
+    const int gpus = acc_get_num_devices(acc_device_nvidia);
+    if (index < gpus) {
+        acc_set_device_num(index, acc_device_nvidia);
+        return {.name = text_of(index, acc_property_name),
+                .vendor = text_of(index, acc_property_vendor),
+                .driver = text_of(index, acc_property_driver),
+                .is_gpu = true};
     }
-    devices.push_back(
-        {.name = fmt::format("host, one thread: {}", count == 0 ? "no NVIDIA GPU here" : "instead of the GPU"),
-         .vendor = "OpenACC run-time library",
-         .driver = "compiler " __VERSION__,
-         .is_gpu = false});
-    return devices;
+    return {.name = fmt::format("host, one thread: {}", gpus == 0 ? "no NVIDIA GPU here" : "instead of a GPU"),
+            .vendor = "OpenACC run-time library",
+            .driver = "compiler " __VERSION__,
+            .is_gpu = false};
 }
 
 void use_device(const Device& device, int index)
@@ -43,11 +43,7 @@ void use_device(const Device& device, int index)
     }
 }
 
-std::size_t free_memory(const Device& device)
-{
-    if (!device.is_gpu) return 0;
-    return acc_get_property(acc_get_device_num(acc_device_nvidia), acc_device_nvidia, acc_property_free_memory);
-}
+std::size_t free_memory(int index) { return acc_get_property(index, acc_device_nvidia, acc_property_free_memory); }
 
 DeviceMemory::DeviceMemory(std::size_t bytes) : address_(acc_malloc(bytes))
 {

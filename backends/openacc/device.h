@@ -8,14 +8,17 @@
 
 namespace mandelmarch::openacc {
 
-// The NVIDIA GPUs, then the host. Opens every GPU, which makes its driver translate all kernels.
-std::vector<Device> find_devices();
+// The NVIDIA GPUs come first, then the host.
+int device_count();
 
-// Makes the calling thread use this device of find_devices().
+// Opens the device, which makes a GPU's driver translate all kernels.
+Device open_device(int index);
+
+// Makes the calling thread use this device.
 void use_device(const Device& device, int index);
 
-// Bytes that the current device has free; the host tells none and gets 0.
-std::size_t free_memory(const Device& device);
+// Bytes that a GPU has free.
+std::size_t free_memory(int index);
 
 // Memory of the device that was current when it was taken. Throws Error where there is none left.
 class DeviceMemory {

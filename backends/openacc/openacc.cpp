@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <mutex>
 #include <type_traits>
 
@@ -29,6 +30,8 @@ constexpr std::int64_t gpu_band = 1 << 18;   // pixels
 constexpr std::int64_t host_band = 1 << 13;  // pixels
 // Of a GPU's free memory, this share may be taken: others use it too.
 constexpr std::size_t memory_share = 4;
+// For a job, and what an allocation is rounded up to.
+constexpr std::size_t job_memory = 1 << 16;  // bytes
 
 template <class Real>
 constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * sizeof(int);
@@ -145,12 +148,18 @@ private:
     // At least a row, at most the picture.
     Limits limits_for(const Scene& scene, std::size_t bytes) const
     {
+        const std::int64_t picture = std::int64_t{scene.width} * scene.height;
         std::int64_t pixels = device_.is_gpu ? gpu_band : host_band;
-        if (const std::size_t free = openacc::free_memory(device_); free > 0) {
+        if (device_.is_gpu) {
+            const std::size_t free = openacc::free_memory(options_.device);
             pixels = std::min(pixels, static_cast<std::int64_t>(free / memory_share / bytes));
+            const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
+            if (free < needed) {
+                throw Error(
+                    fmt::format("openacc: {} has {} bytes of memory free, {} are needed", device_.name, free, needed));
+            }
         }
-        pixels = std::max<std::int64_t>(pixels, scene.width);
-        pixels = std::min<std::int64_t>(pixels, std::int64_t{scene.width} * scene.height);
+        pixels = std::min(std::max<std::int64_t>(pixels, scene.width), picture);
         return {.pixels_per_band = pixels, .pixels_to_fill = pixels};
     }
 
@@ -163,33 +172,43 @@ class OpenaccBackend : public Backend {
 public:
     std::string_view name() const override { return "openacc"; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
-    std::vector<Device> devices() const override { return found(); }
+    std::vector<Device> devices() const override
+    {
+        std::vector<Device> all;
+        for (int i = 0; i < openacc::device_count(); ++i) all.push_back(opened(i).device);
+        return all;
+    }
 
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
-        const std::vector<Device>& devices = found();
-        const int last = static_cast<int>(devices.size()) - 1;
+        const int last = openacc::device_count() - 1;
         if (options.device > last) {
             throw Unavailable(
                 fmt::format("backend openacc: there is no device {}, only {}", options.device,
                             last == 0 ? "device 0, the host: no NVIDIA GPU is here" : fmt::format("0 to {}", last)));
         }
-        const Device& device = devices[static_cast<std::size_t>(options.device)];
-        if (!device.is_gpu) fmt::print(stderr, "backend openacc: runs on the {}\n", device.name);
-        return std::make_unique<OpenaccRenderer>(options, device, seconds_);
+        const Opened found = opened(options.device);
+        if (!found.device.is_gpu) fmt::print(stderr, "backend openacc: runs on the {}\n", found.device.name);
+        return std::make_unique<OpenaccRenderer>(options, found.device, found.seconds);
     }
 
 private:
-    // Looking for devices opens them, so it is done once, when first asked for, and is what `context` tells.
-    const std::vector<Device>& found() const
+    struct Opened {
+        Device device;
+        double seconds = 0;
+    };
+
+    // A device is opened once, when first asked for, and how long that took is its renderers' `context`.
+    Opened opened(int index) const
     {
-        std::call_once(once_, [this] { timed(seconds_, [this] { devices_ = openacc::find_devices(); }); });
-        return devices_;
+        const std::scoped_lock lock(mutex_);
+        const auto [place, first] = opened_.try_emplace(index);
+        if (first) timed(place->second.seconds, [&] { place->second.device = openacc::open_device(index); });
+        return place->second;
     }
 
-    mutable std::once_flag once_;
-    mutable std::vector<Device> devices_;
-    mutable double seconds_ = 0;
+    mutable std::mutex mutex_;
+    mutable std::map<int, Opened> opened_;
 };
 
 }  // namespace

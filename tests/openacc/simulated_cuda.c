@@ -1,5 +1,6 @@
 // A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library uses it: GPUs that run the
-// kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the host's.
+// kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
+// host's.
 //   SIMULATED_GPUS    how many there are, 1 where unset
 //   SIMULATED_MEMORY  free bytes, 1 GiB where unset
 //   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
@@ -200,8 +201,8 @@ int cuMemcpyDtoHAsync(void* to, uint64_t from, size_t bytes) { return cuMemcpy((
 int cuMemcpyDtoDAsync_v2(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
 int cuMemcpyDtoDAsync(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
 
-int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x, unsigned block_y,
-                   unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
+int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x,
+                   unsigned block_y, unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
 {
     (void)shared, (void)stream, (void)extra;
     if (grid_y * grid_z * block_y * block_z != 1 || block_x != 128) return OUT_OF_RESOURCES;
