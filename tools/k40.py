@@ -13,8 +13,8 @@ PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
 BLOCK = 128  # threads: block_threads in backends/openacc/kernels.h
 KERNEL = re.compile(r"(march|shade)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*\{", re.M)  # a declaration ends with a semicolon instead
-# An instruction on floating-point numbers: an optional predicate, then its name with all suffixes.
-OPERATION = re.compile(r"^\s*(?:@!?%\w+\s+)?([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)\s", re.M)
+# An instruction on floating-point numbers, its name with all suffixes, wherever it stands in a line.
+OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
 ARITHMETIC = {"add", "sub", "mul", "div", "sqrt", "rcp", "fma"}
 EXACT_BY_NATURE = {"mov", "ld", "st", "setp", "selp", "neg", "abs", "cvt"}
 
@@ -27,7 +27,7 @@ def extract(program):
     """The PTX texts that stand in a program's file, each from its preamble to the string's end."""
     with open(program, "rb") as file:
         data = file.read()
-    return [text.decode() for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
+    return [text.decode("ascii") for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
 
 
 def kernels(ptx):

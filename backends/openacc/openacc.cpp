@@ -174,8 +174,8 @@ public:
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override
     {
-        std::vector<Device> all;
-        for (int i = 0; i < openacc::device_count(); ++i) all.push_back(opened(i).device);
+        std::vector<Device> all(static_cast<std::size_t>(openacc::device_count()));
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = opened(static_cast<int>(i)).device;
         return all;
     }
 
@@ -202,9 +202,10 @@ private:
     Opened opened(int index) const
     {
         const std::scoped_lock lock(mutex_);
-        const auto [place, first] = opened_.try_emplace(index);
-        if (first) timed(place->second.seconds, [&] { place->second.device = openacc::open_device(index); });
-        return place->second;
+        const bool first = !opened_.contains(index);
+        Opened& found = opened_[index];
+        if (first) timed(found.seconds, [&] { found.device = openacc::open_device(index); });
+        return found;
     }
 
     mutable std::mutex mutex_;

@@ -29,7 +29,7 @@ def check_text(ptx, fractals):
         "double in a float": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.f64"),
         "a double's register": changed(ptx, f"{march}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
         "without .rn": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "mul.f32"),
-        "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@%r1 mul.f32"),
+        "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
         "approximate": changed(ptx, f"{march}_float_fast", r"sqrt\.rn\.f32", "sqrt.approx.f32"),
         "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
         "another target": ptx.replace(".target sm_35", ".target sm_70"),
