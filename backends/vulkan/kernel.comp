@@ -1,4 +1,4 @@
-// The kernel text as a compute shader: one invocation a pixel, the stages of a pass chosen by a specialization constant.
+// The kernel text as a compute shader: one invocation a pixel, a pass's stages chosen by a specialization constant.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 #include "core/kernel/text.h"

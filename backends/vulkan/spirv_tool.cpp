@@ -112,7 +112,7 @@ void embed(const std::string& to, const std::vector<std::string>& modules)
         for (const std::uint32_t word : read_module(path))
             file << (column++ % 16 == 0 ? "\n    " : " ") << word << "u,";
         file << "};\n";
-        rows += "    if (name == \"" + name + "\") return " + name + ";\n";
+        rows.append("    if (name == \"").append(name).append("\") return ").append(name).append(";\n");
     }
     file << "\n}  // namespace\n\nModule module_named(std::string_view name)\n{\n"
          << rows << "    return {};\n}\n\n}  // namespace mandelmarch::vulkan\n";

@@ -1,4 +1,4 @@
-// Kernel text, part 5: a ray from the camera to its hit. begin -> march -> refine, the last two in any number of passes.
+// Kernel text, part 5: a ray from the camera to its hit. begin -> march -> refine, the last two any number of times.
 
 // The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
 FN Ray begin(Scene scene, real i, real j)

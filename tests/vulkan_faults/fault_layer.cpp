@@ -7,6 +7,7 @@
 //   float_division   float divisions are off in the last bits: shaders get a / b as a * b in place of them
 //   double_division  the same in double, and with it what float is pinned with
 //   unknown_driver   no driver says which it is
+//   discrete_gpu     every device says that it is one, with memory of its own
 //   misuse           a fence is made with flags that do not exist: what the validation layers must see
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -29,6 +30,7 @@ struct Next {
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
     PFN_vkCreateDevice create_device = nullptr;
     PFN_vkGetPhysicalDeviceFeatures get_features = nullptr;
+    PFN_vkGetPhysicalDeviceProperties get_properties = nullptr;
     PFN_vkGetPhysicalDeviceProperties2 get_properties2 = nullptr;
     VkDevice device = VK_NULL_HANDLE;
     int calls = 0;  // of the faulty function
@@ -80,6 +82,7 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
     };
     ask(next.create_device, "vkCreateDevice");
     ask(next.get_features, "vkGetPhysicalDeviceFeatures");
+    ask(next.get_properties, "vkGetPhysicalDeviceProperties");
     ask(next.get_properties2, "vkGetPhysicalDeviceProperties2");
     return result;
 }
@@ -99,6 +102,12 @@ void get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures* features)
 {
     next.get_features(physical, features);
     if (wanted("no_double")) features->shaderFloat64 = VK_FALSE;
+}
+
+void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties)
+{
+    next.get_properties(physical, properties);
+    if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
 }
 
 void get_properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
@@ -197,6 +206,7 @@ PFN_vkVoidFunction own(std::string_view name)
         {"vkCreateInstance", plain(create_instance)},
         {"vkCreateDevice", plain(create_device)},
         {"vkGetPhysicalDeviceFeatures", plain(get_features)},
+        {"vkGetPhysicalDeviceProperties", plain(get_properties)},
         {"vkGetPhysicalDeviceProperties2", plain(get_properties2)},
         {"vkAllocateMemory", plain(allocate_memory)},
         {"vkQueueSubmit", plain(queue_submit)},
