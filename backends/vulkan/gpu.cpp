@@ -111,6 +111,12 @@ void Gpu::barrier()
                                vk::MemoryBarrier(written, touched | Access::eHostRead), {}, {});
 }
 
+void Gpu::discard()
+{
+    if (recording_) commands_.reset();
+    recording_ = false;
+}
+
 double Gpu::finish(const std::string& doing)
 {
     if (!recording_) return 0;

@@ -39,6 +39,9 @@ public:
     // not answer in time. Returns seconds.
     double finish(const std::string& doing);
 
+    // Forgets what was recorded.
+    void discard();
+
     // True after a device has not answered. Its work may still be under way: nothing that it uses may be destroyed, and
     // destroying it might never return.
     bool unanswered() const { return unanswered_; }

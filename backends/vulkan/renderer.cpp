@@ -66,7 +66,11 @@ private:
         try {
             f();
         } catch (...) {
-            if (session_->gpu.unanswered()) static_cast<void>(session_.release());
+            if (session_->gpu.unanswered()) {
+                static_cast<void>(session_.release());
+            } else {
+                session_->gpu.discard();
+            }
             throw;
         }
     }

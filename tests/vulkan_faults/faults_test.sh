@@ -50,6 +50,8 @@ refused() {
 # same A B
 same() { "$bin/imgdiff" "$1" "$2" >stdout || fail "$1 and $2 differ: $(tr '\n' ' ' <stdout)"; }
 
+if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *unavailable'; then exit 77; fi
+
 # The good device, and pictures to compare with: from the same text without Vulkan.
 draw bulb good.exr || { fail "no picture without a fault: $(cat stderr)"; exit 1; }
 mkdir -p true
@@ -128,7 +130,8 @@ break_cache empty
 break_cache junk
 break_cache rm
 for folder_for_cache in /dev/null /nowhere/at/all relative ""; do
-    MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=$folder_for_cache HOME=/dev/null draw bulb again.exr || fail "cache in '$folder_for_cache'"
+    MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=$folder_for_cache HOME=/dev/null draw bulb again.exr ||
+        fail "cache in '$folder_for_cache'"
     [ -s stderr ] && fail "cache in '$folder_for_cache': $(cat stderr)"
 done
 
