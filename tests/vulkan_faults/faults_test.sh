@@ -103,6 +103,11 @@ VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null draw bulb none.exr
 [ $? = 77 ] && [ "$(wc -l <stderr)" = 1 ] || fail "no driver: $(cat stderr)"
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null "$bin/render" --fractal bulb --list-devices |
     grep -q '^vulkan *unavailable: ' || fail "no driver: --list-devices"
+mkdir no_loader
+: >no_loader/libvulkan.so
+: >no_loader/libvulkan.so.1
+LD_LIBRARY_PATH=no_loader "$bin/render" --fractal bulb --list-devices |
+    grep -q '^vulkan *unavailable: no Vulkan loader' || fail "no loader: --list-devices"
 draw bulb none.exr --device 99
 [ $? = 77 ] || fail "device 99: $(cat stderr)"
 ldd "$bin/render" | grep -q libvulkan && fail "render is linked with the Vulkan loader"
