@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test fuzz lint install clean setup
+.PHONY: build mandelbulb mandelbox demo test fuzz intel-opencl lint install clean setup
 
 build: setup
 	@tools/build $(PRESET) all
@@ -29,6 +29,10 @@ fuzz: setup
 	@for name in parameter_file bmp; do \
 	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/tests/$${name}_fuzz $(CURDIR) build/fuzz/$$name $(SECONDS) || exit 1; \
 	done
+
+# The equivalence tests with a second OpenCL CPU device, which this installs (large).
+intel-opencl: build
+	@tools/intel_opencl $(BUILD)
 
 lint: setup
 	@tools/lint

@@ -58,7 +58,9 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     std::string mode = "exact";
     app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
     if (fractal == nullptr) {
-        app.add_option("--fractal", options.fractal, "mandelbulb (bulb) or mandelbox (box)")->required();
+        std::string names;
+        for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+        app.add_option("--fractal", options.fractal, names);
     }
     app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
         ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
@@ -98,6 +100,9 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
     if (fractal != nullptr) options.fractal = fractal;
+    if (options.fractal.empty() && !options.list_devices) {
+        throw InputError(fmt::format("{}: no fractal given, expected --fractal NAME (--help lists them)", program));
+    }
     if (options.parameters.empty() && !options.list_devices) {
         throw InputError(fmt::format("{}: no parameter file given, expected {} PARAMS.dat", program, program));
     }

@@ -7,3 +7,9 @@ set(MANDELMARCH_FP_exact ${MANDELMARCH_FP_COMMON} -ffp-contract=off)
 set(MANDELMARCH_FP_fast ${MANDELMARCH_FP_COMMON} -ffp-contract=fast)
 # Host code that prepares scenes or draws the reference must not depend on the compiler's mood either.
 add_compile_options(-ffp-contract=off)
+
+# OpenCL C, compiled at run time. MM_EXACT turns contraction off in the text (core/kernel/prelude/opencl.h); the option for
+# division is given where the device has it, else floats are divided in double.
+set(MANDELMARCH_OPENCL_exact "-DMM_EXACT=1")
+set(MANDELMARCH_OPENCL_fast "-DMM_EXACT=0 -cl-mad-enable")
+set(MANDELMARCH_OPENCL_division "-cl-fp32-correctly-rounded-divide-sqrt")

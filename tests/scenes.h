@@ -21,6 +21,9 @@ struct NamedScene {
 };
 std::vector<NamedScene> odd_scenes();
 
+// Scenes of every fractal with cameras, shapes and iterations drawn at random; the same seed gives the same scenes.
+std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed);
+
 // The picture with all layers.
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
 

@@ -4,36 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-
-#include "core/scene/number.h"
 
 namespace mandelmarch::vulkan {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Seconds that the work of one submission may take; MANDELMARCH_DEVICE_TIMEOUT says otherwise. A pass takes well under
-// a second on a GPU and, at the worst of a scene of 10,000 iterations, half a minute on two cores.
-constexpr double default_patience = 120;
 constexpr auto look_again = std::chrono::milliseconds(100);
-
-std::chrono::duration<double> patience()
-{
-    const char* wish = std::getenv("MANDELMARCH_DEVICE_TIMEOUT");
-    if (wish == nullptr) return std::chrono::duration<double>(default_patience);
-    const double seconds = parse_real(wish).value_or(0);
-    if (!(seconds > 0) || !(seconds < 1e6)) {
-        throw InputError(
-            fmt::format("MANDELMARCH_DEVICE_TIMEOUT: '{}' given, expected seconds from above 0 to 1e6", wish));
-    }
-    return std::chrono::duration<double>(seconds);
-}
 
 }  // namespace
 
 Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
-    : physical_(physical), facts_(facts_of(physical)), patience_(patience())
+    : physical_(physical), facts_(facts_of(physical)), patience_(device_timeout())
 {
     const auto refuse = [this](const std::string& why) {
         throw Unavailable(fmt::format("backend vulkan: {}: {}", name(), why));
@@ -131,9 +113,9 @@ double Gpu::finish(const std::string& doing)
         const auto wait = static_cast<std::uint64_t>(std::chrono::nanoseconds(slice).count());
         while (device_.waitForFences(*fence_, 1, wait) == vk::Result::eTimeout) {
             if (Clock::now() - start < patience_) continue;
-            unanswered_ = true;
-            throw Error(fmt::format("backend vulkan: {}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)",
-                                    name(), patience_.count(), doing));
+            throw DeviceHung(
+                fmt::format("backend vulkan: {}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name(),
+                            patience_.count(), doing));
         }
     });
     return std::chrono::duration<double>(Clock::now() - start).count();

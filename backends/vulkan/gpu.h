@@ -35,16 +35,13 @@ public:
     const vk::raii::CommandBuffer& commands();
     // Lets what follows see what shaders and copies before it have written, on the device and on the host.
     void barrier();
-    // Hands over what was recorded, if anything, and waits until it is done. Throws Error if the device is lost or does
-    // not answer in time. Returns seconds.
+    // Hands over what was recorded, if anything, and waits until it is done. Throws Error if the device is lost, and
+    // DeviceHung if it does not answer in time: its work may still be under way, so that nothing that it uses may be
+    // destroyed, and destroying it might never return. Returns seconds.
     double finish(const std::string& doing);
 
     // Forgets what was recorded.
     void discard();
-
-    // True after a device has not answered. Its work may still be under way: nothing that it uses may be destroyed, and
-    // destroying it might never return.
-    bool unanswered() const { return unanswered_; }
 
 private:
     std::uint32_t memory_type(std::uint32_t allowed, Place place, const std::string& what) const;
@@ -59,7 +56,6 @@ private:
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
     bool recording_ = false;
-    bool unanswered_ = false;
 };
 
 }  // namespace mandelmarch::vulkan

@@ -65,12 +65,11 @@ private:
     {
         try {
             f();
+        } catch (const DeviceHung&) {
+            static_cast<void>(session_.release());
+            throw;
         } catch (...) {
-            if (session_->gpu.unanswered()) {
-                static_cast<void>(session_.release());
-            } else {
-                session_->gpu.discard();
-            }
+            session_->gpu.discard();
             throw;
         }
     }

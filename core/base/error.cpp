@@ -2,10 +2,19 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
 namespace mandelmarch {
+
+double device_timeout()
+{
+    constexpr double usual = 300;
+    const char* text = std::getenv("MANDELMARCH_DEVICE_TIMEOUT");
+    const double seconds = text == nullptr ? usual : std::strtod(text, nullptr);
+    return seconds > 0 ? seconds : usual;
+}
 
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
 {
@@ -20,6 +29,10 @@ int run_program(const char* program, int (*body)(int, char**), int argc, char** 
     } catch (const Unavailable& error) {
         std::fprintf(stderr, "%s: %s\n", program, error.what());
         return exit_unavailable;
+    } catch (const DeviceHung& error) {
+        std::fprintf(stderr, "%s: %s\n", program, error.what());
+        std::fflush(nullptr);
+        std::_Exit(exit_failure);
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "%s: out of memory\n", program);
     } catch (const std::exception& error) {

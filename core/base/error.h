@@ -32,6 +32,16 @@ public:
     using Error::Error;
 };
 
+// A device that does not answer: exit_failure. Its driver may never return, so the program ends without tidying it up.
+class DeviceHung : public Error {
+public:
+    using Error::Error;
+};
+
+// Seconds that a device may take for one pass over one band of a picture: MANDELMARCH_DEVICE_TIMEOUT in the
+// environment, or 300.
+double device_timeout();
+
 // Runs `body`, a program's whole work, and turns what it throws into one line on stderr, `program: text`, and the exit
 // code. An InputError's text stands alone where it begins with a place (`file:line:`).
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv);

@@ -31,7 +31,8 @@ template Planes<double> planes_of(const double*, const int*, std::size_t, std::s
 template <class Real>
 void Image::store(const Planes<Real>& planes, int left, int bottom, int width, int height)
 {
-    const auto byte = [](Real c) { return static_cast<std::uint8_t>(255 * c); };
+    // What is not a number becomes 0.
+    const auto byte = [](Real c) { return static_cast<std::uint8_t>(c > 0 ? 255 * (c < 1 ? c : 1) : 0); };
     for (int y = 0; y < height; ++y) {
         const std::size_t row = static_cast<std::size_t>(bottom + y) * static_cast<std::size_t>(width_);
         for (int x = 0; x < width; ++x) {

@@ -39,6 +39,14 @@ FractalConstants box_constants(const Scene& scene, double)
                        scene.escape * scene.escape, std::abs(scale - 1), std::pow(growth, 1 - scene.iterations)}};
 }
 
+// c = shape + escape k. Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.
+FractalConstants julia_constants(const Scene& scene, double)
+{
+    constexpr double escape_radius = 1000;
+    const auto [a, i, j] = scene.shape;
+    return {.values = {a, i, j, scene.escape, escape_radius * escape_radius}};
+}
+
 // One row registers a fractal.
 constexpr std::array table{
     Fractal{"mandelbulb",
@@ -53,6 +61,12 @@ constexpr std::array table{
             {"escape time", 0, 1e15, true},
             box_objection,
             box_constants},
+    Fractal{"julia",
+            "julia",
+            {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
+            {"c's k part", -4, 4},
+            no_objection,
+            julia_constants},
 };
 
 }  // namespace

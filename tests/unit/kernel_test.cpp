@@ -8,7 +8,7 @@
 #include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
 
-// The text in double and float, for both fractals.
+// The text in double for every fractal, and in float.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
@@ -24,6 +24,15 @@ namespace box64 {
 #include "core/kernel/text.h"
 #include "core/kernel/prelude/undefine.h"
 }  // namespace box64
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/julia.h"
+namespace julia64 {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace julia64
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
 #undef MM_REAL
 #undef MM_REAL_IS_FLOAT
 #define MM_REAL float
@@ -137,6 +146,24 @@ TEST(Gradient, OfTheBoxAgreesWithDifferences)
     }
     EXPECT_GT(hits, 100);
     EXPECT_LE(off, hits / 100);
+}
+
+TEST(Gradient, OfTheJuliaSetAgreesWithDifferences)
+{
+    Scene scene = official_scene("julia", 40, 40);
+    scene.iterations = 8;
+    const auto k = scene_for_kernel<julia64::Scene>(scene);
+    int hits = 0;
+    for (int i = 0; i < 40 * 40; ++i) {
+        const julia64::Ray ray = julia64::march(k, julia64::begin(k, i % 40, i / 40), 8000);
+        if (!julia64::has_hit(k, ray)) continue;
+        ++hits;
+        const julia64::vec3 p = julia64::point_at(k, ray, ray.last_t * 0.999);
+        const julia64::vec3 a = julia64::unit(julia64::gradient(k, p, true));
+        const julia64::vec3 b = julia64::normal_by_differences(k, p, true).direction;
+        EXPECT_GT(julia64::inner(a, b), 1 - 1e-6) << "pixel " << i;
+    }
+    EXPECT_GT(hits, 100);
 }
 
 // A ray stored after any number of steps goes on to the same pixel.

@@ -1,0 +1,110 @@
+#include "backends/opencl/device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mandelmarch::opencl {
+namespace {
+
+std::string trimmed(std::string text)
+{
+    text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+const char* meaning(cl_int code)
+{
+    switch (code) {
+        case CL_DEVICE_NOT_AVAILABLE: return "the device is not available";
+        case CL_COMPILER_NOT_AVAILABLE: return "the device has no compiler";
+        case CL_MEM_OBJECT_ALLOCATION_FAILURE: return "the device is out of memory";
+        case CL_OUT_OF_RESOURCES: return "the device is out of resources, or died";
+        case CL_OUT_OF_HOST_MEMORY: return "out of host memory";
+        case CL_BUILD_PROGRAM_FAILURE: return "the kernel does not compile";
+        case CL_INVALID_BUFFER_SIZE: return "the device refuses a buffer of that size";
+        case CL_INVALID_COMMAND_QUEUE: return "the device is lost";
+        default: return "the device refuses";
+    }
+}
+
+}  // namespace
+
+Error explained(const char* doing, const cl::Error& error)
+{
+    return Error(
+        fmt::format("backend opencl: {}: {} ({} returned {})", doing, meaning(error.err()), error.what(), error.err()));
+}
+
+std::vector<cl::Device> all_devices()
+{
+    std::vector<cl::Device> devices;
+    try {
+        std::vector<cl::Platform> platforms;
+        cl::Platform::get(&platforms);
+        for (const cl::Platform& platform : platforms) {
+            try {
+                std::vector<cl::Device> of_platform;
+                platform.getDevices(CL_DEVICE_TYPE_ALL, &of_platform);
+                devices.insert(devices.end(), of_platform.begin(), of_platform.end());
+            } catch (const cl::Error&) {
+                continue;  // a platform without devices says so with an error
+            }
+        }
+    } catch (const cl::Error&) {
+        return {};  // no platform
+    }
+    return devices;
+}
+
+Device description(const cl::Device& device)
+{
+    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    return {.name = trimmed(device.getInfo<CL_DEVICE_NAME>()),
+            .vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>()),
+            .driver = fmt::format("{}, driver {}", trimmed(platform.getInfo<CL_PLATFORM_VERSION>()),
+                                  trimmed(device.getInfo<CL_DRIVER_VERSION>())),
+            .is_gpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0};
+}
+
+Build build_for(const cl::Device& device, const RendererOptions& options)
+{
+    const bool is_float = options.precision == Precision::f32;
+    const bool exact = options.mode == Mode::exact;
+    const std::string name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+    const bool has_double = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+    if (!is_float && !has_double) {
+        throw Unavailable(fmt::format("backend opencl: {} has no double, expected --precision float", name));
+    }
+
+    Build build;
+    // Vectors pay where the hardware computes in vectors; a GPU's native vectors are its work items side by side.
+    const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+    const cl_uint native = is_float ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
+                                    : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
+    constexpr std::array lengths{1, 2, 4, 8, 16};
+    build.lanes = options.pack != 0 ? options.pack : is_cpu && native > 1 ? static_cast<int>(native) : 1;
+    if (std::ranges::find(lengths, build.lanes) == lengths.end()) {
+        throw InputError(
+            fmt::format("--pack: {} is no vector length of opencl, expected 1, 2, 4, 8 or 16", build.lanes));
+    }
+
+    const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
+                                exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
+    // OpenCL lets a float quotient be 2.5 ULP off and a root 3; one computed in double and rounded once is exact.
+    if (is_float && exact && exact_float) {
+        build.options += " " MANDELMARCH_OPENCL_DIVISION;
+    } else if (is_float && exact && has_double) {
+        build.in_double = true;
+    } else if (is_float && exact) {
+        throw Unavailable(
+            fmt::format("backend opencl: {} divides inexactly and has no double to help, expected --mode fast", name));
+    }
+    build.options += fmt::format(" -DMM_IN_DOUBLE={:d}", build.in_double);
+    return build;
+}
+
+}  // namespace mandelmarch::opencl

@@ -1,0 +1,44 @@
+#include "backends/opencl/opencl.h"
+
+#include <fmt/format.h>
+
+#include "backends/opencl/renderer.h"
+
+namespace mandelmarch {
+namespace {
+
+class OpenclBackend : public Backend {
+public:
+    std::string_view name() const override { return "opencl"; }
+
+    std::optional<std::string> unavailable() const override
+    {
+        if (!opencl::all_devices().empty()) return std::nullopt;
+        return "no OpenCL device (is a driver installed, pocl-opencl-icd for the CPU, say?)";
+    }
+
+    std::vector<Device> devices() const override
+    {
+        std::vector<Device> devices;
+        for (const cl::Device& device : opencl::all_devices()) devices.push_back(opencl::description(device));
+        return devices;
+    }
+
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        const auto devices = opencl::all_devices();
+        if (devices.empty()) throw Unavailable("backend opencl: " + *unavailable());
+        const auto index = static_cast<std::size_t>(options.device);
+        if (index >= devices.size()) {
+            throw Unavailable(fmt::format("backend opencl: there is no device {}, only {} of them, from 0",
+                                          options.device, devices.size()));
+        }
+        return opencl::make_renderer(devices[index], options);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_opencl_backend() { return std::make_unique<OpenclBackend>(); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,12 @@
+// The OpenCL backend: the kernel text on any OpenCL 1.2 device, in vectors where the device computes in vectors.
+#pragma once
+
+#include <memory>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+std::unique_ptr<Backend> make_opencl_backend();
+
+}  // namespace mandelmarch

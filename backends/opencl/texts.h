@@ -1,0 +1,11 @@
+// The kernel text as OpenCL C. texts.cpp is generated from the list of fractals.
+#pragma once
+
+#include <string_view>
+
+namespace mandelmarch::opencl {
+
+// The whole program for a fractal; empty if there is none.
+std::string_view text_of(std::string_view fractal);
+
+}  // namespace mandelmarch::opencl

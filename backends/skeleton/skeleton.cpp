@@ -1,0 +1,128 @@
+#include "backends/skeleton/skeleton.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <type_traits>
+
+#include "backends/skeleton/kernel.h"
+#include "core/base/error.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/schedule.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+template <class Real>
+using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
+
+// The backend's side of core's schedule: allocates in its constructor, runs the text on a band, reads back.
+template <class Real>
+class BandExecutor : public Executor {
+public:
+    BandExecutor(const Scene& scene, Mode mode, skeleton::DrawBand<Real> draw, std::size_t pixels)
+        : scene_(kernel_scene<KernelScene<Real>>(scene, mode)),
+          draw_(draw),
+          reals_(real_planes * pixels),
+          wholes_(whole_planes * pixels),
+          pixels_(pixels)
+    {
+        // A device uploads scene_ here and counts the time as timings.upload.
+    }
+
+    // The limits below name no most of loops, so that the only entry is Entry::draw.
+    void run(Entry, const Band& band, int) override
+    {
+        const Clock::time_point start = Clock::now();
+        draw_(&scene_, band.first_row, band.rows, pixels_, reals_.data(), wholes_.data());
+        timings.kernel += seconds_since(start);
+    }
+
+    bool marching(const Band&) override { return false; }
+
+    void read_back(const Band& band, Image& image) override
+    {
+        const Clock::time_point start = Clock::now();
+        const auto planes = planes_of(reals_.data(), wholes_.data(), pixels_, static_cast<std::size_t>(scene_.width));
+        image.store(planes, 0, band.first_row, scene_.width, band.rows);
+        add_work(work, planes, scene_.width, band.rows);
+        timings.readback += seconds_since(start);
+    }
+
+    Timings timings;
+    Work work;
+
+private:
+    KernelScene<Real> scene_;
+    skeleton::DrawBand<Real> draw_;
+    std::vector<Real> reals_;
+    std::vector<int> wholes_;
+    std::size_t pixels_;
+};
+
+Device only_device() { return {.name = "skeleton", .vendor = "mandelmarch", .driver = "none", .is_gpu = false}; }
+
+class SkeletonRenderer : public Renderer {
+public:
+    explicit SkeletonRenderer(const RendererOptions& options) : options_(options) {}
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        const skeleton::Kernel* kernel = skeleton::kernel_of(scene.fractal->name);
+        if (kernel == nullptr) {
+            throw Unavailable(fmt::format("backend skeleton: it does not draw the {}", scene.fractal->name));
+        }
+        return options_.precision == Precision::f32 ? draw(kernel->in_float, scene, image, progress)
+                                                    : draw(kernel->in_double, scene, image, progress);
+    }
+
+private:
+    template <class Real>
+    RenderReport draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
+    {
+        const Clock::time_point start = Clock::now();
+        // What the device's memory holds at once; whole rows.
+        constexpr int most_pixels = 1 << 20;
+        const int rows = std::clamp(most_pixels / scene.width, 1, scene.height);
+        const std::int64_t pixels = std::int64_t{rows} * scene.width;
+        BandExecutor<Real> executor(scene, options_.mode, kernel, static_cast<std::size_t>(pixels));
+        run_schedule(scene, options_.mode, {.pixels_per_band = pixels}, executor, image, progress);
+        RenderReport report;
+        report.backend = "skeleton";
+        report.device = only_device();
+        report.precision = options_.precision;
+        report.mode = options_.mode;
+        report.timings = executor.timings;
+        report.timings.wall = seconds_since(start);
+        report.work = executor.work;
+        return report;
+    }
+
+    RendererOptions options_;
+};
+
+class SkeletonBackend : public Backend {
+public:
+    std::string_view name() const override { return "skeleton"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return {only_device()}; }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        if (options.device != 0) {
+            throw Unavailable(fmt::format("backend skeleton: there is no device {}, only device 0", options.device));
+        }
+        return std::make_unique<SkeletonRenderer>(options);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_skeleton_backend() { return std::make_unique<SkeletonBackend>(); }
+
+}  // namespace mandelmarch

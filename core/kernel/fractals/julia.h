@@ -1,0 +1,120 @@
+// Kernel text, part 4: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
+// 3-D", SIGGRAPH 1982), cut at k = 0, with the distance estimate DE = 0.5 ln(r) r / dr, dr -> 2 r dr of Hart, Sandin
+// and Kauffman ("Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
+
+FN scalar julia_escape2(Scene scene) { return scene.fractal[4]; }  // escape radius^2
+
+// a + i, j, k
+struct Quaternion {
+    real a;
+    real i;
+    real j;
+    real k;
+};
+
+FN Quaternion quaternion(real a, real i, real j, real k)
+{
+    Quaternion q;
+    q.a = a;
+    q.i = i;
+    q.j = j;
+    q.k = k;
+    return q;
+}
+
+FN Quaternion quaternion_pick(mask on, Quaternion p, Quaternion q)
+{
+    return quaternion(pick(on, p.a, q.a), pick(on, p.i, q.i), pick(on, p.j, q.j), pick(on, p.k, q.k));
+}
+
+FN real quaternion_inner(Quaternion p, Quaternion q) { return p.a * q.a + p.i * q.i + p.j * q.j + p.k * q.k; }
+
+FN real vector_inner(Quaternion p, Quaternion q) { return p.i * q.i + p.j * q.j + p.k * q.k; }
+
+// |z|^2, and not so small that a device could flush its terms to zero: near 0 the set's inside is certain.
+FN real julia_r2(Quaternion z) { return larger(quaternion_inner(z, z), R(1.0e-30)); }
+
+FN Quaternion julia_next(Scene scene, Quaternion z)
+{
+    real twice = z.a + z.a;
+    return quaternion(z.a * z.a - vector_inner(z, z) + scene.fractal[0], twice * z.i + scene.fractal[1],
+                      twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
+}
+
+FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+{
+    Quaternion z = quaternion(p.x, p.y, p.z, 0);
+    real dr = 1;
+    real r2 = julia_r2(z);
+    whole iterations = 0;
+    on = on && r2 <= julia_escape2(scene);
+    int i = 0;
+    while (i < scene.max_iterations && any(on)) {
+        // Inside the set dr falls towards zero; the bound keeps the quotient below finite.
+        dr = pick(on, larger(2 * root(r2) * dr, R(1.0e-20)), dr);
+        z = quaternion_pick(on, julia_next(scene, z), z);
+        r2 = pick(on, julia_r2(z), r2);
+        iterations = iterations + count(on);
+        on = on && r2 <= julia_escape2(scene);
+        i = i + 1;
+    }
+    real r = root(r2);
+    Estimate result;
+    result.distance = quotient(R(0.5) * natural_log(r) * r, dr);
+    result.iterations = iterations;
+    return result;
+}
+
+// d/dv of z and of ln dr along one axis v of p.
+struct JuliaTangent {
+    Quaternion z;
+    real ln_dr;
+};
+
+FN JuliaTangent julia_tangent(real a, real i, real j)
+{
+    JuliaTangent v;
+    v.z = quaternion(a, i, j, 0);
+    v.ln_dr = 0;
+    return v;
+}
+
+FN JuliaTangent julia_advance(mask on, JuliaTangent v, Quaternion z, real r2)
+{
+    JuliaTangent next;
+    next.ln_dr = pick(on, v.ln_dr + quotient(quaternion_inner(z, v.z), r2), v.ln_dr);
+    Quaternion d = quaternion(2 * (z.a * v.z.a - vector_inner(z, v.z)), 2 * (z.a * v.z.i + z.i * v.z.a),
+                              2 * (z.a * v.z.j + z.j * v.z.a), 2 * (z.a * v.z.k + z.k * v.z.a));
+    next.z = quaternion_pick(on, d, v.z);
+    return next;
+}
+
+// The derivative of DE, times dr > 0.
+FN real julia_slope(Quaternion z, real r, real ln_r, JuliaTangent v)
+{
+    return (ln_r + 1) * quotient(quaternion_inner(z, v.z), r) - ln_r * r * v.ln_dr;
+}
+
+// The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
+{
+    Quaternion z = quaternion(p.x, p.y, p.z, 0);
+    real r2 = julia_r2(z);
+    JuliaTangent x = julia_tangent(1, 0, 0);
+    JuliaTangent y = julia_tangent(0, 1, 0);
+    JuliaTangent w = julia_tangent(0, 0, 1);
+    on = on && r2 <= julia_escape2(scene);
+    int i = 0;
+    while (i < scene.max_iterations && any(on)) {
+        x = julia_advance(on, x, z, r2);
+        y = julia_advance(on, y, z, r2);
+        w = julia_advance(on, w, z, r2);
+        z = quaternion_pick(on, julia_next(scene, z), z);
+        r2 = pick(on, julia_r2(z), r2);
+        on = on && r2 <= julia_escape2(scene);
+        i = i + 1;
+    }
+    real r = root(r2);
+    real ln_r = natural_log(r);
+    return vec3(julia_slope(z, r, ln_r, x), julia_slope(z, r, ln_r, y), julia_slope(z, r, ln_r, w));
+}

@@ -1,0 +1,139 @@
+// Backends that are broken on purpose: each must fail the check that real backends pass. The same backend without a
+// defect passes, so that it is the defect that is found.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "backends/all.h"
+#include "backends/skeleton/kernel.h"
+#include "core/render/kernel_scene.h"
+#include "tests/equivalence/equivalence.h"
+
+namespace mandelmarch {
+namespace skeleton {
+extern const Kernel wrong_fold;
+extern const Kernel contracted;
+}  // namespace skeleton
+
+namespace {
+
+enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down };
+
+class BrokenRenderer : public Renderer {
+public:
+    BrokenRenderer(Defect defect, const RendererOptions& options) : defect_(defect), options_(options) {}
+
+    RenderReport render(const Scene& scene, Image& image, const Progress&) override
+    {
+        if (defect_ == Defect::last_picture && last_.pixels() == image.pixels()) {
+            image = last_;
+        } else {
+            const skeleton::Kernel& kernel = defect_ == Defect::wrong_fold    ? skeleton::wrong_fold
+                                             : defect_ == Defect::contraction ? skeleton::contracted
+                                                                              : *skeleton::kernel_of("mandelbox");
+            if (options_.precision == Precision::f32) {
+                draw(kernel.in_float, kernel_scene<layout_f32::Scene>(scene, options_.mode), image);
+            } else {
+                draw(kernel.in_double, kernel_scene<layout_f64::Scene>(scene, options_.mode), image);
+            }
+        }
+        last_ = image;
+        RenderReport report;
+        report.backend = "broken";
+        return report;
+    }
+
+private:
+    template <class Real, class KernelScene>
+    void draw(skeleton::DrawBand<Real> kernel, const KernelScene& scene, Image& image) const
+    {
+        const std::size_t pixels = image.pixels();
+        std::vector<Real> reals(real_planes * pixels);
+        std::vector<int> wholes(whole_planes * pixels);
+        kernel(&scene, 0, image.height(), pixels, reals.data(), wholes.data());
+        if (defect_ == Defect::not_a_number) reals[pixels + 30] = std::numeric_limits<Real>::quiet_NaN();
+        const auto width = static_cast<std::size_t>(image.width());
+        for (int j = 0; j < image.height(); ++j) {
+            const int from = defect_ == Defect::upside_down ? image.height() - 1 - j : j;
+            const std::size_t at = static_cast<std::size_t>(from) * width;
+            image.store(planes_of(reals.data() + at, wholes.data() + at, pixels, width), 0, j, image.width(), 1);
+        }
+    }
+
+    Defect defect_;
+    RendererOptions options_;
+    Image last_;
+};
+
+class BrokenBackend : public Backend {
+public:
+    explicit BrokenBackend(Defect defect) : defect_(defect) {}
+    std::string_view name() const override { return "broken"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return {Device{}}; }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        return std::make_unique<BrokenRenderer>(defect_, options);
+    }
+
+private:
+    Defect defect_;
+};
+
+class Broken : public testing::TestWithParam<Precision> {
+protected:
+    const Registry registry = all_backends();
+
+    bool passes(Defect defect, Mode mode)
+    {
+        Expected expected(registry);
+        std::vector<NamedScene> scenes;
+        scenes.push_back({"near", official_scene("box", 90, 60)});
+        scenes.push_back({"far", official_scene("box", 90, 60)});
+        scenes.back().scene.eye = {9, 8, 11};
+        const auto row = check(BrokenBackend(defect), {.precision = GetParam(), .mode = mode}, "box", scenes, expected);
+        return row.fine();
+    }
+};
+
+TEST_P(Broken, WithoutADefectItPasses)
+{
+    EXPECT_TRUE(passes(Defect::none, Mode::exact));
+    EXPECT_TRUE(passes(Defect::none, Mode::fast));
+}
+
+TEST_P(Broken, AWrongFoldFails)
+{
+    EXPECT_FALSE(passes(Defect::wrong_fold, Mode::exact));
+    EXPECT_FALSE(passes(Defect::wrong_fold, Mode::fast));
+}
+
+TEST_P(Broken, ContractionFails)
+{
+    if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this CPU has no fused multiply-add";
+    EXPECT_FALSE(passes(Defect::contraction, Mode::exact));
+}
+
+TEST_P(Broken, NotANumberFails)
+{
+    EXPECT_FALSE(passes(Defect::not_a_number, Mode::exact));
+    EXPECT_FALSE(passes(Defect::not_a_number, Mode::fast));
+}
+
+TEST_P(Broken, TheLastPictureFails)
+{
+    EXPECT_FALSE(passes(Defect::last_picture, Mode::exact));
+    EXPECT_FALSE(passes(Defect::last_picture, Mode::fast));
+}
+
+TEST_P(Broken, UpsideDownFails)
+{
+    EXPECT_FALSE(passes(Defect::upside_down, Mode::exact));
+    EXPECT_FALSE(passes(Defect::upside_down, Mode::fast));
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, Broken, testing::Values(Precision::f64, Precision::f32),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+}  // namespace
+}  // namespace mandelmarch

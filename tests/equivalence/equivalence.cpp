@@ -1,0 +1,67 @@
+#include "tests/equivalence/equivalence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+
+std::string equivalence_header()
+{
+    return fmt::format("{:<10} {:<9} {:<24} {:<7} {:<6} {:>6}  {:<11} {:>20}  {}", "fractal", "backend", "device",
+                       "number", "mode", "scenes", "level", "differing pixels", "first differing pixel");
+}
+
+std::string to_text(const EquivalenceRow& row)
+{
+    return fmt::format("{:<10} {:<9} {:<24.24} {:<7} {:<6} {:>6}  {:<11} {:>20}  {}{}", row.fractal, row.backend,
+                       row.device, name_of(row.precision), name_of(row.mode), row.scenes, name_of(row.level),
+                       fmt::format("{} of {}", row.differing, row.pixels),
+                       row.mode == Mode::exact || !row.fine() ? row.first : "", row.fine() ? "" : "  FAILED");
+}
+
+const Image& Expected::picture(const NamedScene& scene, Precision precision, Mode mode)
+{
+    const bool has_oracle = scene.scene.fractal->nickname != "julia";
+    RendererOptions options{.precision = mode == Mode::fast ? Precision::f64 : precision, .mode = mode, .pack = 1};
+    const std::string key = fmt::format("{} {} {}", scene.name, name_of(options.precision), name_of(mode));
+    const auto found = pictures_.find(key);
+    if (found != pictures_.end()) return found->second;
+    const Backend& yardstick = *registry_.find(mode == Mode::fast && has_oracle ? "reference" : "openmp");
+    return pictures_.emplace(key, render(yardstick, scene.scene, options)).first->second;
+}
+
+EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
+                     const std::vector<NamedScene>& scenes, Expected& expected)
+{
+    EquivalenceRow row{.fractal = fractal,
+                       .backend = std::string(backend.name()),
+                       .device = {},
+                       .precision = options.precision,
+                       .mode = options.mode,
+                       .first = {}};
+    const auto renderer = backend.create(options);
+    for (const NamedScene& named : scenes) {
+        if (named.scene.fractal->nickname != fractal) continue;
+        Image image(named.scene.width, named.scene.height, Image::Layers::all);
+        const RenderReport report = renderer->render(named.scene, image);
+        row.device = report.device.name;
+        const Image& right = expected.picture(named, options.precision, options.mode);
+        const Agreement found = agreement(right, image, options.precision);
+        const Comparison& c = found.comparison;
+        ++row.scenes;
+        row.pixels += c.pixels;
+        row.differing += options.mode == Mode::fast ? c.visibly_differing
+                                                    : std::max({c.differing, c.differing_colours, c.differing_depths});
+        row.level = std::max(row.level, found.level);
+        row.largest_ulps = std::max(row.largest_ulps, found.largest_ulps);
+        if (c.first >= 0 && row.first.empty()) {
+            row.first = fmt::format("{}: {}", named.name, describe_pixel(right, image, c.first));
+        }
+    }
+    return row;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,49 @@
+// The equivalence check: what a backend draws against what it should draw.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/render/agreement.h"
+#include "core/render/registry.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+
+// One row of the table: all scenes of a fractal through one backend, device, precision and mode.
+struct EquivalenceRow {
+    std::string fractal;
+    std::string backend;
+    std::string device;
+    Precision precision;
+    Mode mode;
+    int scenes = 0;
+    Level level = Level::same_bits;  // of the worst scene
+    std::uint64_t pixels = 0;
+    std::uint64_t differing = 0;  // in a bit of colour or depth, or a byte
+    double largest_ulps = 0;
+    std::string first;  // the first differing pixel with both values; empty if none differs
+
+    bool fine() const { return level <= level_required(mode); }
+};
+
+std::string to_text(const EquivalenceRow& row);
+std::string equivalence_header();
+
+// Draws what is expected: in exact mode the text as scalar C++, in fast mode the canonical picture in double (for a
+// fractal that `reference` does not draw, the scalar text's). Pictures are kept.
+class Expected {
+public:
+    explicit Expected(const Registry& registry) : registry_(registry) {}
+    const Image& picture(const NamedScene& scene, Precision precision, Mode mode);
+
+private:
+    const Registry& registry_;
+    std::map<std::string, Image> pictures_;
+};
+
+// Draws every scene of `scenes` that is of this fractal, with one renderer. Throws what the backend throws.
+EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
+                     const std::vector<NamedScene>& scenes, Expected& expected);
+
+}  // namespace mandelmarch

@@ -1,0 +1,105 @@
+// Every backend x device x fractal x precision x mode that is found at run time. In exact mode every bit of colour and
+// depth is that of the text as scalar C++; in fast mode the picture is the canonical one, as far as an eye can see.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "backends/all.h"
+#include "backends/skeleton/skeleton.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "tests/equivalence/equivalence.h"
+
+namespace mandelmarch {
+namespace {
+
+std::vector<NamedScene> exact_scenes()
+{
+    std::vector<NamedScene> scenes = odd_scenes();
+    for (NamedScene& scene : random_scenes(4, 20260)) scenes.push_back(std::move(scene));
+    for (const char* name : {"bulb", "box", "julia"}) {
+        scenes.push_back({fmt::format("{}, official", name), official_scene(name, 161, 107)});
+    }
+    return scenes;
+}
+
+std::vector<NamedScene> fast_scenes()
+{
+    std::vector<NamedScene> scenes;
+    for (const char* name : {"bulb", "box", "julia"}) {
+        scenes.push_back({fmt::format("{}, fast", name), official_scene(name, 240, 240)});
+    }
+    return scenes;
+}
+
+// The devices of a machine in CI are on its CPU; a backend of this build that finds none has lost its driver.
+TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
+{
+    const Registry registry = all_backends();
+    std::istringstream built(MANDELMARCH_BUILT_BACKENDS);
+    int count = 0;
+    for (std::string name; built >> name; ++count) {
+        const Backend* backend = registry.find(name);
+        ASSERT_NE(backend, nullptr) << name;
+        EXPECT_EQ(backend->unavailable(), std::nullopt) << name;
+        EXPECT_FALSE(backend->devices().empty()) << name;
+    }
+    EXPECT_GE(count, 2);
+}
+
+class EveryBackend {
+public:
+    EveryBackend() { fmt::print("{}\n", equivalence_header()); }
+
+    // All devices, fractals, precisions and modes of one backend.
+    void check_all(const Backend& backend)
+    {
+        for (int device = 0; device < static_cast<int>(backend.devices().size()); ++device) {
+            for (const Mode mode : {Mode::exact, Mode::fast}) {
+                for (const Precision precision : {Precision::f32, Precision::f64}) {
+                    for (const Fractal& fractal : fractals()) {
+                        check_row(backend, {.device = device, .precision = precision, .mode = mode}, fractal);
+                    }
+                }
+            }
+        }
+    }
+
+    Registry registry = all_backends();
+
+private:
+    void check_row(const Backend& backend, const RendererOptions& options, const Fractal& fractal)
+    {
+        try {
+            const EquivalenceRow row = check(backend, options, std::string(fractal.nickname),
+                                             options.mode == Mode::exact ? exact_ : fast_, expected_);
+            fmt::print("{}\n", to_text(row));
+            EXPECT_TRUE(row.fine()) << to_text(row);
+            EXPECT_GT(row.scenes, 0);
+        } catch (const Unavailable& error) {
+            // A device without double, say. Backends of this build without any device fail the test above.
+            fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.nickname, backend.name(), error.what());
+        }
+    }
+
+    Expected expected_{registry};
+    std::vector<NamedScene> exact_ = exact_scenes();
+    std::vector<NamedScene> fast_ = fast_scenes();
+};
+
+TEST(Equivalence, EveryBackendDrawsTheSamePicture)
+{
+    EveryBackend every;
+    for (const auto& backend : every.registry.backends()) {
+        if (const auto why = backend->unavailable()) {
+            fmt::print("{:<10} {:<9} unavailable: {}\n", "all", backend->name(), *why);
+        } else if (backend->name() != "reference") {
+            every.check_all(*backend);
+        }
+    }
+    every.check_all(*make_skeleton_backend());
+}
+
+}  // namespace
+}  // namespace mandelmarch

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# faults_test.sh BIN SHIM ROOT: devices with faults give one clear line and the right exit code, leave no picture, and
+# do not hang; devices that are only poor draw the same picture.
+set -uo pipefail
+bin=$1
+shim=$2
+root=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+draw() {  # FAULT OPTION...
+    local fault=$1
+    shift
+    MANDELMARCH_FAULT=$fault MANDELMARCH_DEVICE_TIMEOUT=${patience:-100} LD_PRELOAD=$shim timeout 60 "$bin/render" --fractal box \
+        "$root/paramsBox.dat" --backend opencl --size "${size:-40x30}" --output picture.exr "$@" 2>stderr
+}
+
+fails() {  # FAULT CODE TEXT OPTION...
+    local fault=$1 code=$2 text=$3
+    shift 3
+    rm -f picture.exr
+    draw "$fault" "$@"
+    local got=$?
+    if [ $got != "$code" ] || [ "$(wc -l <stderr)" != 1 ] || ! grep -q "$text" stderr || [ -e picture.exr ]; then
+        echo "FAILED: $fault $*: exit code $got, expected $code; stderr: $(cat stderr)"
+        failures=$((failures + 1))
+    fi
+}
+
+same() {  # FAULT OPTION...
+    local fault=$1
+    shift
+    if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
+        ! "$bin/imgdiff" expected.exr picture.exr >difference; then
+        echo "FAILED: $fault $*: $(cat stderr difference)"
+        failures=$((failures + 1))
+    fi
+}
+
+differs() {  # FAULT OPTION...
+    local fault=$1
+    shift
+    if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
+        "$bin/imgdiff" expected.exr picture.exr >difference; then
+        echo "FAILED: $fault $*: the same picture, expected another; $(cat stderr)"
+        failures=$((failures + 1))
+    fi
+}
+
+fails dies 1 "backend opencl: .*out of resources, or died"
+patience=1 fails hangs 1 "no answer from the device in 1 s"
+fails memory 1 "out of memory"
+fails compiler 1 "no compiler"
+fails absent 77 "no OpenCL device"
+fails no-double 77 "has no double" --precision double
+fails no-double-inexact 77 "divides inexactly" --precision float
+fails none 77 "there is no device 9" --device 9
+fails none 2 "no vector length" --pack 3
+same none --precision float
+same no-double --precision float
+same inexact --precision float  # quotients and roots in double
+differs inexact-liar --precision float  # the twin: inexact division shows where it is trusted
+size=300x200
+same small-buffers --precision double  # in bands
+same small-buffers --precision float
+[ $failures = 0 ] && echo "devices with faults: all fine"
+exit $failures

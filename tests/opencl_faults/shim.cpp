@@ -1,0 +1,101 @@
+// Preloaded before libOpenCL: a device with a fault, named by MANDELMARCH_FAULT. It stands between the program and the
+// real driver, so that every other call works as always.
+#include <CL/cl.h>
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace {
+
+bool fault(std::string_view name)
+{
+    const char* wanted = std::getenv("MANDELMARCH_FAULT");
+    return wanted != nullptr && name == wanted;
+}
+
+template <class Function>
+Function* real(const char* name)
+{
+    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+
+cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t* offset,
+                              const size_t* global, const size_t* local, cl_uint waits, const cl_event* wait,
+                              cl_event* event)
+{
+    if (fault("dies")) return CL_OUT_OF_RESOURCES;
+    if (fault("hangs")) {
+        // An event that nothing ever completes.
+        cl_context context = nullptr;
+        clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof(context), &context, nullptr);
+        cl_int error = CL_SUCCESS;
+        *event = clCreateUserEvent(context, &error);
+        return error;
+    }
+    return real<decltype(clEnqueueNDRangeKernel)>("clEnqueueNDRangeKernel")(queue, kernel, dimensions, offset, global,
+                                                                            local, waits, wait, event);
+}
+
+cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t size, void* host, cl_int* error)
+{
+    if (fault("memory")) {
+        *error = CL_MEM_OBJECT_ALLOCATION_FAILURE;
+        return nullptr;
+    }
+    return real<decltype(clCreateBuffer)>("clCreateBuffer")(context, flags, size, host, error);
+}
+
+cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* device, const char* options,
+                      void (*notify)(cl_program, void*), void* data)
+{
+    if (fault("compiler")) return CL_COMPILER_NOT_AVAILABLE;
+    return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
+}
+
+// A device whose quotient of floats is a unit or so off in the last place, whether it says so ("inexact") or not.
+cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings, const size_t* lengths,
+                                     cl_int* error)
+{
+    auto* create = real<decltype(clCreateProgramWithSource)>("clCreateProgramWithSource");
+    if (!fault("inexact") && !fault("inexact-liar")) return create(context, count, strings, lengths, error);
+    constexpr std::string_view exact = "return a / b;";
+    std::string text(strings[0], lengths[0]);
+    const auto at = text.find(exact);
+    if (at == std::string::npos) std::abort();  // the prelude has changed, and this twin must follow
+    text.replace(at, exact.size(), "return a * (1 / b);");
+    const char* begin = text.c_str();
+    return create(context, 1, &begin, nullptr, error);
+}
+
+cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* count)
+{
+    if (fault("absent")) return -1001;  // CL_PLATFORM_NOT_FOUND_KHR
+    return real<decltype(clGetPlatformIDs)>("clGetPlatformIDs")(entries, platforms, count);
+}
+
+cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, size_t size, void* value, size_t* written)
+{
+    const cl_int result = real<decltype(clGetDeviceInfo)>("clGetDeviceInfo")(device, what, size, value, written);
+    const bool no_double = fault("no-double") || fault("no-double-inexact");
+    if (value != nullptr && no_double && what == CL_DEVICE_DOUBLE_FP_CONFIG) std::memset(value, 0, size);
+    if (value != nullptr && (fault("inexact") || fault("no-double-inexact")) && what == CL_DEVICE_SINGLE_FP_CONFIG) {
+        *static_cast<cl_device_fp_config*>(value) &=
+            ~static_cast<cl_device_fp_config>(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT);
+    }
+    if (value != nullptr && fault("inexact-liar") && what == CL_DEVICE_SINGLE_FP_CONFIG) {
+        *static_cast<cl_device_fp_config*>(value) |= CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
+    }
+    if (value != nullptr && fault("small-buffers") && what == CL_DEVICE_MAX_MEM_ALLOC_SIZE) {
+        *static_cast<cl_ulong*>(value) = 1 << 20;
+    }
+    return result;
+}
+
+}  // extern "C"
