@@ -1,4 +1,4 @@
-// Kernel text, part 6: from a ray's hit to a pixel's colour.
+// Kernel text, part 7: from a ray's hit to a pixel's colour.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -78,6 +78,7 @@ FN Pixel shade(Scene scene, Ray ray)
     mask hit = has_hit(scene, ray);
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
+    if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, ray.direction));
     pixel.depth = scene.miss;
     pixel.steps = ray.steps;
     pixel.estimates = ray.estimates;
@@ -86,7 +87,14 @@ FN Pixel shade(Scene scene, Ray ray)
         // The normal is taken one tolerance before the hit.
         vec3 p = along(point_at(scene, ray, ray.last_t), ray.direction, -tolerance(scene, ray));
         Normal normal = normal_at(scene, p, hit);
-        pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+        if (scene.colouring > 1) {
+            Look seen = look(scene, ray.direction, p, normal.direction, ray.last_t, hit);
+            pixel.colour = pick3(hit, seen.colour, pixel.colour);
+            pixel.estimates = pixel.estimates + seen.estimates;
+            pixel.iterations = pixel.iterations + seen.iterations;
+        } else {
+            pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+        }
         pixel.depth = pick(hit, ray.last_t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
         pixel.iterations = pixel.iterations + normal.iterations;

@@ -5,4 +5,5 @@
 #include "core/kernel/numbers.h"
 #include MM_FRACTAL_FILE
 #include "core/kernel/march.h"
+#include "core/kernel/looks.h"
 #include "core/kernel/shade.h"
