@@ -11,7 +11,7 @@
 namespace mandelmarch {
 
 // The look that a film has unless --look chooses another.
-inline constexpr int film_look = 1;
+inline constexpr int film_look = 3;
 
 enum class Command { plan, render, film, audit };
 

@@ -41,9 +41,9 @@ FN vec3 albedo(Scene scene, vec3 trap)
 {
     vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), cut(trap.z));
     if (scene.colouring == 3) {
-        colour = blend(vec3(R(0.85), R(0.32), R(0.16)), vec3(R(0.06), R(0.42), R(0.46)), cut(trap.x));
-        colour = blend(colour, vec3(R(0.95), R(0.78), R(0.42)), cut(R(1.3) - 2 * trap.y));
-        colour = blend(colour, vec3(R(0.16), R(0.05), R(0.20)), R(0.7) * cut(trap.z));
+        colour = blend(vec3(R(0.90), R(0.24), R(0.10)), vec3(R(0.03), R(0.38), R(0.46)), cut(R(2.5) * trap.x));
+        colour = blend(colour, vec3(R(0.95), R(0.70), R(0.30)), cut(R(0.9) - 3 * trap.y));
+        colour = blend(colour, vec3(R(0.16), R(0.04), R(0.22)), R(0.7) * cut(trap.z));
     }
     if (scene.colouring == 4) {
         colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), cut(trap.x));
@@ -95,7 +95,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     real key = cut(R(0.15) + R(0.85) * inner(n, sun)) * sunwards.share * sunwards.share;
     real shelter = around.share * (R(0.35) + R(0.65) * around.share);
     vec3 light = times(shelter * (R(0.6) + R(0.4) * n.y), vec3(R(0.42), R(0.52), R(0.66)));
-    light = along(light, vec3(R(1.35), R(1.15), R(0.85)), key);
+    light = along(light, vec3(R(1.15), R(0.98), R(0.72)), key);
     light = along(light, vec3(R(0.40), R(0.36), R(0.30)), shelter * facing);
     real hazed = haze(t);
     if (scene.colouring == 4) {
@@ -113,7 +113,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     glint = glint * glint;
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
-    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), cut(hazed * hazed)));
+    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), cut(hazed * hazed * hazed)));
     result.estimates = count(on) + count(on) + count(on) + count(on) + count(on);
     result.estimates = result.estimates + result.estimates + count(on);
     result.iterations = around.iterations + sunwards.iterations;

@@ -29,18 +29,19 @@ struct Measures {
 
 Measures measures_of(const Fractal& fractal)
 {
-    if (fractal.nickname == "box") return {0.005, 0.0031, 0.006, 0.24};
-    return {0.012, 0.0034, 0.02, 0.19};
+    if (fractal.nickname == "box") return {0.005, 0.0036, 0.006, 0.24};
+    return {0.012, 0.0040, 0.02, 0.19};
 }
 
-constexpr double least_clearance = 0.0028;  // hull sizes: the band goes nowhere nearer to a surface
+constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
 constexpr int tries = 300'000;              // places where gates are looked for
 constexpr double field_of_view = 1.0;
 constexpr double wanted_turn = 0.95;   // degrees a frame: where the gaze turns faster, the ride slows down
 constexpr double turn_limit = 1.17;    // degrees a frame; the promise is 1.2
 constexpr double slowest = 0.08;       // of the pace
-constexpr double fast_motion = 0.016;  // picture heights a frame, at the median pixel: more slows the ride down
-constexpr double slow_motion = 0.003;  // less tilts the gaze towards what is near
+constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
+constexpr double slow_motion = 0.004;   // less tilts the gaze towards what is near
+constexpr double most_tilt = 1.25;      // of the gaze, added to the unit vector along the motion
 constexpr int retimings = 7;
 constexpr int audit_stride = 5;        // the same while tours are compared
 constexpr int view_stride = 10;        // frames between the views that are looked at for dullness
@@ -66,7 +67,7 @@ public:
     {
         Random random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
         for (int i = 0; i < 4; ++i) random.next();
-        const double budget = 1.6 * measures_.pace * frames_ + 60;
+        const double budget = 0.8 * measures_.pace * frames_ + 60;
         const Tour tour = make_tour(field_, balls_, gates_, budget, random);
         const auto points = smooth(field_, tour.way, least_clearance * size_);
         Track track = track_of(field_, points);
@@ -84,13 +85,13 @@ private:
         Ride now;
         for (int round = 0; round < retimings; ++round) {
             now = ride(field_, track, measures_.pace, needed);
-                // A ride that is too short now may last when it has slowed down in its bends.
+            // A ride that is too short now may last when it has slowed down in its bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
-            if (flown < frames_ / 2 || (flown < frames_ && round > 2)) return {};
+            if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
             views = gaze(now, tilts(now, tilt_of_sample, flown), flown);
             if (round + 1 == retimings) break;
+            look_around(track, now, views, tilt_of_sample, round >= 2 && round <= 5);
             slow_turns(track, now, views);
-            if (round % 2 == 0) look_around(track, now, views, tilt_of_sample, round > 0);
         }
         limit_turns(views, turn_limit);
         Path path;
@@ -126,8 +127,8 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Looks at the ride's views: where the picture moves too fast, the ride slows down; where a view is dull, or nearly,
-    // or stands nearly still, the gaze is tilted (if `tilt` is asked for): towards the surface, or, where a wall fills the
+    // Looks at the ride's views: where the picture moves faster than usual the ride slows down, where slower it goes
+    // faster, as far as the pace allows; where a view is dull, or nearly, or stands nearly still, the gaze is tilted (if `tilt` is asked for): towards the surface, or, where a wall fills the
     // picture, towards the open.
     void look_around(Track& track, const Ride& ride, const std::vector<Vector>& views, std::vector<Vector>& tilt_of_sample,
                      bool tilting) const
@@ -135,32 +136,38 @@ private:
         const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
         const auto seen = views_of(field_, frames, view_stride);
         std::vector<double> factor(track.slow.size(), 1);
+        std::vector<Vector> more(track.slow.size());
         for (std::size_t v = 0; v < seen.size(); ++v) {
             const std::size_t i = v * view_stride;
             if (i + 1 >= frames.size()) break;
             const double motion = median_motion(seen[v], frames[i], frames[i + 1]);
-            if (motion > fast_motion) {
-                each_sample(ride, i, view_stride, [&](std::size_t s, double) {
-                    factor[s] = std::min(factor[s], fast_motion / motion);
-                });
+            const double wanted = std::clamp(std::pow(usual_motion / std::max(motion, 1e-5), 0.8), 0.4, 2.0);
+            const std::size_t end = std::min(i + view_stride, ride.sample.size() - 1);
+            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]); ++s) {
+                factor[s] = wanted;
             }
             const double clearance = field_.distance(frames[i].eye);
             Vector tilt{};
             if (!tilting || i < 60) continue;
             if (seen[v].hit_share() < 0.3) {
-                tilt = -0.9 * field_.uphill(frames[i].eye, 0.3 * clearance);
+                tilt = -0.7 * field_.uphill(frames[i].eye, 0.3 * clearance);
             } else if (seen[v].dull(1.15 * clearance)) {
-                tilt = 0.9 * open_direction(seen[v], frames[i]);
+                tilt = 0.7 * open_direction(seen[v], frames[i]);
             } else if (motion < slow_motion) {
-                tilt = -0.6 * field_.uphill(frames[i].eye, 0.3 * clearance);
+                tilt = -0.3 * field_.uphill(frames[i].eye, 0.3 * clearance);
             }
             if (length(tilt) == 0) continue;
             // It counts for a second and more around, less and less.
             each_sample(ride, i, 40, [&](std::size_t s, double near) {
-                if (length(near * tilt) > length(tilt_of_sample[s])) tilt_of_sample[s] = near * tilt;
+                if (length(near * tilt) > length(more[s])) more[s] = near * tilt;
             });
         }
-        for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
+        // What is dull still after a first tilt is tilted further.
+        for (std::size_t s = 0; s < more.size(); ++s) {
+            const Vector sum = tilt_of_sample[s] + more[s];
+            tilt_of_sample[s] = std::min(1.0, most_tilt / std::max(length(sum), 1e-9)) * sum;
+        }
+        for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::clamp(track.slow[s] * factor[s], slowest, 1.0);
     }
 
     // Calls body(sample, nearness) for the track's samples up to `reach` frames from frame i; nearness falls from 1 to 0.
@@ -231,8 +238,8 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
     };
     Planner planner(scene, seed, frames, threads);
     say(fmt::format("{} balls, {} gates", planner.balls(), planner.gates()));
-    constexpr int most_attempts = 12;
-    constexpr int usual_attempts = 4;
+    constexpr int most_attempts = 24;
+    constexpr int usual_attempts = 8;
     Plan best;
     double least = 1e300;
     for (int number = 0; number < most_attempts; ++number) {
