@@ -1,4 +1,4 @@
-// Kernel text, part 5: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
+// Kernel text, part 6: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
 
 // The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
 FN Ray begin(Scene scene, real i, real j)
@@ -7,36 +7,58 @@ FN Ray begin(Scene scene, real i, real j)
     real v = quotient(2 * j, scene.height) - 1;
     Ray ray;
     ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
+    ray.end = scene.end;
     ray.t = 0;
+    if (scene.hull > 0) {
+        Span span = hull(scene, wide(scene.eye), ray.direction);
+        // Rounding moves the far end by less than this.
+        ray.end = smaller(ray.end, span.last * R(1.0001));
+        ray.end = pick(span.first <= span.last, ray.end, R(-1.0));
+        // The plain schedule's samples start at the eye.
+        if (scene.canonical != 0) ray.t = larger(span.first * R(0.9999), 0);
+    }
     ray.last_t = 0;
-    ray.last_distance = scene.end;  // larger than the tolerance at t = 0, so that the march begins
+    ray.last_distance = scene.end;  // larger than the tolerance of any first sample, so that the march begins
     ray.before_t = 0;
+    ray.before_distance = scene.end;
     ray.steps = 0;
     ray.estimates = 0;
     ray.iterations = 0;
     return ray;
 }
 
-FN real tolerance(Scene scene, Ray ray) { return ray.t * scene.tolerance; }
+// The estimate below which the last sample is a hit. The plain schedule takes the t after the step.
+FN real tolerance(Scene scene, Ray ray)
+{
+    real t = ray.t;
+    if (scene.canonical != 0) t = ray.last_t;
+    return t * scene.tolerance;
+}
 
 // True while the ray has neither hit nor left the scene.
 FN mask marching(Scene scene, Ray ray)
 {
-    return ray.last_distance > tolerance(scene, ray) && ray.t <= scene.end && ray.steps < scene.max_steps;
+    return ray.last_distance > tolerance(scene, ray) && ray.t <= ray.end && ray.steps < scene.max_steps;
 }
 
 FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(scene, ray); }
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
 
-// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on.
+// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on, with
+// over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is taken back
+// where the spheres of its two ends do not overlap.
 FN Ray advance(Scene scene, Ray ray, mask on)
 {
     Estimate here = estimate(scene, point_at(scene, ray, ray.t), on);
-    ray.before_t = pick(on, ray.last_t, ray.before_t);
-    ray.last_t = pick(on, ray.t, ray.last_t);
-    ray.last_distance = pick(on, here.distance, ray.last_distance);
-    ray.t = pick(on, ray.t + scene.stride * here.distance, ray.t);
+    real reach = ray.t - ray.last_t;
+    mask over = reach > ray.last_distance && here.distance + ray.last_distance < reach;
+    mask taken = on && !over;
+    ray.before_t = pick(taken, ray.last_t, ray.before_t);
+    ray.before_distance = pick(taken, ray.last_distance, ray.before_distance);
+    ray.last_t = pick(taken, ray.t, ray.last_t);
+    ray.last_distance = pick(taken, here.distance, ray.last_distance);
+    ray.t = pick(on, ray.last_t + pick(over, scene.stride, scene.relaxation) * ray.last_distance, ray.t);
     ray.steps = ray.steps + count(on);
     ray.estimates = ray.estimates + count(on);
     ray.iterations = ray.iterations + here.iterations;
@@ -56,28 +78,80 @@ FN Ray march(Scene scene, Ray ray, int steps)
     return ray;
 }
 
-// The canonical hit: the root of DE(t) = tolerance t between the last two samples, by bisection to a thousandth of the
-// tolerance, or until no number is left between the two. A ray whose first sample was a hit stays where it is.
+// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method (Dowell
+// and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined its
+// samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; `t` is the last root
+// tried and `end` tells its side: 1 above, -1 below, 0 none yet, 2 the bracket cannot be split.
+
+// A ray whose first sample was a hit stays where it is, and one without a hit too.
+FN Ray refine_begin(Scene scene, Ray ray)
+{
+    mask hit = has_hit(scene, ray);
+    ray.end = pick(hit && ray.last_t > ray.before_t, R(0.0), R(2.0));
+    ray.before_distance = ray.before_distance - scene.tolerance * ray.before_t;
+    ray.last_distance = pick(hit, ray.last_distance - scene.tolerance * ray.last_t, scene.end);
+    ray.t = ray.last_t;
+    return ray;
+}
+
+FN mask refining(Scene scene, Ray ray)
+{
+    real narrow = R(0.001) * scene.tolerance * ray.last_t;
+    real f = pick(ray.end == 1, ray.before_distance, ray.last_distance);
+    return ray.end < 2 && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
+}
+
+FN real secant(Ray ray)
+{
+    real slope = ray.last_distance - ray.before_distance;
+    return ray.last_t - quotient(ray.last_distance * (ray.last_t - ray.before_t), slope);
+}
+
+FN mask inside_bracket(Ray ray, real t) { return t > ray.before_t && t < ray.last_t; }
+
+FN Ray refine_step(Scene scene, Ray ray, mask on)
+{
+    real t = secant(ray);
+    t = pick(inside_bracket(ray, t), t, R(0.5) * (ray.before_t + ray.last_t));
+    mask splits = inside_bracket(ray, t);
+    ray.end = pick(on && !splits, R(2.0), ray.end);
+    on = on && splits;
+    Estimate here = estimate(scene, point_at(scene, ray, t), on);
+    real f = here.distance - scene.tolerance * t;
+    mask below = on && f < 0;
+    mask above = on && !below;
+    ray.before_distance = pick(below && ray.end == -1, R(0.5) * ray.before_distance, ray.before_distance);
+    ray.last_distance = pick(above && ray.end == 1, R(0.5) * ray.last_distance, ray.last_distance);
+    ray.before_t = pick(above, t, ray.before_t);
+    ray.before_distance = pick(above, f, ray.before_distance);
+    ray.last_t = pick(below, t, ray.last_t);
+    ray.last_distance = pick(below, f, ray.last_distance);
+    ray.end = pick(on, pick(below, R(-1.0), R(1.0)), ray.end);
+    ray.t = pick(on, t, ray.t);
+    ray.estimates = ray.estimates + count(on);
+    ray.iterations = ray.iterations + here.iterations;
+    return ray;
+}
+
+// One more secant's root, which costs no estimate. The hit stays one, though rounding may see it a little outside.
+FN Ray refine_end(Scene scene, Ray ray)
+{
+    real t = secant(ray);
+    ray.t = pick(ray.end < 2 && inside_bracket(ray, t), t, ray.t);
+    ray.last_t = ray.t;
+    return ray;
+}
+
+// All of it. The bracket at least halves in two steps; 100 are more than the digits of a double allow.
 FN Ray refine(Scene scene, Ray ray)
 {
-    real low = ray.before_t;  // DE > tolerance t
-    real high = ray.last_t;   // DE < tolerance t
-    mask on = has_hit(scene, ray) && ray.last_distance < scene.tolerance * high && high > low;
-    ray.t = pick(on, high, ray.t);
+    ray = refine_begin(scene, ray);
+    mask on = refining(scene, ray);
     int i = 0;
-    while (i < 60 && any(on)) {
-        real t = R(0.5) * (low + high);
-        on = on && t > low && t < high && high - low > R(0.001) * scene.tolerance * high;
-        Estimate here = estimate(scene, point_at(scene, ray, t), on);
-        mask inside = on && here.distance < scene.tolerance * t;
-        low = pick(on && !inside, t, low);
-        high = pick(inside, t, high);
-        ray.t = pick(inside, t, ray.t);
-        ray.last_t = pick(inside, t, ray.last_t);
-        ray.last_distance = pick(inside, here.distance, ray.last_distance);
-        ray.estimates = ray.estimates + count(on);
-        ray.iterations = ray.iterations + here.iterations;
+    while (i < 100 && any(on)) {
+        ray = refine_step(scene, ray, on);
+        on = on && refining(scene, ray);
         i = i + 1;
     }
-    return ray;
+    return refine_end(scene, ray);
 }

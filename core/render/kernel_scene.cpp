@@ -6,12 +6,14 @@
 #include <type_traits>
 
 #include "core/scene/fractal.h"
+#include "core/scene/hull.h"
 
 namespace mandelmarch {
 namespace {
 
 // Constants of the original program.
 constexpr double stride = 0.95;  // of the distance estimate
+constexpr double relaxation = 1.4;  // of the distance estimate, in fast mode
 constexpr double end = 1000;     // largest t of a sample
 constexpr int max_steps = 8000;
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
@@ -71,6 +73,8 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
     k.stride = real(stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
+    k.hull = real(hull_size(scene, k.tolerance));
+    k.relaxation = real(mode == Mode::fast ? relaxation : stride);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
