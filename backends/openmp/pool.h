@@ -1,5 +1,5 @@
-// One pack width: the prelude, the text, and a scheduler around it that keeps lanes busy. Included in a namespace of its
-// own; no guard.
+// One pack width: the prelude, the text, and a scheduler around it that keeps lanes busy. Included in a namespace of
+// its own; no guard.
 //
 // A pool of rays, structure of arrays, is marched one step at a time, and the rays that go on are stored back without
 // gaps. Rays that hit wait in a second pool until a whole pack of them can be refined and shaded. When the first pool
@@ -18,7 +18,7 @@ struct Pool {
     int size;
 };
 
-// A ray with the place of its pixel in the band.
+// A ray with the place of its pixel in the canvas.
 struct Traveller {
     Ray ray;
     whole pixel;
@@ -71,12 +71,9 @@ HWY_INLINE void append(Pool& pool, Traveller& a, const mask& on)
         } else {
             each_field(
                 a, u,
-                [&](int f, auto& v) HWY_ATTR {
-                    hn::StoreU(hn::Compress(v, lanes), Reals(), pool.real_fields[f] + at);
-                },
-                [&](int f, auto& v) HWY_ATTR {
-                    hn::StoreU(hn::Compress(v, whole_lanes), Wholes(), pool.whole_fields[f] + at);
-                });
+                [&](int f, auto& v) HWY_ATTR { hn::StoreU(hn::Compress(v, lanes), Reals(), pool.real_fields[f] + at); },
+                [&](int f, auto& v)
+                    HWY_ATTR { hn::StoreU(hn::Compress(v, whole_lanes), Wholes(), pool.whole_fields[f] + at); });
         }
         pool.size += count_on;
     }
@@ -103,8 +100,8 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
     for (int u = 0; u < MM_REGISTERS; ++u) hn::StoreU(from.of[u], Wholes(), to + u * register_lanes);
 }
 
-// Finished pixels to their places in the band.
-HWY_INLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Band& band)
+// Finished pixels to their places on the canvas.
+HWY_INLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
 {
     MM_REAL reals[4][pack_lanes];
     Int wholes[4][pack_lanes];
@@ -121,15 +118,15 @@ HWY_INLINE void store_pixels(const Pixel& pixel, const whole& places, const mask
     for (int lane = 0; lane < pack_lanes; ++lane) {
         if (live[lane] == 0) continue;
         const Int at = wholes[3][lane];
-        for (int plane = 0; plane < 4; ++plane) band.reals[plane * band.pixels + at] = reals[plane][lane];
+        for (int plane = 0; plane < 4; ++plane) canvas.reals[plane * canvas.pixels + at] = reals[plane][lane];
         for (int plane = 0; plane < 3; ++plane) {
-            band.wholes[plane * band.pixels + at] = static_cast<int>(wholes[plane][lane]);
+            canvas.wholes[plane * canvas.pixels + at] = static_cast<int>(wholes[plane][lane]);
         }
     }
 }
 
 // Shades all rays of the pool but an incomplete last pack; that one too if `all`.
-HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Band& band, bool all)
+HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, bool all)
 {
     int done = 0;
     while (ended.size - done >= pack_lanes || (all && ended.size > done)) {
@@ -137,7 +134,7 @@ HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Band& band, bo
         const mask on = first_lanes(ended.size - done);
         // Lanes beyond the last ray hit nothing.
         a.ray.last_distance = pick(on, a.ray.last_distance, scene.end);
-        store_pixels(shade(scene, a.ray), a.pixel, on, band);
+        store_pixels(shade(scene, a.ray), a.pixel, on, canvas);
         done += pack_lanes;
     }
     if (done == 0) return;
@@ -149,7 +146,7 @@ HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Band& band, bo
 }
 
 // One step of refinement for every ray of the pool; those that need no more go to `ended`.
-HWY_INLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Band& band)
+HWY_INLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -163,7 +160,7 @@ HWY_INLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const B
         if (!any(stays)) continue;
         a.ray = refine_end(scene, a.ray);
         append(ended, a, stays);
-        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, band, false);
+        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
     }
 }
 
@@ -179,9 +176,9 @@ constexpr int pack_height = pack_lanes / pack_width;
 static_assert(pack_width <= tile_side && pack_height <= tile_side);
 
 // Begins the rays of the tile whose bottom left pixel is (left, bottom) of the picture.
-HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Band& band, Pool& pool)
+HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Canvas<MM_REAL>& canvas, Pool& pool)
 {
-    for (int y0 = bottom; y0 < bottom + tile_side && y0 < band.end_row; y0 += pack_height) {
+    for (int y0 = bottom; y0 < bottom + tile_side && y0 < canvas.end_row; y0 += pack_height) {
         for (int x0 = left; x0 < left + tile_side && x0 < scene.width; x0 += pack_width) {
             MM_REAL i[pack_lanes];
             MM_REAL j[pack_lanes];
@@ -192,8 +189,8 @@ HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Band&
                 const int y = y0 + lane / pack_width;
                 i[lane] = static_cast<MM_REAL>(x);
                 j[lane] = static_cast<MM_REAL>(y);
-                place[lane] = static_cast<Int>(y - band.first_row) * scene.width + x;
-                inside[lane] = x < scene.width && y < band.end_row ? MM_REAL(1) : MM_REAL(0);
+                place[lane] = static_cast<Int>(y - canvas.first_row) * scene.width + x;
+                inside[lane] = x < scene.width && y < canvas.end_row ? MM_REAL(1) : MM_REAL(0);
             }
             Traveller a;
             real u, v, on_picture;
@@ -207,13 +204,13 @@ HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Band&
             a.ray = begin(scene, u, v);
             const mask go = marching(scene, a.ray);
             append(pool, a, on && go);
-            if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, band);
+            if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, canvas);
         }
     }
 }
 
 // One step of marching for every ray of the pool; hits go on to be refined, or to be shaded where none is.
-HWY_INLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Band& band)
+HWY_INLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -227,26 +224,30 @@ HWY_INLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& end
         if (!any(stays)) continue;
         const mask hit = stays && has_hit(scene, a.ray);
         const mask gone = stays && !hit;
-        if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, band);
+        if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, canvas);
         if (scene.canonical != 0) {
             a.ray = refine_begin(scene, a.ray);
             append(hits, a, hit);
-            while (hits.size > pool_rays - pack_lanes) refine_pool(scene, hits, ended, band);
+            while (hits.size > pool_rays - pack_lanes) refine_pool(scene, hits, ended, canvas);
         } else {
             append(ended, a, hit);
-            if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, band, false);
+            if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
         }
     }
 }
 
-// Draws tiles of the band until there are no more.
-void draw_tiles(const void* data, const Band& band, const Tiles& tiles, void* memory)
+// A thread's memory.
+struct Pools {
+    Pool marching;
+    Pool hits;   // to be refined
+    Pool ended;  // to be shaded
+};
+
+// Draws tiles until there are no more.
+void draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
     const Scene& scene = *static_cast<const Scene*>(data);
-    Pool* pools = static_cast<Pool*>(memory);
-    Pool& pool = pools[0];   // marching
-    Pool& hits = pools[1];   // to be refined
-    Pool& ended = pools[2];  // to be shaded
+    auto& [pool, hits, ended] = *static_cast<Pools*>(memory);
     pool.size = hits.size = ended.size = 0;
     bool more = true;
     while (more || pool.size > 0) {
@@ -254,13 +255,13 @@ void draw_tiles(const void* data, const Band& band, const Tiles& tiles, void* me
             int left = 0;
             int bottom = 0;
             more = tiles.next(tiles.source, left, bottom);
-            if (more) begin_tile(scene, left, bottom, band, pool);
+            if (more) begin_tile(scene, left, bottom, canvas, pool);
         }
-        march_pool(scene, pool, hits, ended, band);
-        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, band);
+        march_pool(scene, pool, hits, ended, canvas);
+        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas);
     }
-    while (hits.size > 0) refine_pool(scene, hits, ended, band);
-    shade_pool(scene, ended, band, true);
+    while (hits.size > 0) refine_pool(scene, hits, ended, canvas);
+    shade_pool(scene, ended, canvas, true);
 }
 #include "core/kernel/prelude/undefine.h"
 #undef EACH_REGISTER

@@ -78,10 +78,10 @@ FN Ray march(Scene scene, Ray ray, int steps)
     return ray;
 }
 
-// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method (Dowell
-// and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined its
-// samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; `t` is the last root
-// tried and `end` tells its side: 1 above, -1 below, 0 none yet, 2 the bracket cannot be split.
+// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method
+// (Dowell and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined
+// its samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; `t` is the last
+// root tried and `end` tells its side: 1 above, -1 below, 0 none yet, 2 the bracket cannot be split.
 
 // A ray whose first sample was a hit stays where it is, and one without a hit too.
 FN Ray refine_begin(Scene scene, Ray ray)

@@ -9,8 +9,8 @@ struct Scene {
     int max_steps;       // samples on a ray
     int exponent;        // a whole power P, or 0 where P is no whole number (or the fractal has none)
     int colouring;       // 0 or 1, as in the parameter file
-    int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the plain schedule
-    int differences;     // 1: the normal comes from central differences; 0: from the analytic gradient
+    int canonical;    // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the plain schedule
+    int differences;  // 1: the normal comes from central differences; 0: from the analytic gradient
 
     scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
     scalar stride;     // the share of the distance estimate that one step goes
@@ -18,9 +18,9 @@ struct Scene {
     scalar miss;       // depth of a pixel that hits nothing: +infinity
     scalar brightness;
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
-    scalar hull;        // radius or half an edge of what holds the surface; 0: nothing is known
-    scalar relaxation;  // the share that a step of over-relaxation goes; not above stride: none
-    scalar fractal[8];  // the fractal's own constants, named in its file
+    scalar hull;             // radius or half an edge of what holds the surface; 0: nothing is known
+    scalar relaxation;       // the share that a step of over-relaxation goes; not above stride: none
+    scalar fractal[8];       // the fractal's own constants, named in its file
 
     triple eye;      // camera
     triple forward;  // unit vector

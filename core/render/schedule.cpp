@@ -11,7 +11,6 @@ namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-constexpr std::int64_t smallest_band = 1 << 16;  // pixels
 
 // Loop iterations of one estimate: its own, and in each those that raise to a whole power: three loops for the highest
 // bit of the exponent and three over its bits.
@@ -43,8 +42,9 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
                   const Progress& progress)
 {
     const std::int64_t width = scene.width;
-    const std::int64_t wanted = std::clamp(width * scene.height / bands_wanted,
-                                           std::min(smallest_band, limits.pixels_per_band), limits.pixels_per_band);
+    const std::int64_t wanted =
+        std::clamp(width * scene.height / bands_wanted, std::min(limits.pixels_to_fill, limits.pixels_per_band),
+                   limits.pixels_per_band);
     // Whole tiles where the limits allow it.
     std::int64_t rows = std::max<std::int64_t>(1, wanted / width);
     if (rows > tile_side) rows = rows / tile_side * tile_side;

@@ -19,6 +19,7 @@ struct Band {
 // What a device can do in one go.
 struct Limits {
     std::int64_t pixels_per_band;           // what its buffers hold
+    std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
     std::int64_t loops_per_invocation = 0;  // loop iterations that one invocation survives; 0: any number
 };
 

@@ -53,8 +53,8 @@ double box_hull(const Scene& scene, const View& view)
     const double remainder = std::pow(s, 1 - scene.iterations);
     const double edge = scale > 0 ? 2 * (s + 1) / (s - 1) : 2;
     const double share = scale > 0 ? s * (s - 1) / (s * s + s + 1) : 1;
-    const double less = scale > 0 ? std::max({0.0, (s - 3) / (s + 1), (s - 1 - edge) / (s * s + s + 1)})
-                                  : (s - 1) / (s + 1);
+    const double less =
+        scale > 0 ? std::max({0.0, (s - 3) / (s + 1), (s - 1 - edge) / (s * s + s + 1)}) : (s - 1) / (s + 1);
     const double slope = share - std::sqrt(3.0) * view.slope;
     if (!(slope > 0)) return 0;
     return (share * edge + less + remainder + view.slope * view.distance) / slope;

@@ -8,3 +8,5 @@
 #undef R
 #undef BY_PRECISION
 #undef MM_HAS_LARGER
+    #undef MM_NEAREST
+    
