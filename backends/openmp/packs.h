@@ -11,8 +11,8 @@ namespace registers_2 {
 }
 #undef MM_REGISTERS
 #if MANDELMARCH_ALL_PACKS
-#define MM_REGISTERS 4
-namespace registers_4 {
+#define MM_REGISTERS 1
+namespace registers_1 {
 #include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
@@ -23,7 +23,7 @@ VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);
 #if MANDELMARCH_ALL_PACKS
-    return {{{name, registers_4::pack_lanes, registers_4::draw_tiles, sizeof(registers_4::Pools)},
+    return {{{name, registers_1::pack_lanes, registers_1::draw_tiles, sizeof(registers_1::Pools)},
              {name, registers_2::pack_lanes, registers_2::draw_tiles, sizeof(registers_2::Pools)}},
             2};
 #else

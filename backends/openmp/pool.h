@@ -43,7 +43,7 @@ HWY_INLINE void each_field(Traveller& a, int u, OnReal on_real, OnWhole on_whole
     on_whole(3, a.pixel.of[u]);
 }
 
-HWY_INLINE Traveller load(const Pool& pool, int from)
+HWY_NOINLINE Traveller load(const Pool& pool, int from)
 {
     Traveller a;
     for (int u = 0; u < MM_REGISTERS; ++u) {
@@ -56,7 +56,7 @@ HWY_INLINE Traveller load(const Pool& pool, int from)
 }
 
 // Appends the lanes that are on. The pool has room for a pack more than it holds.
-HWY_INLINE void append(Pool& pool, Traveller& a, const mask& on)
+HWY_NOINLINE void append(Pool& pool, Traveller& a, const mask& on)
 {
     for (int u = 0; u < MM_REGISTERS; ++u) {
         const auto lanes = on.of[u];
@@ -101,7 +101,7 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
 }
 
 // Finished pixels to their places on the canvas.
-HWY_INLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
+HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
 {
     MM_REAL reals[4][pack_lanes];
     Int wholes[4][pack_lanes];
@@ -126,7 +126,7 @@ HWY_INLINE void store_pixels(const Pixel& pixel, const whole& places, const mask
 }
 
 // Shades all rays of the pool but an incomplete last pack; that one too if `all`.
-HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, bool all)
+HWY_NOINLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, bool all)
 {
     int done = 0;
     while (ended.size - done >= pack_lanes || (all && ended.size > done)) {
@@ -146,7 +146,7 @@ HWY_INLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL
 }
 
 // One step of refinement for every ray of the pool; those that need no more go to `ended`.
-HWY_INLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas)
+HWY_NOINLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -158,7 +158,6 @@ HWY_INLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const C
         append(pool, a, go);
         const mask stays = on && !go;
         if (!any(stays)) continue;
-        a.ray = refine_end(scene, a.ray);
         append(ended, a, stays);
         if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
     }
@@ -176,7 +175,7 @@ constexpr int pack_height = pack_lanes / pack_width;
 static_assert(pack_width <= tile_side && pack_height <= tile_side);
 
 // Begins the rays of the tile whose bottom left pixel is (left, bottom) of the picture.
-HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Canvas<MM_REAL>& canvas, Pool& pool)
+HWY_NOINLINE void begin_tile(const Scene& scene, int left, int bottom, const Canvas<MM_REAL>& canvas, Pool& pool)
 {
     for (int y0 = bottom; y0 < bottom + tile_side && y0 < canvas.end_row; y0 += pack_height) {
         for (int x0 = left; x0 < left + tile_side && x0 < scene.width; x0 += pack_width) {
@@ -210,7 +209,7 @@ HWY_INLINE void begin_tile(const Scene& scene, int left, int bottom, const Canva
 }
 
 // One step of marching for every ray of the pool; hits go on to be refined, or to be shaded where none is.
-HWY_INLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas)
+HWY_NOINLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -227,12 +226,14 @@ HWY_INLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& end
         if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, canvas);
         if (scene.canonical != 0) {
             a.ray = refine_begin(scene, a.ray);
-            append(hits, a, hit);
+            const mask coarse = hit && refining(scene, a.ray);
+            append(hits, a, coarse);
+            append(ended, a, hit && !coarse);
             while (hits.size > pool_rays - pack_lanes) refine_pool(scene, hits, ended, canvas);
         } else {
             append(ended, a, hit);
-            if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
         }
+        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
     }
 }
 

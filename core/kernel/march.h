@@ -13,7 +13,7 @@ FN Ray begin(Scene scene, real i, real j)
         Span span = hull(scene, wide(scene.eye), ray.direction);
         // Rounding moves the far end by less than this.
         ray.end = smaller(ray.end, span.last * R(1.0001));
-        ray.end = pick(span.first <= span.last, ray.end, R(-1.0));
+        ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
         // The plain schedule's samples start at the eye.
         if (scene.canonical != 0) ray.t = larger(span.first * R(0.9999), 0);
     }
@@ -79,79 +79,96 @@ FN Ray march(Scene scene, Ray ray, int steps)
 }
 
 // The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method
-// (Dowell and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined
-// its samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; `t` is the last
-// root tried and `end` tells its side: 1 above, -1 below, 0 none yet, 2 the bracket cannot be split.
+// (Dowell and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined,
+// its samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; t is the last root
+// tried. Its `end` has become a note of how far refinement is; while marching, it is -1 or more.
+FN real none_tried() { return -2; }
+FN real tried_below() { return -3; }  // the last root tried lies below the surface, f < 0
+FN real tried_above() { return -4; }
+FN real no_root() { return -5; }  // there is no hit, or a first sample hit, or no number is left between the ends
 
-// A ray whose first sample was a hit stays where it is, and one without a hit too.
+// Changes what has not begun yet.
 FN Ray refine_begin(Scene scene, Ray ray)
 {
+    mask fresh = ray.end >= -1;
     mask hit = has_hit(scene, ray);
-    ray.end = pick(hit && ray.last_t > ray.before_t, R(0.0), R(2.0));
-    ray.before_distance = ray.before_distance - scene.tolerance * ray.before_t;
-    ray.last_distance = pick(hit, ray.last_distance - scene.tolerance * ray.last_t, scene.end);
-    ray.t = ray.last_t;
+    real below = pick(hit, ray.last_distance - scene.tolerance * ray.last_t, scene.end);
+    real above = ray.before_distance - scene.tolerance * ray.before_t;
+    ray.end = pick(fresh, pick(hit && ray.last_t > ray.before_t, none_tried(), no_root()), ray.end);
+    ray.last_distance = pick(fresh, below, ray.last_distance);
+    ray.before_distance = pick(fresh, above, ray.before_distance);
+    ray.t = pick(fresh, ray.last_t, ray.t);
     return ray;
 }
 
+// A root is good where f is a thousandth of the tolerance: one more secant then brings it closer still.
 FN mask refining(Scene scene, Ray ray)
 {
     real narrow = R(0.001) * scene.tolerance * ray.last_t;
-    real f = pick(ray.end == 1, ray.before_distance, ray.last_distance);
-    return ray.end < 2 && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
+    real f = pick(ray.end == tried_above(), ray.before_distance, ray.last_distance);
+    return ray.end > no_root() && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
 }
 
 FN real secant(Ray ray)
 {
-    real slope = ray.last_distance - ray.before_distance;
-    return ray.last_t - quotient(ray.last_distance * (ray.last_t - ray.before_t), slope);
+    real rise = ray.last_distance - ray.before_distance;
+    return ray.last_t - quotient(ray.last_distance * (ray.last_t - ray.before_t), rise);
 }
 
-FN mask inside_bracket(Ray ray, real t) { return t > ray.before_t && t < ray.last_t; }
+FN mask in_bracket(Ray ray, real t) { return t > ray.before_t && t < ray.last_t; }
 
 FN Ray refine_step(Scene scene, Ray ray, mask on)
 {
     real t = secant(ray);
-    t = pick(inside_bracket(ray, t), t, R(0.5) * (ray.before_t + ray.last_t));
-    mask splits = inside_bracket(ray, t);
-    ray.end = pick(on && !splits, R(2.0), ray.end);
+    t = pick(in_bracket(ray, t), t, R(0.5) * (ray.before_t + ray.last_t));
+    mask splits = in_bracket(ray, t);
+    ray.end = pick(on && !splits, no_root(), ray.end);
     on = on && splits;
     Estimate here = estimate(scene, point_at(scene, ray, t), on);
     real f = here.distance - scene.tolerance * t;
     mask below = on && f < 0;
     mask above = on && !below;
-    ray.before_distance = pick(below && ray.end == -1, R(0.5) * ray.before_distance, ray.before_distance);
-    ray.last_distance = pick(above && ray.end == 1, R(0.5) * ray.last_distance, ray.last_distance);
+    // An end that stays a second time counts half.
+    mask twice_below = below && ray.end == tried_below();
+    mask twice_above = above && ray.end == tried_above();
+    ray.before_distance = pick(twice_below, R(0.5) * ray.before_distance, ray.before_distance);
+    ray.last_distance = pick(twice_above, R(0.5) * ray.last_distance, ray.last_distance);
     ray.before_t = pick(above, t, ray.before_t);
     ray.before_distance = pick(above, f, ray.before_distance);
     ray.last_t = pick(below, t, ray.last_t);
     ray.last_distance = pick(below, f, ray.last_distance);
-    ray.end = pick(on, pick(below, R(-1.0), R(1.0)), ray.end);
+    ray.end = pick(on, pick(below, tried_below(), tried_above()), ray.end);
     ray.t = pick(on, t, ray.t);
     ray.estimates = ray.estimates + count(on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
 }
 
-// One more secant's root, which costs no estimate. The hit stays one, though rounding may see it a little outside.
-FN Ray refine_end(Scene scene, Ray ray)
-{
-    real t = secant(ray);
-    ray.t = pick(ray.end < 2 && inside_bracket(ray, t), t, ray.t);
-    ray.last_t = ray.t;
-    return ray;
-}
-
-// All of it. The bracket at least halves in two steps; 100 are more than the digits of a double allow.
-FN Ray refine(Scene scene, Ray ray)
+// At most `steps` roots tried, after which it can go on in another pass.
+FN Ray refine_by(Scene scene, Ray ray, int steps)
 {
     ray = refine_begin(scene, ray);
     mask on = refining(scene, ray);
     int i = 0;
-    while (i < 100 && any(on)) {
+    while (i < steps && any(on)) {
         ray = refine_step(scene, ray, on);
         on = on && refining(scene, ray);
         i = i + 1;
     }
-    return refine_end(scene, ray);
+    return ray;
+}
+
+// All of it: the method takes some five steps, and 100 are enough where f jumps.
+FN Ray refine(Scene scene, Ray ray) { return refine_by(scene, ray, 100); }
+
+// Where a ray that has hit meets the surface.
+FN real landing(Scene scene, Ray ray)
+{
+    real t = ray.last_t;
+    if (scene.canonical != 0) {
+        // One more secant's root, which costs no estimate.
+        real closer = secant(ray);
+        t = pick(ray.end > no_root() && in_bracket(ray, closer), closer, ray.t);
+    }
+    return t;
 }

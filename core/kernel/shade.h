@@ -91,10 +91,13 @@ FN Pixel shade(Scene scene, Ray ray)
     Pixel pixel = missed(scene, ray);
     if (any(hit)) {
         // The normal is taken one tolerance before the hit.
-        vec3 p = along(point_at(scene, ray, ray.last_t), ray.direction, -tolerance(scene, ray));
+        real t = landing(scene, ray);
+        real back = scene.tolerance * t;
+        if (scene.canonical == 0) back = tolerance(scene, ray);
+        vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
         Normal normal = normal_at(scene, p, hit);
         pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
-        pixel.depth = pick(hit, ray.last_t, pixel.depth);
+        pixel.depth = pick(hit, t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
         pixel.iterations = pixel.iterations + normal.iterations;
     }

@@ -8,5 +8,4 @@
 #undef R
 #undef BY_PRECISION
 #undef MM_HAS_LARGER
-    #undef MM_NEAREST
-    
+#undef MM_NEAREST
