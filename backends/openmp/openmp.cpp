@@ -81,8 +81,10 @@ private:
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, Mode mode, const Variant<Real>& variant, int threads)
-        : scene_(kernel_scene<KernelScene<Real>>(scene, mode)), variant_(variant), threads_(threads)
+    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant)
+        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
+          variant_(variant),
+          threads_(options.threads)
     {
     }
 
@@ -157,7 +159,7 @@ private:
     {
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene);
-        BandExecutor<Real> executor(scene, options_.mode, variant, options_.threads);
+        BandExecutor<Real> executor(scene, options_, variant);
         // Large bands: at the end of each the threads run out of rays to fill their lanes with.
         run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
                      image, progress);

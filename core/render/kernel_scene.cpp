@@ -52,7 +52,7 @@ Camera camera_of(const Scene& scene)
 }
 
 template <class KernelScene>
-KernelScene kernel_scene(const Scene& scene, Mode mode)
+KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
 {
     using Real = decltype(KernelScene::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
@@ -72,8 +72,8 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
     k.stride = real(stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
-    k.hull = real(hull_size(scene, k.tolerance));
-    k.relaxation = real(mode == Mode::fast ? relaxation : stride);
+    k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
+    k.relaxation = real(mode == Mode::fast && techniques.relaxation ? relaxation : stride);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
@@ -84,7 +84,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
     return k;
 }
 
-template layout_f64::Scene kernel_scene(const Scene&, Mode);
-template layout_f32::Scene kernel_scene(const Scene&, Mode);
+template layout_f64::Scene kernel_scene(const Scene&, Mode, const Techniques&);
+template layout_f32::Scene kernel_scene(const Scene&, Mode, const Techniques&);
 
 }  // namespace mandelmarch
