@@ -143,7 +143,8 @@ double likeness(const Glimpse& a, const Glimpse& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    return scale > 0 ? std::max(xy, mirrored) / scale : 1;
+    // A picture of one depth is like another such picture only.
+    return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 
 }  // namespace mandelmarch

@@ -109,14 +109,17 @@ TEST(Audit, EveryRowCanFail)
                        }),
                        "frames inside solid"));
     EXPECT_FALSE(fails(spoilt([](auto& f) { f.erase(f.begin() + 300, f.begin() + 304); }), "largest step"));
-    EXPECT_FALSE(fails(spoilt([](auto& f) { f[250].target = f[250].eye + unit(f[250].target - f[250].eye + 0.05 * f[250].up); }),
-                       "largest turn"));
-    EXPECT_FALSE(fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
+    EXPECT_FALSE(
+        fails(spoilt([](auto& f) { f[250].target = f[250].eye + unit(f[250].target - f[250].eye + 0.05 * f[250].up); }),
+              "largest turn"));
+    EXPECT_FALSE(
+        fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
     // Quality.
     const Field field(planned().scene, 0);
     fails(spoilt([&](auto& f) {
               Vector place = f[300].eye;
-              while (field.distance(place) > 0.002) place = place - 0.3 * field.distance(place) * field.uphill(place, 1e-4);
+              while (field.distance(place) > 0.002)
+                  place = place - 0.3 * field.distance(place) * field.uphill(place, 1e-4);
               move_to(f[300], place);
           }),
           "least DE");
@@ -140,7 +143,12 @@ TEST(Audit, EveryRowCanFail)
               for (std::size_t i = 0; i < f.size(); i += 10) f[i + 1] = f[i];
           }),
           "frames with apparent motion");
-    fails(spoilt([](auto& f) { std::copy(f.begin() + 100, f.begin() + 200, f.begin() + 300); }), "the same view again");
+    fails(spoilt([](auto& f) {
+              // The sky, and then the same way once more.
+              for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
+              std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
+          }),
+          "the same view again");
     // Ten seconds need no passage; a whole film at one place has none.
     Path long_path = planned();
     long_path.frames.assign(7200, planned().frames[0]);
@@ -159,7 +167,8 @@ TEST(Audit, EveryRowCanFail)
 TEST(Audit, PassagesAreCountedModuloTheSymmetry)
 {
     const Field field(official_scene("box", 16, 9), 1);
-    const std::vector<Vector> places{{1, 2, 3}, {1, 2, 3.1}, {1, 2, 3.2}, {2, 1, -3.3}, {-3.1, 2, 1}, {3, 3, 3}, {3, 3, 2}};
+    const std::vector<Vector> places{{1, 2, 3},    {1, 2, 3.1}, {1, 2, 3.2}, {2, 1, -3.3},
+                                     {-3.1, 2, 1}, {3, 3, 3},   {3, 3, 2}};
     const std::vector<double> once{1, 0.4, 0.9, 0.9, 0.9, 0.9, 0.9};
     EXPECT_EQ(distinct_passages(field, places, once).size(), 1U);
     const std::vector<double> mirrored{1, 0.04, 1, 1, 0.04, 1, 1};
@@ -220,7 +229,7 @@ TEST(Views, KnowThemselvesAndTheirMirrorImages)
     }
     EXPECT_NEAR(likeness(views[2], mirrored), 1, 1e-9);
     EXPECT_LT(likeness(views[0], views[3]), 0.95);
-    EXPECT_EQ(median_motion(views[2], planned().frames[200], planned().frames[200]), 0);
+    EXPECT_LT(median_motion(views[2], planned().frames[200], planned().frames[200]), 1e-12);
 }
 
 }  // namespace
