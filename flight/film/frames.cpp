@@ -25,7 +25,10 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
 
 std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
 {
-    Scene scene = scene_of(path_, path_.frames[frame], image_.width(), image_.height());
+    // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
+    Scene scene = scene_of(path_, path_.frames[frame], picture_.width, picture_.height);
+    scene.width = image_.width();
+    scene.height = image_.height();
     if (picture_.look) scene.colouring = *picture_.look;
     renderer_->render(scene, image_);
     const auto side = static_cast<std::size_t>(picture_.samples);
