@@ -24,13 +24,14 @@ struct Measures {
     double roads;       // least clearance of the balls
     double gate_least;  // bounds of a gate's clearance
     double gate_most;
-    double pace;  // clearances a frame
+    double pace;       // clearances a frame
+    double most_tilt;  // of the gaze, added to the unit vector along the motion
 };
 
 Measures measures_of(const Fractal& fractal)
 {
-    if (fractal.nickname == "box") return {0.005, 0.0036, 0.006, 0.24};
-    return {0.012, 0.0040, 0.02, 0.19};
+    if (fractal.nickname == "box") return {0.005, 0.0036, 0.006, 0.24, 0.7};
+    return {0.012, 0.0040, 0.02, 0.19, 0.85};
 }
 
 constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
@@ -41,7 +42,6 @@ constexpr double turn_limit = 1.17;     // degrees a frame; the promise is 1.2
 constexpr double slowest = 0.08;        // of the pace
 constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
 constexpr double slow_motion = 0.004;   // less tilts the gaze towards what is near
-constexpr double most_tilt = 1.0;       // of the gaze, added to the unit vector along the motion
 constexpr int retimings = 7;
 constexpr int audit_stride = 5;  // the same while tours are compared
 constexpr int view_stride = 10;  // frames between the views that are looked at for dullness
@@ -166,7 +166,7 @@ private:
         // What is dull still after a first tilt is tilted further.
         for (std::size_t s = 0; s < more.size(); ++s) {
             const Vector sum = tilt_of_sample[s] + more[s];
-            tilt_of_sample[s] = std::min(1.0, most_tilt / std::max(length(sum), 1e-9)) * sum;
+            tilt_of_sample[s] = std::min(1.0, measures_.most_tilt / std::max(length(sum), 1e-9)) * sum;
         }
         for (std::size_t s = 0; s < factor.size(); ++s)
             track.slow[s] = std::clamp(track.slow[s] * factor[s], slowest, 1.0);
