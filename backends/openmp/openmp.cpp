@@ -1,11 +1,13 @@
 #include "backends/openmp/openmp.h"
 
 #include <fmt/format.h>
+#include <hwy/targets.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 
@@ -140,10 +142,31 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
+// MANDELMARCH_INSTRUCTIONS in the environment takes a smaller instruction set than the machine's best: SSE4, AVX2 or
+// AVX3 (AVX-512), as Highway calls them.
+void choose_instructions()
+{
+    const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
+    hwy::SetSupportedTargetsForTest(0);  // what the machine has
+    if (wanted == nullptr) return;
+    std::string known;
+    for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+        const std::int64_t target = rest & -rest;
+        if (std::string_view(hwy::TargetName(target)) == wanted) {
+            hwy::SetSupportedTargetsForTest(target);
+            return;
+        }
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", hwy::TargetName(target));
+    }
+    throw InputError(
+        fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
+}
+
 class OpenmpRenderer : public Renderer {
 public:
     explicit OpenmpRenderer(const RendererOptions& options) : options_(options)
     {
+        choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
     }
 
