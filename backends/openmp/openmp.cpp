@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <type_traits>
@@ -79,6 +80,20 @@ private:
     std::atomic<int> taken_ = 0;
 };
 
+// How far apart at distance 1 the rays of two diagonal neighbours are, at most: 0 where cones would not pay. A cone
+// ends some of its widths before the surface; where a pixel is many tolerances wide, that is at once.
+template <class KernelScene>
+auto pitch_of(const KernelScene& scene) -> decltype(scene.tolerance)
+{
+    const auto spacing = [](const auto& axis, int pixels) {
+        return 2 * std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z) /
+               static_cast<decltype(axis.x + 0)>(pixels);
+    };
+    constexpr int most_tolerances = 8;
+    const auto pitch = std::hypot(spacing(scene.across, scene.width), spacing(scene.upward, scene.height));
+    return pitch < most_tolerances * scene.tolerance ? pitch : 0;
+}
+
 // Draws bands through planes in memory.
 template <class Real>
 class BandExecutor : public Executor {
@@ -86,7 +101,8 @@ public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
-          threads_(options.threads)
+          threads_(options.threads),
+          cones_(options.mode == Mode::fast && options.techniques.cones)
     {
     }
 
@@ -96,8 +112,12 @@ public:
         const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
         reals_.resize(std::max(reals_.size(), real_planes * pixels));
         wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
-        const openmp::Canvas<Real> canvas{band.first_row, band.first_row + band.rows,
-                                          static_cast<std::ptrdiff_t>(pixels), reals_.data(), wholes_.data()};
+        const openmp::Canvas<Real> canvas{band.first_row,
+                                          band.first_row + band.rows,
+                                          static_cast<std::ptrdiff_t>(pixels),
+                                          cones_ ? pitch_of(scene_) : 0,
+                                          reals_.data(),
+                                          wholes_.data()};
         TileQueue queue(scene_.width, band);
 #pragma omp parallel num_threads(threads_)
         {
@@ -133,6 +153,7 @@ private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     int threads_;
+    bool cones_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
 };
