@@ -7,6 +7,7 @@
 #include <chrono>
 #include <type_traits>
 
+#include "backends/openmp/peak.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -34,8 +35,12 @@ void add_to(Work& to, const Work& from)
 template <class Real>
 class TileExecutor : public Executor {
 public:
-    TileExecutor(const Scene& scene, Mode mode, const Variant<Real>& variant, int threads, Image& image)
-        : scene_(kernel_scene<KernelScene<Real>>(scene, mode)), variant_(variant), threads_(threads), image_(image)
+    TileExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image)
+        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode)),
+          variant_(variant),
+          threads_(options.threads),
+          chunk_(std::max(1, options.chunk)),
+          image_(image)
     {
     }
 
@@ -44,7 +49,7 @@ public:
         const int columns = (scene_.width + tile_side - 1) / tile_side;
         const int rows = (band.rows + tile_side - 1) / tile_side;
         Work work;
-#pragma omp parallel for num_threads(threads_) schedule(dynamic) reduction(sum : work)
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, chunk_) reduction(sum : work)
         for (int index = 0; index < columns * rows; ++index) {
             const int left = index % columns * tile_side;
             const int bottom = band.first_row + index / columns * tile_side;
@@ -67,6 +72,7 @@ private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     int threads_;
+    int chunk_;
     Image& image_;
     Work work_;
 };
@@ -95,7 +101,7 @@ private:
     {
         const auto start = std::chrono::steady_clock::now();
         const Variant<Real> variant = choose<Real>(scene);
-        TileExecutor<Real> executor(scene, options_.mode, variant, options_.threads, image);
+        TileExecutor<Real> executor(scene, options_, variant, image);
         const auto begin = std::chrono::steady_clock::now();
         run_schedule(scene, options_.mode, {.pixels_per_band = 1 << 22}, executor, image, progress);
         const auto end = std::chrono::steady_clock::now();
@@ -141,6 +147,10 @@ public:
             throw Unavailable(fmt::format("backend openmp: there is no device {}, only device 0", options.device));
         }
         return std::make_unique<OpenmpRenderer>(options);
+    }
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return openmp::multiply_add_peak(options.precision, options.threads);
     }
 };
 
