@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test fuzz intel-opencl lint install clean setup
+.PHONY: build mandelbulb mandelbox demo test fuzz intel-opencl lint k40 install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -19,7 +19,7 @@ demo: build
 	@bin/demo
 
 # Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
-test: build
+test: build python
 	ctest --preset $(PRESET)
 
 # A longer search for inputs that break the readers: make fuzz SECONDS=3600
@@ -37,6 +37,10 @@ intel-opencl: build
 lint: setup
 	@tools/lint
 
+# What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40.
+k40: mandelbulb python
+	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
+
 install: build
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
@@ -45,3 +49,6 @@ clean:
 
 setup:
 	@tools/setup
+
+python: setup
+	@tools/python_packages

@@ -1,4 +1,4 @@
-// Kernel text, part 5: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
+// Kernel text, part 5: a ray from the camera to its hit. begin -> march -> refine, the last two any number of times.
 
 // The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
 FN Ray begin(Scene scene, real i, real j)
@@ -58,14 +58,15 @@ FN Ray march(Scene scene, Ray ray, int steps)
 
 // The canonical hit: the root of DE(t) = tolerance t between the last two samples, by bisection to a thousandth of the
 // tolerance, or until no number is left between the two. A ray whose first sample was a hit stays where it is.
-FN Ray refine(Scene scene, Ray ray)
+// At most `steps` halvings, after which it can go on in another pass.
+FN Ray refine_by(Scene scene, Ray ray, int steps)
 {
     real low = ray.before_t;  // DE > tolerance t
     real high = ray.last_t;   // DE < tolerance t
     mask on = has_hit(scene, ray) && ray.last_distance < scene.tolerance * high && high > low;
     ray.t = pick(on, high, ray.t);
     int i = 0;
-    while (i < 60 && any(on)) {
+    while (i < steps && any(on)) {
         real t = R(0.5) * (low + high);
         on = on && t > low && t < high && high - low > R(0.001) * scene.tolerance * high;
         Estimate here = estimate(scene, point_at(scene, ray, t), on);
@@ -79,5 +80,9 @@ FN Ray refine(Scene scene, Ray ray)
         ray.iterations = ray.iterations + here.iterations;
         i = i + 1;
     }
+    ray.before_t = low;
     return ray;
 }
+
+// 60 halvings leave no number between the two.
+FN Ray refine(Scene scene, Ray ray) { return refine_by(scene, ray, 60); }

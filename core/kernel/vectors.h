@@ -50,37 +50,53 @@ FN Complex squared(Complex a)
     return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
 }
 
-// The highest bit of n, n >= 1.
-FN int highest_bit(int n)
+// a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), n < 1024. A line for each bit,
+// not a loop: where n is known when a device compiles the text only the lines of n's bits are left, and a device that
+// counts an invocation's loops sees none here.
+FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 {
-    int bit = 1;
-    while (bit <= n / 2) bit = bit * 2;
-    return bit;
-}
-
-// a^n, n >= 1: left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3).
-FN Complex raised(Complex a, int n)
-{
-    Complex result = a;
-    int bit = highest_bit(n) / 2;
-    while (bit > 0) {
+    if (n / bit > 1) {
         result = squared(result);
         if ((n & bit) != 0) result = product(result, a);
-        bit = bit / 2;
     }
     return result;
 }
 
-// a^n, n >= 0.
+// n >= 1.
+FN Complex raised(Complex a, int n)
+{
+    Complex result = raised_by_bit(a, a, n, 256);
+    result = raised_by_bit(result, a, n, 128);
+    result = raised_by_bit(result, a, n, 64);
+    result = raised_by_bit(result, a, n, 32);
+    result = raised_by_bit(result, a, n, 16);
+    result = raised_by_bit(result, a, n, 8);
+    result = raised_by_bit(result, a, n, 4);
+    result = raised_by_bit(result, a, n, 2);
+    return raised_by_bit(result, a, n, 1);
+}
+
+FN real raised_real_by_bit(real result, real a, int n, int bit)
+{
+    if (n / bit > 1) {
+        result = result * result;
+        if ((n & bit) != 0) result = result * a;
+    }
+    return result;
+}
+
+// n >= 0.
 FN real raised_real(real a, int n)
 {
     real result = a;
     if (n == 0) result = 1;
-    int bit = highest_bit(n) / 2;
-    while (bit > 0) {
-        result = result * result;
-        if ((n & bit) != 0) result = result * a;
-        bit = bit / 2;
-    }
-    return result;
+    result = raised_real_by_bit(result, a, n, 256);
+    result = raised_real_by_bit(result, a, n, 128);
+    result = raised_real_by_bit(result, a, n, 64);
+    result = raised_real_by_bit(result, a, n, 32);
+    result = raised_real_by_bit(result, a, n, 16);
+    result = raised_real_by_bit(result, a, n, 8);
+    result = raised_real_by_bit(result, a, n, 4);
+    result = raised_real_by_bit(result, a, n, 2);
+    return raised_real_by_bit(result, a, n, 1);
 }

@@ -11,9 +11,8 @@ namespace mandelmarch {
 namespace {
 
 // Constants of the original program.
-constexpr double stride = 0.95;  // of the distance estimate
-constexpr double end = 1000;     // largest t of a sample
-constexpr int max_steps = 8000;
+constexpr double stride = 0.95;                            // of the distance estimate
+constexpr double end = 1000;                               // largest t of a sample
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
 constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
 

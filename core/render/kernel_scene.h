@@ -26,6 +26,8 @@ namespace layout_f32 {
 #undef MM_REAL_IS_FLOAT
 }  // namespace layout_f32
 
+inline constexpr int max_steps = 8000;  // samples on a ray, as in the original program
+
 // Computed in double, then rounded.
 // exact: the plain schedule's hit. fast: the canonical hit.
 // The normal comes from central differences in double and from the analytic gradient in float.

@@ -1,25 +1,20 @@
 #include "core/render/schedule.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/image/tile.h"
-#include "core/scene/fractal.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch {
 namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-constexpr std::int64_t smallest_band = 1 << 16;  // pixels
 
-// Loop iterations of one estimate: its own, and in each those that raise to a whole power: three loops for the highest
-// bit of the exponent and three over its bits.
-std::int64_t loops_per_estimate(const Scene& scene)
-{
-    const auto bits = std::bit_width(static_cast<unsigned>(scene.fractal->constants(scene, 1e37).exponent));
-    return std::int64_t{scene.iterations} * (1 + 6 * bits);
-}
+// The estimates of a pass that shades (central differences), and the halvings of a hit that is refined to its end: as
+// in the kernel text.
+constexpr std::int64_t shade_estimates = 6;
+constexpr std::int64_t refine_steps = 60;
 
 }  // namespace
 
@@ -39,30 +34,41 @@ void add_work(Work& work, const Planes<Real>& planes, int width, int height)
 template void add_work(Work&, const Planes<float>&, int, int);
 template void add_work(Work&, const Planes<double>&, int, int);
 
+int rows_per_band(const Scene& scene, const Limits& limits)
+{
+    const std::int64_t width = scene.width;
+    const std::int64_t wanted =
+        std::clamp(width * scene.height / bands_wanted, std::min(limits.pixels_to_fill, limits.pixels_per_band),
+                   limits.pixels_per_band);
+    // Whole tiles where the limits allow it.
+    std::int64_t rows = std::clamp<std::int64_t>(wanted / width, 1, scene.height);
+    if (rows > tile_side) rows = rows / tile_side * tile_side;
+    return static_cast<int>(rows);
+}
+
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress)
 {
-    const std::int64_t width = scene.width;
-    const std::int64_t wanted = std::clamp(width * scene.height / bands_wanted,
-                                           std::min(smallest_band, limits.pixels_per_band), limits.pixels_per_band);
-    // Whole tiles where the limits allow it.
-    std::int64_t rows = std::max<std::int64_t>(1, wanted / width);
-    if (rows > tile_side) rows = rows / tile_side * tile_side;
+    // An estimate loops once for each of its iterations; a loop may be counted once more, when it ends.
+    const std::int64_t loops_per_step = std::int64_t{scene.iterations} + 2;
+    const std::int64_t estimates = max_steps + refine_steps + shade_estimates;
+    const bool whole = limits.loops_per_invocation == 0 || loops_per_step * estimates <= limits.loops_per_invocation;
+    const auto steps_per_pass =
+        static_cast<int>(std::clamp<std::int64_t>(limits.loops_per_invocation / loops_per_step - 1, 1, max_steps));
 
-    std::int64_t steps_per_pass = 0;
-    if (limits.loops_per_invocation > 0) {
-        steps_per_pass = std::max<std::int64_t>(1, limits.loops_per_invocation / (1 + loops_per_estimate(scene)));
-    }
-    for (std::int64_t row = 0; row < scene.height; row += rows) {
-        const Band band{static_cast<int>(row), static_cast<int>(std::min(rows, scene.height - row))};
-        if (steps_per_pass == 0) {
-            executor.run(Entry::draw, band, 0);
+    const int rows = rows_per_band(scene, limits);
+    for (int row = 0; row < scene.height; row += rows) {
+        const Band band{row, std::min(rows, scene.height - row)};
+        if (whole) {
+            executor.run(Entry::draw, band, max_steps);
         } else {
             executor.run(Entry::begin, band, 0);
             do {
-                executor.run(Entry::march, band, static_cast<int>(std::min<std::int64_t>(steps_per_pass, 1 << 20)));
+                executor.run(Entry::march, band, steps_per_pass);
             } while (executor.marching(band));
-            if (mode == Mode::fast) executor.run(Entry::refine, band, 0);
+            for (int done = 0; mode == Mode::fast && done < refine_steps; done += steps_per_pass) {
+                executor.run(Entry::refine, band, std::min<int>(steps_per_pass, refine_steps - done));
+            }
             executor.run(Entry::shade, band, 0);
         }
         executor.read_back(band, image);

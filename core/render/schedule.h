@@ -19,15 +19,20 @@ struct Band {
 // What a device can do in one go.
 struct Limits {
     std::int64_t pixels_per_band;           // what its buffers hold
+    std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
     std::int64_t loops_per_invocation = 0;  // loop iterations that one invocation survives; 0: any number
 };
+
+// The rows of every band but the last, which may have fewer.
+int rows_per_band(const Scene& scene, const Limits& limits);
 
 // A backend's side of the schedule.
 class Executor {
 public:
     virtual ~Executor() = default;
 
-    // Runs one entry on every pixel of the band. `steps` is for `march`: the most steps of a ray in this pass.
+    // Runs one entry on every pixel of the band. `steps`: the most steps of a ray in this pass, for `march`, and the
+    // most halvings, for `refine`. May be put off until marching() or read_back() asks for what came of it.
     virtual void run(Entry entry, const Band& band, int steps) = 0;
 
     // After `march`: true while a ray of the band has neither hit nor left.
@@ -37,8 +42,8 @@ public:
     virtual void read_back(const Band& band, Image& image) = 0;
 };
 
-// Draws the scene band by band. Where one invocation survives a whole ray's march, a band is one `draw` pass; elsewhere
-// it is begin, march as often as needed, refine (in fast mode) and shade.
+// Draws the scene band by band. Where one invocation survives a whole pixel, a band is one `draw` pass; elsewhere it is
+// begin, march as often as needed, refine (in fast mode, as often as needed) and shade.
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress);
 

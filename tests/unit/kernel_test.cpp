@@ -176,7 +176,7 @@ TEST(StagedEntries, DrawWhatTheWholePixelDraws)
             const bulb64::Pixel whole = bulb64::draw(k, i % 30, i / 30);
             bulb64::Ray ray = bulb64::begin(k, i % 30, i / 30);
             for (int pass = 0; bulb64::marching(k, ray); ++pass) ray = bulb64::march(k, ray, 1 + pass % 3);
-            if (canonical != 0) ray = bulb64::refine(k, ray);
+            for (int steps = 0; canonical != 0 && steps < 60; steps += 5) ray = bulb64::refine_by(k, ray, 5);
             const bulb64::Pixel staged = bulb64::shade(k, ray);
             EXPECT_EQ(whole.depth, staged.depth) << i;
             EXPECT_EQ(whole.colour.x, staged.colour.x) << i;

@@ -7,3 +7,4 @@
 #undef count
 #undef R
 #undef BY_PRECISION
+#undef MM_NEAREST

@@ -1,0 +1,164 @@
+// The schedule's passes on a device: the buffers' layout, the device's limits, and one band's work.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <type_traits>
+
+#include "backends/vulkan/probe.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/schedule.h"
+
+namespace mandelmarch::vulkan {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <class Real>
+using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
+
+// As in kernel.comp.
+inline constexpr int group_side = 8;
+enum Stage : int { stage_begin = 1, stage_march = 2, stage_refine = 4, stage_shade = 8 };
+
+// The buffers on the bench. `results` holds, each at a multiple of 256 bytes, which is the largest alignment that a
+// device may ask for: the flag of rays still marching, and the planes of reals and of wholes. `mirror` is the host's
+// copy of it, on devices with memory of their own.
+enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
+constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
+inline constexpr vk::DeviceSize flag_size = 4;
+inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
+
+// A Ray's size as std430 lays it out: a vec3, four reals and three ints, to a multiple of four reals.
+constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
+
+// Loop iterations of one invocation, in one pass. lavapipe ends an invocation silently after 65,535, counted over all
+// its loops. Elsewhere a watchdog may end a pass that takes some seconds: these are about a tenth of a second for a
+// warp on a slow GPU, whose double may be 32 times slower than its float.
+inline constexpr std::int64_t counted_loops = 65'000;
+inline constexpr std::int64_t watched_loops_float = 1 << 18;
+inline constexpr std::int64_t watched_loops_double = 1 << 15;
+// Pixels that keep a CPU's or a GPU's lanes busy.
+inline constexpr std::int64_t busy_cpu = 1 << 15;
+inline constexpr std::int64_t busy_gpu = 1 << 18;
+inline constexpr std::int64_t largest_band = 1 << 22;  // pixels
+
+inline Limits limits_of(const Facts& facts, vk::DeviceSize real)
+{
+    // The rays are the largest buffer.
+    const vk::DeviceSize bytes =
+        std::min<vk::DeviceSize>(facts.properties.limits.maxStorageBufferRange, facts.largest_allocation);
+    Limits limits{.pixels_per_band =
+                      std::clamp<std::int64_t>(static_cast<std::int64_t>(bytes / ray_size(real)), 1, largest_band)};
+    limits.loops_per_invocation = facts.counts_loops ? counted_loops
+                                  : real == 4        ? watched_loops_float
+                                                     : watched_loops_double;
+    limits.pixels_to_fill = facts.device.is_gpu ? busy_gpu : busy_cpu;
+    return limits;
+}
+
+// Runs the program on the bench over the buffers that `Index` names.
+template <class Real>
+class BandExecutor : public Executor {
+public:
+    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, Timings& timings)
+        : gpu_(gpu), bench_(bench), scene_(scene), pixels_(pixels), timings_(timings)
+    {
+    }
+
+    void run(Entry entry, const Band& band, int steps) override
+    {
+        // A ray begins in the pass that first marches it.
+        if (entry == Entry::begin) {
+            begins_ = stage_begin;
+            return;
+        }
+        const int refining = scene_.canonical != 0 ? stage_refine : 0;
+        const int stages = entry == Entry::draw     ? stage_begin | stage_march | refining | stage_shade
+                           : entry == Entry::march  ? begins_ | stage_march
+                           : entry == Entry::refine ? stage_refine
+                                                    : stage_shade;
+        begins_ = 0;
+        if ((stages & stage_march) != 0) {
+            gpu_.commands().fillBuffer(*results().handle, 0, flag_size, 0);
+            gpu_.barrier();
+        }
+        dispatch(stages, band, steps);
+        gpu_.barrier();
+    }
+
+    bool marching(const Band&) override
+    {
+        const std::byte* flag = fetch(flag_size, "marching", timings_.kernel);
+        return *reinterpret_cast<const std::int32_t*>(flag) != 0;
+    }
+
+    void read_back(const Band& band, Image& image) override
+    {
+        timings_.kernel += gpu_.finish("shading");
+        const auto start = Clock::now();
+        double waited = 0;
+        const std::byte* bytes = fetch(results().size, "reading back", waited);
+        const auto planes = planes_of(reinterpret_cast<const Real*>(bytes + reals_at),
+                                      reinterpret_cast<const int*>(bytes + wholes_at(pixels_)), pixels_,
+                                      static_cast<std::size_t>(scene_.width));
+        image.store(planes, 0, band.first_row, scene_.width, band.rows);
+        add_work(work_, planes, scene_.width, band.rows);
+        timings_.readback += seconds_since(start);
+    }
+
+    const Work& work() const { return work_; }
+
+    // Byte offset of the whole numbers in the results, of `pixels` pixels; behind them is the end.
+    static vk::DeviceSize wholes_at(vk::DeviceSize pixels)
+    {
+        return reals_at + aligned(real_planes * sizeof(Real) * pixels);
+    }
+
+private:
+    const Buffer& results() const { return bench_.buffers[result_buffer]; }
+
+    void dispatch(int stages, const Band& band, int steps)
+    {
+        const Program::Ints constants{stages, scene_.exponent, scene_.canonical, scene_.differences};
+        if (bench_.program->lacks(constants)) {
+            timings_.kernel += gpu_.finish("marching");
+            const auto start = Clock::now();
+            // Some drivers compile when they first run a pipeline: here for no rows.
+            bench_.program->dispatch(gpu_, constants, {}, 1, 1);
+            gpu_.barrier();
+            gpu_.finish("compiling a shader");
+            timings_.build += seconds_since(start);
+        }
+        const auto groups = [](int side) { return static_cast<std::uint32_t>((side + group_side - 1) / group_side); };
+        bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, static_cast<int>(pixels_)},
+                                 groups(scene_.width), groups(band.rows));
+    }
+
+    // Finishes, and the first bytes of the results where the host sees them. Adds the seconds.
+    const std::byte* fetch(vk::DeviceSize size, const std::string& doing, double& seconds)
+    {
+        const bool mirrored = results().bytes == nullptr;
+        const Buffer& seen = mirrored ? bench_.buffers[mirror_buffer] : results();
+        if (mirrored) {
+            gpu_.commands().copyBuffer(*results().handle, *seen.handle, vk::BufferCopy(0, 0, size));
+            gpu_.barrier();
+        }
+        seconds += gpu_.finish(doing);
+        return seen.bytes;
+    }
+
+    Gpu& gpu_;
+    Workbench& bench_;
+    const KernelScene<Real>& scene_;
+    vk::DeviceSize pixels_;  // of a plane
+    Timings& timings_;
+    Work work_;
+    int begins_ = 0;
+};
+
+}  // namespace mandelmarch::vulkan

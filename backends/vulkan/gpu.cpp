@@ -1,0 +1,124 @@
+#include "backends/vulkan/gpu.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mandelmarch::vulkan {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto look_again = std::chrono::milliseconds(100);
+
+}  // namespace
+
+Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
+    : physical_(physical), facts_(facts_of(physical)), patience_(device_timeout())
+{
+    const auto refuse = [this](const std::string& why) {
+        throw Unavailable(fmt::format("backend vulkan: {}: {}", name(), why));
+    };
+    if (facts_.properties.apiVersion < VK_API_VERSION_1_1) refuse("knows Vulkan 1.0 only, expected 1.1");
+    if (precision == Precision::f64 && !facts_.has_double)
+        refuse("has no double (shaderFloat64), --precision float may do");
+    const auto families = physical.getQueueFamilyProperties();
+    const auto family = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& one) {
+        return static_cast<bool>(one.queueFlags & vk::QueueFlagBits::eCompute);
+    });
+    if (family == families.end()) refuse("has no compute queue");
+    queue_family_ = static_cast<std::uint32_t>(family - families.begin());
+
+    attempt(name(), "opening the device", [&] {
+        const float priority = 1;
+        const vk::DeviceQueueCreateInfo queue({}, queue_family_, 1, &priority);
+        vk::PhysicalDeviceFeatures features;
+        features.shaderFloat64 = facts_.has_double ? 1 : 0;
+        device_ = physical.createDevice(vk::DeviceCreateInfo({}, queue, {}, {}, &features));
+        queue_ = device_.getQueue(queue_family_, 0);
+        pool_ = device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_});
+        commands_ = std::move(device_.allocateCommandBuffers({*pool_, vk::CommandBufferLevel::ePrimary, 1}).front());
+        fence_ = device_.createFence({});
+    });
+}
+
+std::uint32_t Gpu::memory_type(std::uint32_t allowed, Place place, const std::string& what) const
+{
+    using Flag = vk::MemoryPropertyFlagBits;
+    const auto wishes = place == Place::host
+                            ? std::array{Flag::eHostVisible | Flag::eHostCoherent | Flag::eHostCached,
+                                         Flag::eHostVisible | Flag::eHostCoherent}
+                            : std::array{vk::MemoryPropertyFlags(Flag::eDeviceLocal), vk::MemoryPropertyFlags()};
+    const auto memory = physical_.getMemoryProperties();
+    for (const vk::MemoryPropertyFlags wish : wishes) {
+        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+            if ((allowed >> type & 1) != 0 && (memory.memoryTypes[type].propertyFlags & wish) == wish) return type;
+        }
+    }
+    throw Error(fmt::format("backend vulkan: {}: there is no memory for {}", name(), what));
+}
+
+Buffer Gpu::make_buffer(vk::DeviceSize size, Place place, const std::string& what) const
+{
+    return attempt(name(), fmt::format("taking {} KiB for {}", (size + 1023) >> 10, what), [&] {
+        using Usage = vk::BufferUsageFlagBits;
+        Buffer buffer;
+        buffer.size = size;
+        buffer.handle = device_.createBuffer(
+            vk::BufferCreateInfo({}, size, Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst));
+        const auto needs = buffer.handle.getMemoryRequirements();
+        buffer.memory = device_.allocateMemory({needs.size, memory_type(needs.memoryTypeBits, place, what)});
+        buffer.handle.bindMemory(*buffer.memory, 0);
+        if (place == Place::host) buffer.bytes = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
+        return buffer;
+    });
+}
+
+const vk::raii::CommandBuffer& Gpu::commands()
+{
+    if (!recording_) commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    recording_ = true;
+    return commands_;
+}
+
+void Gpu::barrier()
+{
+    using Access = vk::AccessFlagBits;
+    using Stage = vk::PipelineStageFlagBits;
+    const auto written = Access::eShaderWrite | Access::eTransferWrite;
+    const auto touched = written | Access::eShaderRead | Access::eTransferRead;
+    commands().pipelineBarrier(Stage::eComputeShader | Stage::eTransfer,
+                               Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {},
+                               vk::MemoryBarrier(written, touched | Access::eHostRead), {}, {});
+}
+
+void Gpu::discard()
+{
+    if (recording_) commands_.reset();
+    recording_ = false;
+}
+
+double Gpu::finish(const std::string& doing)
+{
+    if (!recording_) return 0;
+    recording_ = false;
+    const auto start = Clock::now();
+    attempt(name(), doing, [&] {
+        commands_.end();
+        device_.resetFences(*fence_);
+        queue_.submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
+        const auto slice =
+            std::min<Clock::duration>(std::chrono::duration_cast<Clock::duration>(patience_), look_again);
+        const auto wait = static_cast<std::uint64_t>(std::chrono::nanoseconds(slice).count());
+        while (device_.waitForFences(*fence_, 1, wait) == vk::Result::eTimeout) {
+            if (Clock::now() - start < patience_) continue;
+            throw DeviceHung(
+                fmt::format("backend vulkan: {}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name(),
+                            patience_.count(), doing));
+        }
+    });
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace mandelmarch::vulkan

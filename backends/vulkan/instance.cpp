@@ -1,0 +1,121 @@
+#include "backends/vulkan/instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mandelmarch::vulkan {
+namespace {
+
+vk::raii::Context open_loader()
+{
+    try {
+        return {};
+    } catch (const std::exception&) {
+        throw Unavailable("no Vulkan loader is installed (libvulkan.so.1)");
+    }
+}
+
+vk::raii::Instance open_instance(const vk::raii::Context& context)
+{
+    try {
+        if (context.enumerateInstanceVersion() < VK_API_VERSION_1_1) {
+            throw Unavailable("the Vulkan loader knows version 1.0 only, expected 1.1");
+        }
+        const vk::ApplicationInfo application("mandelmarch", 0, nullptr, 0, VK_API_VERSION_1_1);
+        return {context, vk::InstanceCreateInfo({}, &application)};
+    } catch (const vk::IncompatibleDriverError&) {
+        throw Unavailable("no Vulkan driver is installed");
+    } catch (const vk::SystemError& error) {
+        throw Unavailable("no Vulkan instance: " + describe(error));
+    }
+}
+
+int rank_of(vk::PhysicalDeviceType type)
+{
+    switch (type) {
+        case vk::PhysicalDeviceType::eDiscreteGpu: return 0;
+        case vk::PhysicalDeviceType::eIntegratedGpu: return 1;
+        case vk::PhysicalDeviceType::eVirtualGpu: return 2;
+        case vk::PhysicalDeviceType::eCpu: return 4;
+        default: return 3;
+    }
+}
+
+// Identifiers that PCI's registry gave, and Khronos's own.
+std::string vendor_name(std::uint32_t id)
+{
+    switch (id) {
+        case 0x1002: return "AMD";
+        case 0x1010: return "Imagination";
+        case 0x106b: return "Apple";
+        case 0x10de: return "NVIDIA";
+        case 0x13b5: return "Arm";
+        case 0x14e4: return "Broadcom";
+        case 0x1ae0: return "Google";
+        case 0x5143: return "Qualcomm";
+        case 0x8086: return "Intel";
+        case VK_VENDOR_ID_MESA: return "Mesa";
+        default: return fmt::format("vendor {:#x}", id);
+    }
+}
+
+bool has_extension(const vk::raii::PhysicalDevice& physical, std::string_view name)
+{
+    return std::ranges::any_of(physical.enumerateDeviceExtensionProperties(),
+                               [&](const auto& extension) { return name == extension.extensionName.data(); });
+}
+
+}  // namespace
+
+Instance::Instance() : context_(open_loader()), instance_(open_instance(context_))
+{
+    try {
+        devices_ = vk::raii::PhysicalDevices(instance_);
+    } catch (const vk::SystemError& error) {
+        throw Unavailable("no Vulkan device: " + describe(error));
+    }
+    if (devices_.empty()) throw Unavailable("no Vulkan device was found");
+    std::ranges::stable_sort(devices_, {},
+                             [](const auto& physical) { return rank_of(physical.getProperties().deviceType); });
+}
+
+Facts facts_of(const vk::raii::PhysicalDevice& physical)
+{
+    Facts facts;
+    facts.properties = physical.getProperties();
+    const auto& properties = facts.properties;
+    facts.has_double = physical.getFeatures().shaderFloat64 != 0;
+    facts.shares_memory = properties.deviceType == vk::PhysicalDeviceType::eCpu ||
+                          properties.deviceType == vk::PhysicalDeviceType::eIntegratedGpu;
+    facts.device = {.name = properties.deviceName.data(),
+                    .vendor = vendor_name(properties.vendorID),
+                    .driver = fmt::format("driver {:#x}", properties.driverVersion),
+                    .is_gpu = rank_of(properties.deviceType) < 3};
+    if (properties.apiVersion < VK_API_VERSION_1_1) return facts;
+    facts.largest_allocation =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
+            .get<vk::PhysicalDeviceMaintenance3Properties>()
+            .maxMemoryAllocationSize;
+    if (properties.apiVersion >= VK_API_VERSION_1_2 ||
+        has_extension(physical, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
+        const auto driver = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+                                .get<vk::PhysicalDeviceDriverProperties>();
+        facts.device.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+        facts.counts_loops = driver.driverID == vk::DriverId::eMesaLlvmpipe;
+    }
+    return facts;
+}
+
+std::string describe(const vk::SystemError& error)
+{
+    switch (static_cast<vk::Result>(error.code().value())) {
+        case vk::Result::eErrorDeviceLost: return "device lost";
+        case vk::Result::eErrorOutOfDeviceMemory: return "out of device memory";
+        case vk::Result::eErrorOutOfHostMemory: return "out of host memory";
+        case vk::Result::eErrorInitializationFailed: return "initialisation failed";
+        default: return error.what();
+    }
+}
+
+}  // namespace mandelmarch::vulkan

@@ -1,0 +1,84 @@
+// The kernel text as a compute shader: one invocation a pixel, a pass's stages chosen by a specialization constant.
+#version 460
+#include "core/kernel/prelude/glsl.h"
+#include "core/kernel/text.h"
+
+// Squares of pixels: neighbouring invocations march neighbouring rays, which end after about as many steps.
+const int side = 8;
+layout(local_size_x = side * side) in;
+
+// The parts of a pixel that this pipeline does, in their order; between two pipelines a ray is stored.
+const int stage_begin = 1;
+const int stage_march = 2;
+const int stage_refine = 4;
+const int stage_shade = 8;
+layout(constant_id = 0) const int stages = 15;
+// What a scene changes seldom: known when the pipeline is built, it removes branches, which some devices pay in full.
+layout(constant_id = 1) const int exponent = 0;
+layout(constant_id = 2) const int canonical = 0;
+layout(constant_id = 3) const int differences = 0;
+
+layout(std430, binding = 0) readonly buffer SceneBuffer { Scene whole_scene; };
+layout(std430, binding = 1) buffer RayBuffer { Ray rays[]; };
+layout(std430, binding = 2) writeonly buffer RealBuffer { real reals[]; };
+layout(std430, binding = 3) writeonly buffer WholeBuffer { int wholes[]; };
+layout(std430, binding = 4) writeonly buffer FlagBuffer { int still_marching; };
+
+layout(push_constant) uniform Pass
+{
+    int first_row;
+    int rows;
+    int steps;   // of marching, or halvings of refining in a pass of its own
+    int pixels;  // between two planes of the results
+} pass;
+
+// Every second bit of an index below 64, from `bit` on: the Morton order.
+int every_second(int index, int bit)
+{
+    int bits = index >> bit;
+    return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
+}
+
+void main()
+{
+    int at = int(gl_LocalInvocationIndex);
+    int x = int(gl_WorkGroupID.x) * side + every_second(at, 0);
+    int y = int(gl_WorkGroupID.y) * side + every_second(at, 1);
+    if (x >= whole_scene.width || y >= pass.rows) return;
+    int pixel = y * whole_scene.width + x;
+
+    Scene scene = whole_scene;
+    scene.exponent = exponent;
+    scene.canonical = canonical;
+    scene.differences = differences;
+
+    Ray ray;
+    if ((stages & stage_begin) != 0) {
+        ray = begin(scene, x, pass.first_row + y);
+    } else {
+        ray = rays[pixel];
+    }
+    if ((stages & stage_march) != 0) {
+        ray = march(scene, ray, pass.steps);
+        if (marching(scene, ray)) still_marching = 1;
+    }
+    if ((stages & stage_refine) != 0) {
+        if ((stages & stage_march) != 0) {
+            ray = refine(scene, ray);
+        } else {
+            ray = refine_by(scene, ray, pass.steps);
+        }
+    }
+    if ((stages & stage_shade) != 0) {
+        Pixel done = shade(scene, ray);
+        reals[pixel] = done.colour.x;
+        reals[pixel + pass.pixels] = done.colour.y;
+        reals[pixel + 2 * pass.pixels] = done.colour.z;
+        reals[pixel + 3 * pass.pixels] = done.depth;
+        wholes[pixel] = done.steps;
+        wholes[pixel + pass.pixels] = done.estimates;
+        wholes[pixel + 2 * pass.pixels] = done.iterations;
+    } else {
+        rays[pixel] = ray;
+    }
+}

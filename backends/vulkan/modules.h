@@ -1,0 +1,16 @@
+// The SPIR-V modules that the build made. Names: FRACTAL_PRECISION_MODE and probe_PRECISION, the float ones of exact
+// mode also with _pinned (core/kernel/prelude/glsl.h says what that is).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace mandelmarch::vulkan {
+
+using Module = std::span<const std::uint32_t>;
+
+// Empty if there is none of this name.
+Module module_named(std::string_view name);
+
+}  // namespace mandelmarch::vulkan

@@ -1,0 +1,50 @@
+// A module on a device: its pipelines, made when first asked for, and the buffers that they work on.
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+
+#include "backends/vulkan/gpu.h"
+#include "backends/vulkan/modules.h"
+#include "backends/vulkan/pipeline_cache.h"
+
+namespace mandelmarch::vulkan {
+
+// A part of a buffer, as a shader sees it.
+struct Binding {
+    const Buffer* buffer;
+    vk::DeviceSize offset;  // bytes
+    vk::DeviceSize size;    // bytes
+};
+
+// Both of the shaders: storage buffers 0, 1, ... in set 0, four ints of push constants, four ints of specialization.
+class Program {
+public:
+    using Ints = std::array<std::int32_t, 4>;
+
+    Program(const Gpu& gpu, Module module, int buffers);
+
+    void bind(std::span<const Binding> bindings) const;
+
+    // True if the pipeline of these constants is still to be made, which dispatch() does.
+    bool lacks(const Ints& constants) const { return !pipelines_.contains(constants); }
+
+    // Records work. The caller sees to barriers.
+    void dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x, std::uint32_t groups_y);
+
+private:
+    const vk::raii::Pipeline& pipeline(const Gpu& gpu, const Ints& constants);
+
+    const vk::raii::Device& device_;
+    vk::raii::ShaderModule module_ = nullptr;
+    vk::raii::DescriptorSetLayout set_layout_ = nullptr;
+    vk::raii::PipelineLayout layout_ = nullptr;
+    vk::raii::DescriptorPool pool_ = nullptr;
+    vk::DescriptorSet set_;  // the pool's
+    PipelineCache cache_;
+    std::map<Ints, vk::raii::Pipeline> pipelines_;
+};
+
+}  // namespace mandelmarch::vulkan

@@ -1,0 +1,158 @@
+#include "backends/vulkan/renderer.h"
+
+#include <fmt/format.h>
+
+#include "backends/vulkan/executor.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::vulkan {
+namespace {
+
+// What a renderer holds of Vulkan, in the order in which it may be taken down from the end.
+struct Session {
+    Instance instance;
+    Gpu gpu;
+    Workbench bench;
+
+    explicit Session(const RendererOptions& options) : gpu(chosen(instance, options.device), options.precision) {}
+
+    static const vk::raii::PhysicalDevice& chosen(const Instance& instance, int index)
+    {
+        const std::size_t count = instance.devices().size();
+        if (static_cast<std::size_t>(index) < count) return instance.devices()[static_cast<std::size_t>(index)];
+        throw Unavailable(
+            fmt::format("backend vulkan: there is no device {}, the last is device {}", index, count - 1));
+    }
+};
+
+class VulkanRenderer : public Renderer {
+public:
+    explicit VulkanRenderer(const RendererOptions& options) : options_(options)
+    {
+        const auto start = Clock::now();
+        try {
+            session_ = std::make_unique<Session>(options);
+        } catch (const Unavailable& unavailable) {
+            const std::string why = unavailable.what();
+            throw Unavailable(why.starts_with("backend ") ? why : "backend vulkan: " + why);
+        }
+        variant_ = fmt::format("{}_{}", name_of(options.precision), name_of(options.mode));
+        guarded([&] {
+            if (options.mode == Mode::exact) {
+                variant_ += exact_modules(session_->gpu, session_->bench, options.precision);
+                session_->bench = {};
+            }
+        });
+        context_ = seconds_since(start);
+    }
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        if (session_ == nullptr) throw Error("backend vulkan: the device did not answer before and was given up");
+        RenderReport report;
+        guarded([&] {
+            report = options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
+                                                          : render_as<double>(scene, image, progress);
+        });
+        return report;
+    }
+
+private:
+    // Runs f. A device that does not answer is left behind with all that it may still be using: to destroy it would be
+    // to wait for it.
+    template <class Function>
+    void guarded(Function f)
+    {
+        try {
+            f();
+        } catch (const DeviceHung&) {
+            static_cast<void>(session_.release());
+            throw;
+        } catch (...) {
+            session_->gpu.discard();
+            throw;
+        }
+    }
+
+    template <class Real>
+    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    {
+        const auto start = Clock::now();
+        Gpu& gpu = session_->gpu;
+        const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode);
+        const Limits limits = limits_of(gpu.facts(), sizeof(Real));
+        const auto pixels =
+            static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
+        RenderReport report{.backend = "vulkan",
+                            .device = gpu.facts().device,
+                            .precision = options_.precision,
+                            .mode = options_.mode,
+                            .instruction_set = {},
+                            .timings = {},
+                            .work = {}};
+        Timings& timings = report.timings;
+        timings.context = context_;
+        if (loaded_ != scene.fractal->name) {
+            load(scene.fractal->name);
+            timings.build = seconds_since(start);
+        }
+
+        const auto upload = Clock::now();
+        make_buffers<Real>(pixels);
+        gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
+        gpu.barrier();
+        gpu.finish("uploading the scene");
+        timings.upload = seconds_since(upload);
+
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, timings);
+        run_schedule(scene, options_.mode, limits, executor, image, progress);
+        report.work = executor.work();
+        timings.wall = seconds_since(start);
+        return report;
+    }
+
+    // The fractal's program, on the bench.
+    void load(std::string_view fractal)
+    {
+        const Module module = module_named(fmt::format("{}_{}", fractal, variant_));
+        if (module.empty()) throw Unavailable(fmt::format("backend vulkan: it has no fractal {}", fractal));
+        loaded_.clear();
+        session_->bench.program = std::make_unique<Program>(session_->gpu, module, 5);
+        loaded_ = fractal;
+    }
+
+    template <class Real>
+    void make_buffers(vk::DeviceSize pixels)
+    {
+        const Gpu& gpu = session_->gpu;
+        auto& buffers = session_->bench.buffers;
+        const vk::DeviceSize wholes_at = BandExecutor<Real>::wholes_at(pixels);
+        const vk::DeviceSize wholes_size = whole_planes * sizeof(int) * pixels;
+        buffers.clear();
+        buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
+        buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
+        const bool shared = gpu.facts().shares_memory;
+        buffers.push_back(gpu.make_buffer(wholes_at + wholes_size, shared ? Place::host : Place::device, "pixels"));
+        if (!shared) buffers.push_back(gpu.make_buffer(wholes_at + wholes_size, Place::host, "the pixels' way back"));
+        const Buffer* results = &buffers[result_buffer];
+        session_->bench.program->bind(std::array{
+            Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
+            Binding{results, reals_at, real_planes * sizeof(Real) * pixels}, Binding{results, wholes_at, wholes_size},
+            Binding{results, 0, flag_size}});
+    }
+
+    RendererOptions options_;
+    std::unique_ptr<Session> session_;
+    std::string variant_;  // the ending of the modules' names
+    std::string loaded_;   // fractal
+    double context_ = 0;   // seconds
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_renderer(const RendererOptions& options)
+{
+    return std::make_unique<VulkanRenderer>(options);
+}
+
+}  // namespace mandelmarch::vulkan

@@ -1,0 +1,45 @@
+#include "backends/vulkan/vulkan.h"
+
+#include "backends/vulkan/instance.h"
+#include "backends/vulkan/renderer.h"
+
+namespace mandelmarch {
+namespace {
+
+class VulkanBackend : public Backend {
+public:
+    std::string_view name() const override { return "vulkan"; }
+
+    std::optional<std::string> unavailable() const override
+    {
+        try {
+            const vulkan::Instance instance;
+            return std::nullopt;
+        } catch (const Unavailable& reason) {
+            return reason.what();
+        }
+    }
+
+    std::vector<Device> devices() const override
+    {
+        std::vector<Device> devices;
+        try {
+            const vulkan::Instance instance;
+            for (const auto& physical : instance.devices()) devices.push_back(vulkan::facts_of(physical).device);
+        } catch (const Error&) {
+            devices.clear();  // unavailable() says why
+        }
+        return devices;
+    }
+
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        return vulkan::make_renderer(options);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_vulkan_backend() { return std::make_unique<VulkanBackend>(); }
+
+}  // namespace mandelmarch

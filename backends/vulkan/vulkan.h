@@ -1,0 +1,12 @@
+// The Vulkan backend: the kernel text as SPIR-V compute shaders, on GPUs and on CPUs through lavapipe.
+#pragma once
+
+#include <memory>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+std::unique_ptr<Backend> make_vulkan_backend();
+
+}  // namespace mandelmarch

@@ -1,0 +1,53 @@
+// Prelude: the words of the kernel text in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0), and
+// MM_PINNED (1 or 0): with 1 a float quotient or root is computed in double and rounded once, which is the correctly
+// rounded one even where the device's double division is 2.5 units off, as Vulkan allows.
+
+#define FN
+#define FN_CALLED
+#define pick(on, a, b) ((on) ? (a) : (b))
+#define any(on) (on)
+#define count(on) ((on) ? 1 : 0)
+#define whole int
+#define mask bool
+#define triple vec3
+
+// The build writes a literal's suffixes, as glslang pastes none to a number: R(0.3) comes as BY_PRECISION(0.3lf, 0.3f).
+#if MM_REAL_IS_FLOAT
+#define BY_PRECISION(in_double, in_float) in_float
+#define real float
+#define scalar float
+#else
+#define BY_PRECISION(in_double, in_float) in_double
+#define real double
+#define scalar double
+#define vec3 dvec3
+#endif
+
+#if MM_PINNED
+real quotient(real a, real b) { return float(double(a) / double(b)); }
+
+real root(real a) { return float(sqrt(double(a))); }
+#else
+real quotient(real a, real b) { return a / b; }
+
+real root(real a) { return sqrt(a); }
+#endif
+
+real magnitude(real a) { return abs(a); }
+
+// The nearest whole number, ties to even.
+real nearest(real a) { return roundEven(a); }
+
+#if MM_REAL_IS_FLOAT
+// floor(log2 |a|) of a normal number.
+real exponent_of(real a) { return real(((floatBitsToInt(a) >> 23) & 0xff) - 127); }
+
+// 2^n of a whole number n in [-126, 127].
+real two_to(real n) { return intBitsToFloat((int(n) + 127) << 23); }
+#else
+// floor(log2 |a|) of a normal number.
+real exponent_of(real a) { return real(int((unpackDouble2x32(a).y >> 20) & 0x7ffu) - 1023); }
+
+// 2^n of a whole number n in [-1022, 1023].
+real two_to(real n) { return packDouble2x32(uvec2(0u, uint(int(n) + 1023) << 20)); }
+#endif

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""ptx_test.py text|assemble PROGRAM FRACTAL...: the PTX in a built program keeps the floating-point policy, and ptxas takes
+it without spills. Each check has broken twins that must fail. Exit code 77: no pinned ptxas."""
+import os
+import re
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import k40  # noqa: E402
+
+# The K40's steps: 10, 6, 7 and 4 blocks of 128 threads on a multiprocessor.
+MOST_REGISTERS = {("march", "float"): 48, ("march", "double"): 80, ("shade", "float"): 72, ("shade", "double"): 104}
+
+
+def changed(ptx, kernel, old, new):
+    """The PTX with the first match of `old` in one kernel replaced."""
+    body = next(body for name, body in k40.kernels(ptx) if name.startswith(kernel))
+    twin = re.sub(old, new, body, count=1)
+    assert twin != body, f"{kernel} holds no {old}"
+    return ptx.replace(body, twin)
+
+
+def check_text(ptx, fractals):
+    found = k40.faults(ptx, fractals)
+    march = f"march_{fractals[0]}"
+    twins = {
+        "fused": changed(ptx, f"{march}_double_exact", r"mul\.rn\.f64 (%r\d+),(%r\d+),(\S+);", r"fma.rn.f64 \1,\2,\3,\2;"),
+        "double in a float": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.f64"),
+        "a double's register": changed(ptx, f"{march}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
+        "without .rn": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "mul.f32"),
+        "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
+        "approximate": changed(ptx, f"{march}_float_fast", r"sqrt\.rn\.f32", "sqrt.approx.f32"),
+        "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
+        "another target": ptx.replace(".target sm_35", ".target sm_70"),
+        "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
+    }
+    for name, twin in twins.items():
+        if not k40.faults(twin, fractals):
+            found.append(f"the twin '{name}' was not seen")
+    return found
+
+
+def spills(results):
+    return [f"{name}: {stack} bytes of stack, {spilled} of spills" for name, (_, stack, spilled) in results.items()
+            if stack or spilled]
+
+
+def check_assembled(ptx, fractals):
+    results = k40.assemble(ptx, k40.pinned_ptxas(), "sm_35")
+    found = spills(results)
+    if len(results) != 8 * len(fractals):
+        found.append(f"{len(results)} kernels assembled")
+    for name, (registers, _, _) in results.items():
+        kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
+        if registers > MOST_REGISTERS[kind, precision]:
+            found.append(f"{name}: {registers} registers, {MOST_REGISTERS[kind, precision]} expected at most")
+    if not spills(k40.assemble(ptx, k40.pinned_ptxas(), "sm_35", ["-maxrregcount=32"])):
+        found.append("the twin with 32 registers spills nothing")
+    if (k40.k40_threads(32), k40.k40_threads(33), k40.k40_threads(255)) != (2048, 1536, 256):
+        found.append("occupancy differs from the occupancy calculator's")
+    print(k40.table(ptx), end="")  # assembles it for sm_75 and sm_90 too
+    return found
+
+
+def main():
+    check = {"text": check_text, "assemble": check_assembled}[sys.argv[1]]
+    texts = k40.extract(sys.argv[2])
+    if len(texts) != 1:
+        sys.exit(f"{len(texts)} PTX texts in {sys.argv[2]}, expected 1")
+    try:
+        found = check(texts[0], sys.argv[3:])
+    except k40.Unavailable as error:
+        print(f"skipped: {error}")
+        sys.exit(77)
+    for fault in found:
+        print("FAILED:", fault)
+    sys.exit(bool(found))
+
+
+main()

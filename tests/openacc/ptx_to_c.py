@@ -1,0 +1,130 @@
+"""The instructions that gcc's nvptx compiler writes for this project's kernels, in C: so that the PTX itself can be run, one
+thread after the other, on a machine without a GPU. Anything unknown is an error."""
+import re
+
+C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
+           "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t"}
+COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
+SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid"}
+LINE = re.compile(r"(?:@\s*(!?)\s*(%\w+)\s+)?([a-z][\w.]*)\s*(.*?);$")
+
+HEADER = """#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+static uint64_t broadcast[64];  // shared memory
+static double f64_of(uint64_t bits) { double f; memcpy(&f, &bits, 8); return f; }
+static float f32_of(uint32_t bits) { float f; memcpy(&f, &bits, 4); return f; }
+static int32_t s32_of(double a) { return a != a ? 0 : a >= 0x1p31 ? INT32_MAX : a < -0x1p31 ? INT32_MIN : (int32_t)a; }
+static int64_t s64_of(double a) { return a != a ? INT64_MIN : a >= 0x1p63 ? INT64_MAX : a < -0x1p63 ? INT64_MIN : (int64_t)a; }
+"""
+
+
+class Kernel:
+    def __init__(self, name, body):
+        self.name = name
+        self.types = {}
+        self.lines = [line.strip() for line in body.split("\n")]
+        for line in self.lines:
+            if declared := re.match(r"\.reg \.(\w+) %(\w+);", line):
+                self.types[declared[2]] = declared[1]
+
+    def value(self, operand, kind):
+        """An operand, read as a number of this kind."""
+        operand = operand.strip()
+        if operand in SPECIAL:
+            return SPECIAL[operand]
+        if operand.startswith("%"):
+            return f"(({C_TYPES[kind]}){operand[1:]})"
+        if operand[:2] in ("0d", "0f"):
+            return f"f64_of(0x{operand[2:]}ull)" if operand[1] == "d" else f"f32_of(0x{operand[2:]}u)"
+        if operand == "__oacc_bcast":
+            return "(uint64_t)broadcast"
+        return f"(({C_TYPES[kind]}){int(operand, 0)}ll)"
+
+    def address(self, operand):
+        register, offset = re.match(r"\s*\[%(\w+)([+-]\d+)?\]", operand).groups()
+        return f"(void*)({register}{offset or ''})"
+
+    def operation(self, word, suffixes, operands):
+        kind = suffixes[-1] if suffixes else None
+        if word in ("bar", "barrier"):
+            return ""  # the first thread has run to its end before the others begin
+        if word == "bra":
+            return f"goto {operands[0].strip().replace('$', '')};"
+        if word == "ret":
+            return "return;"
+        if word == "st":
+            return f"*({C_TYPES[kind]}*){self.address(operands[0])} = {self.value(operands[1], kind)};"
+        to = operands[0].strip().lstrip("%")
+        rest = operands[1:]
+        if word == "ld":
+            if suffixes[0] == "param":
+                return f"{to} = argument;"
+            return f"{to} = *({C_TYPES[kind]}*){self.address(rest[0])};"
+        if word == "mov" and rest[0].strip().startswith("%") and kind.startswith("b"):
+            return f"memcpy(&{to}, &{rest[0].strip()[1:]}, {int(kind[1:]) // 8});"
+        return f"{to} = {self.result(word, suffixes, kind, rest)};"
+
+    def result(self, word, suffixes, kind, rest):
+        if word in ("mov", "cvta"):
+            return self.value(rest[0], kind)
+        if word == "cvt":
+            a = self.value(rest[0], kind)
+            if suffixes[0] == "rni":
+                return f"nearbyint({a})"
+            if suffixes[0] == "rzi":
+                return f"{suffixes[1]}_of({a})"
+            return f"({C_TYPES[suffixes[-2]]}){a}"
+        if word == "setp":
+            return f"{self.value(rest[0], kind)} {COMPARISONS[suffixes[0]]} {self.value(rest[1], kind)}"
+        if word == "selp":
+            return f"{self.value(rest[2], 'pred')} ? {self.value(rest[0], kind)} : {self.value(rest[1], kind)}"
+        if word in ("vadd", "vsub"):
+            sign = "+" if word == "vadd" else "-"
+            a, b, c = (self.value(operand, "u32") for operand in rest)
+            return f"{a} {sign} {b} + {c}"
+        values = [self.value(operand, kind) for operand in rest]
+        if word in INFIX:
+            return f"{values[0]} {INFIX[word]} {values[1]}"
+        by_word = {"mad": "{0} * {1} + {2}", "fma": "FMA({0}, {1}, {2})", "neg": "-{0}", "abs": "FABS({0})",
+                   "sqrt": "SQRT({0})", "rcp": "1 / {0}", "min": "{0} < {1} ? {0} : {1}"}
+        if word in ("shl", "shr"):
+            count = self.value(rest[1], "u32")
+            bits = int(kind[1:])
+            shift = f"{values[0]} {'<<' if word == 'shl' else '>>'}"
+            if kind[0] == "s":
+                return f"{shift} ({count} < {bits} ? {count} : {bits - 1})"
+            return f"{count} < {bits} ? {shift} {count} : 0"
+        end = "f" if kind == "f32" else ""
+        text = by_word[word].replace("FMA", "fma" + end).replace("FABS", "fabs" + end).replace("SQRT", "sqrt" + end)
+        return text.format(*values)
+
+    def c_text(self):
+        out = [f"static void {self.c_name()}(uint64_t argument, uint32_t tid, uint32_t ctaid, uint32_t nctaid)\n{{"]
+        out += [f"{C_TYPES[kind]} {name};" for name, kind in self.types.items()]
+        for line in self.lines:
+            line = line.split("//")[0].strip()
+            if not line or line.startswith(".reg") or line in ("{", "}"):
+                continue
+            if label := re.match(r"\$(\w+):$", line):
+                out.append(f"{label[1]}:;")
+                continue
+            negated, predicate, instruction, operands = LINE.match(line).groups()
+            word, *suffixes = instruction.split(".")
+            text = self.operation(word, suffixes, operands.split(","))
+            out.append(f"if ({negated}{predicate[1:]}) {{ {text} }}" if predicate else text)
+        return "\n".join(out + ["}"])
+
+    def c_name(self):
+        return self.name.replace("$", "_")
+
+
+def translate(kernels):
+    """A C source with every kernel and the table that finds them by name."""
+    parsed = [Kernel(name, body) for name, body in kernels]
+    table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
+    return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +
+            "\nstatic const struct { const char* name; void (*run)(uint64_t, uint32_t, uint32_t, uint32_t); } kernels[] = {\n" +
+            table + "};\n")

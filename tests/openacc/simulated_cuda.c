@@ -1,0 +1,218 @@
+// A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library uses it: GPUs that run the
+// kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
+// host's.
+//   SIMULATED_GPUS    how many there are, 1 where unset
+//   SIMULATED_MEMORY  free bytes, 1 GiB where unset
+//   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
+#include "kernels.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum {
+    SUCCESS = 0,
+    OUT_OF_MEMORY = 2,
+    DEVICE_LOST = 719,
+    LAUNCH_TIMEOUT = 702,
+    OUT_OF_RESOURCES = 701,
+    NOT_FOUND = 500,
+    NOT_SUPPORTED = 801
+};
+
+static int pending;  // what the next synchronization tells
+static int current = -1;
+static uint64_t taken;
+static struct {
+    uint64_t address;
+    uint64_t bytes;
+} blocks[4096];
+static int block_count;
+
+static uint64_t number(const char* name, uint64_t otherwise)
+{
+    const char* text = getenv(name);
+    return text && *text ? strtoull(text, NULL, 10) : otherwise;
+}
+
+int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
+int cuDriverGetVersion(int* version) { return *version = 11040, SUCCESS; }
+int cuDeviceGetCount(int* count) { return *count = (int)number("SIMULATED_GPUS", 1), SUCCESS; }
+int cuDeviceGet(int* device, int index) { return *device = index, SUCCESS; }
+int cuDeviceGetName(char* name, int size, int device)
+{
+    snprintf(name, (size_t)size, "Simulated K40 number %d", device);
+    return SUCCESS;
+}
+int cuDeviceTotalMem_v2(size_t* bytes, int device) { return *bytes = 12ull << 30, device < 0 ? NOT_FOUND : SUCCESS; }
+int cuDeviceTotalMem(size_t* bytes, int device) { return cuDeviceTotalMem_v2(bytes, device); }
+// Numbers as cuda.h has them.
+int cuDeviceGetAttribute(int* value, int attribute, int device)
+{
+    switch (attribute) {
+        case 1: *value = 1024; break;    // threads per block
+        case 8: *value = 49152; break;   // shared memory per block
+        case 10: *value = 32; break;     // warp size
+        case 12: *value = 65536; break;  // registers per block
+        case 16: *value = 15; break;     // multiprocessors
+        case 17: *value = 0; break;      // no limit of run time
+        case 39: *value = 2048; break;   // threads per multiprocessor
+        case 82: *value = 65536; break;  // registers per multiprocessor
+        default: *value = attribute == 75 ? 3 : attribute == 76 ? 5 : 1;
+    }
+    return device < 0 ? NOT_FOUND : SUCCESS;
+}
+int cuGetErrorString(int error, const char** text)
+{
+    *text = error == OUT_OF_MEMORY    ? "out of memory"
+            : error == LAUNCH_TIMEOUT ? "the launch timed out and was terminated"
+            : error == DEVICE_LOST    ? "unspecified launch failure"
+                                      : "simulated error";
+    return SUCCESS;
+}
+
+int cuCtxCreate_v2(void** context, unsigned flags, int device)
+{
+    (void)flags;
+    *context = (void*)(intptr_t)(device + 1);
+    return current = device, SUCCESS;
+}
+int cuCtxCreate(void** context, unsigned flags, int device) { return cuCtxCreate_v2(context, flags, device); }
+int cuCtxDestroy_v2(void* context) { return context ? SUCCESS : NOT_FOUND; }
+int cuCtxDestroy(void* context) { return cuCtxDestroy_v2(context); }
+int cuCtxPushCurrent_v2(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
+int cuCtxPushCurrent(void* context) { return cuCtxPushCurrent_v2(context); }
+int cuCtxPopCurrent_v2(void** context) { return *context = (void*)(intptr_t)(current + 1), SUCCESS; }
+int cuCtxPopCurrent(void** context) { return cuCtxPopCurrent_v2(context); }
+int cuCtxGetCurrent(void** context) { return cuCtxPopCurrent_v2(context); }
+int cuCtxGetDevice(int* device) { return *device = current, SUCCESS; }
+int cuCtxSynchronize(void)
+{
+    const int told = pending;
+    return pending = SUCCESS, told;
+}
+
+int cuStreamCreate(void** stream, unsigned flags) { return *stream = stream, flags > 1 ? NOT_SUPPORTED : SUCCESS; }
+int cuStreamDestroy_v2(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
+int cuStreamDestroy(void* stream) { return cuStreamDestroy_v2(stream); }
+int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize(); }
+int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
+int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
+int cuStreamAddCallback(void) { return NOT_SUPPORTED; }
+int cuEventCreate(void) { return NOT_SUPPORTED; }
+int cuEventDestroy_v2(void) { return NOT_SUPPORTED; }
+int cuEventDestroy(void) { return NOT_SUPPORTED; }
+int cuEventElapsedTime(void) { return NOT_SUPPORTED; }
+int cuEventQuery(void) { return NOT_SUPPORTED; }
+int cuEventRecord(void) { return NOT_SUPPORTED; }
+int cuEventSynchronize(void) { return NOT_SUPPORTED; }
+
+int cuLinkCreate_v2(unsigned count, int* options, void** values, void** state)
+{
+    (void)count, (void)options, (void)values;
+    return *state = state, SUCCESS;
+}
+int cuLinkCreate(unsigned count, int* options, void** values, void** state)
+{
+    return cuLinkCreate_v2(count, options, values, state);
+}
+int cuLinkAddData_v2(void) { return SUCCESS; }
+int cuLinkAddData(void) { return SUCCESS; }
+int cuLinkComplete(void* state, void** binary, size_t* size) { return *binary = state, *size = 1, SUCCESS; }
+int cuLinkDestroy(void* state) { return (void)state, SUCCESS; }
+int cuModuleLoad(void) { return NOT_SUPPORTED; }
+int cuModuleLoadData(void** module, const void* image) { return *module = module, image ? SUCCESS : NOT_FOUND; }
+int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
+int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
+int cuModuleGetGlobal(void) { return NOT_FOUND; }
+int cuModuleGetFunction(void** function, void* module, const char* name)
+{
+    (void)module;
+    for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i) {
+        if (strcmp(kernels[i].name, name) == 0) return *function = (void*)kernels[i].run, SUCCESS;
+    }
+    return NOT_FOUND;
+}
+int cuFuncGetAttribute(int* value, int attribute, void* function)
+{
+    *value = attribute == 0 ? 512 : attribute == 4 ? 100 : 0;  // threads per block, registers
+    return function ? SUCCESS : NOT_FOUND;
+}
+int cuOccupancyMaxPotentialBlockSize(int* grid, int* block) { return *grid = 60, *block = 512, SUCCESS; }
+
+int cuMemGetInfo_v2(size_t* free_bytes, size_t* total)
+{
+    *total = number("SIMULATED_MEMORY", 1ull << 30);
+    return *free_bytes = *total - taken, SUCCESS;
+}
+int cuMemGetInfo(size_t* free_bytes, size_t* total) { return cuMemGetInfo_v2(free_bytes, total); }
+int cuMemAlloc_v2(uint64_t* address, size_t bytes)
+{
+    if (taken + bytes > number("SIMULATED_MEMORY", 1ull << 30)) return OUT_OF_MEMORY;
+    taken += bytes;
+    *address = (uint64_t)malloc(bytes);
+    blocks[block_count].address = *address;
+    blocks[block_count++].bytes = bytes;
+    return SUCCESS;
+}
+int cuMemAlloc(uint64_t* address, size_t bytes) { return cuMemAlloc_v2(address, bytes); }
+static int block_of(uint64_t address)
+{
+    for (int i = 0; i < block_count; ++i) {
+        if (address >= blocks[i].address && address < blocks[i].address + blocks[i].bytes) return i;
+    }
+    return -1;
+}
+int cuMemFree_v2(uint64_t address)
+{
+    const int at = block_of(address);
+    if (at < 0) return NOT_FOUND;
+    taken -= blocks[at].bytes;
+    blocks[at] = blocks[--block_count];
+    free((void*)address);
+    return SUCCESS;
+}
+int cuMemFree(uint64_t address) { return cuMemFree_v2(address); }
+int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
+{
+    const int at = block_of(address);
+    if (at < 0) return NOT_FOUND;
+    if (begin) *begin = blocks[at].address;
+    if (bytes) *bytes = blocks[at].bytes;
+    return SUCCESS;
+}
+int cuMemGetAddressRange(uint64_t* begin, size_t* bytes, uint64_t address)
+{
+    return cuMemGetAddressRange_v2(begin, bytes, address);
+}
+int cuMemAllocHost_v2(void** address, size_t bytes) { return *address = malloc(bytes), SUCCESS; }
+int cuMemAllocHost(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
+int cuMemFreeHost(void* address) { return free(address), SUCCESS; }
+int cuMemHostGetDevicePointer_v2(void) { return NOT_SUPPORTED; }
+int cuMemHostGetDevicePointer(void) { return NOT_SUPPORTED; }
+int cuMemcpy(uint64_t to, uint64_t from, size_t bytes) { return memcpy((void*)to, (void*)from, bytes), SUCCESS; }
+int cuMemcpyHtoD_v2(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }
+int cuMemcpyHtoD(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }
+int cuMemcpyDtoH_v2(void* to, uint64_t from, size_t bytes) { return cuMemcpy((uint64_t)to, from, bytes); }
+int cuMemcpyDtoH(void* to, uint64_t from, size_t bytes) { return cuMemcpy((uint64_t)to, from, bytes); }
+int cuMemcpyHtoDAsync_v2(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }
+int cuMemcpyHtoDAsync(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }
+int cuMemcpyDtoHAsync_v2(void* to, uint64_t from, size_t bytes) { return cuMemcpy((uint64_t)to, from, bytes); }
+int cuMemcpyDtoHAsync(void* to, uint64_t from, size_t bytes) { return cuMemcpy((uint64_t)to, from, bytes); }
+int cuMemcpyDtoDAsync_v2(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
+int cuMemcpyDtoDAsync(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
+
+int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x,
+                   unsigned block_y, unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
+{
+    (void)shared, (void)stream, (void)extra;
+    if (grid_y * grid_z * block_y * block_z != 1 || block_x != 128) return OUT_OF_RESOURCES;
+    const char* fault = getenv("SIMULATED_FAULT");
+    if (fault && strcmp(fault, "launch") == 0) return OUT_OF_RESOURCES;
+    if (fault && strcmp(fault, "timeout") == 0) return pending = LAUNCH_TIMEOUT, SUCCESS;
+    if (fault && strcmp(fault, "lost") == 0) return pending = DEVICE_LOST, SUCCESS;
+    void (*run)(uint64_t, uint32_t, uint32_t, uint32_t) = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t))function;
+    for (unsigned block = 0; block < grid_x; ++block) {
+        for (unsigned thread = 0; thread < block_x; ++thread) run(*(uint64_t*)arguments[0], thread, block, grid_x);
+    }
+    return SUCCESS;
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX that
+# stands in the program: its pictures have the bits of the scalar text, several GPUs can be chosen, and a GPU that fails
+# gives a line and the right exit code.
+set -uo pipefail
+bin=$1
+here=$2/tests/openacc
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$2"/params*.dat "$folder"
+cd "$folder"
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+# expect CODE LINES PATTERN ARGUMENT...: mandelbulb's exit code and what it says on stderr.
+expect() {
+    local code=$1 lines=$2 pattern=$3 got
+    shift 3
+    "$bin/mandelbulb" paramsBulb.dat --size 60x40 "$@" 2>stderr
+    got=$?
+    [ $got = "$code" ] || fail "exit code $got, expected $code: $*"
+    [ "$(grep -c . stderr)" = "$lines" ] || fail "$lines lines expected on stderr: $* : $(cat stderr)"
+    grep -q "$pattern" stderr || [ -z "$pattern" ] || fail "stderr does not say '$pattern': $(cat stderr)"
+}
+
+PYTHONDONTWRITEBYTECODE=1 "$4" - "$2" "$bin/mandelbulb" >kernels.h <<'END' || exit 1
+import sys
+sys.path[:0] = [sys.argv[1] + "/tools", sys.argv[1] + "/tests/openacc"]
+import k40
+import ptx_to_c
+print(ptx_to_c.translate(k40.kernels(k40.extract(sys.argv[2])[0])))
+END
+build="$3 -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I. $here/simulated_cuda.c -lm -o"
+$build libcuda.so.1 || exit 1
+export LD_LIBRARY_PATH=$folder
+unset CUDA_VISIBLE_DEVICES
+
+# The PTX draws the scalar text's bits, in exact mode; and does its work.
+sed 's/^0 4.0 8.0/0 4.0 7.5/' paramsBulb.dat >power.dat
+sed 's/^2 0.5 1/-1.5 0.5 1/' paramsBox.dat >scale.dat
+for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box scale.dat"; do
+    for precision in float double; do
+        draw="$bin/render --fractal $scene --size 170x131 --precision $precision"
+        $draw --backend openacc --output gpu.exr --stats gpu.json || fail "$draw"
+        $draw --backend openmp --pack 1 --output cpu.exr --stats cpu.json || fail "$draw"
+        "$bin/imgdiff" gpu.exr cpu.exr >difference || fail "the PTX draws other bits: $scene $precision: $(cat difference)"
+        [ "$(grep -A3 '"work"' gpu.json)" = "$(grep -A3 '"work"' cpu.json)" ] || fail "the PTX does other work: $scene"
+    done
+done
+grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file does not name the GPU"
+$draw --backend openacc --mode fast --output fast.exr || fail "fast mode"
+"$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
+
+# The twin: a GPU that fuses a multiplication and an addition where it may not.
+sed -E 's/^(r[0-9]+) = \(\(double\)(r[0-9]+)\) \+ \(\(double\)(r[0-9]+)\);/\1 = fma(\2, 1.0000000000000002, \3);/' kernels.h >twin.h
+mkdir twin && mv twin.h twin/kernels.h
+${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
+LD_LIBRARY_PATH=$folder/twin $draw --backend openacc --output twin.exr || fail "the twin does not draw"
+"$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
+
+# Several GPUs, and the host after them.
+export SIMULATED_GPUS=3
+expect 0 0 '' --backend openacc --device 2 --output a.png --stats a.json
+grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"
+expect 0 1 'runs on the host, one thread: instead of a GPU' --backend openacc --device 3 --output a.png
+expect 77 1 'there is no device 4, only 0 to 3' --backend openacc --device 4 --output b.png
+unset SIMULATED_GPUS
+expect 0 1 '^backend openacc: openacc has the GPU Simulated K40 number 0' --output a.png
+
+# Failures: of these, gcc's run-time library ends the program itself, with its own line.
+SIMULATED_FAULT=launch expect 1 1 '^libgomp: cuLaunchKernel error' --backend openacc --output b.png
+SIMULATED_FAULT=lost expect 1 1 '^libgomp: .*unspecified launch failure' --backend openacc --output b.png
+SIMULATED_FAULT=timeout expect 1 1 '^libgomp: .*launch timed out' --backend openacc --output b.png
+SIMULATED_MEMORY=40000 expect 1 1 'Simulated K40 number 0 has .* bytes of memory free' --backend openacc --output b.png
+SIMULATED_MEMORY=80000 expect 0 0 '' --backend openacc --output c.png  # in many bands
+[ -e b.png ] && fail "a picture from a GPU that failed"
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))

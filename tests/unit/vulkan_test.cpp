@@ -1,0 +1,80 @@
+// The Vulkan backend draws the bits of the same text in scalar C++, on odd scenes too, and counts the same work. One
+// renderer draws all scenes of a test, one after another. Skipped where there is no Vulkan device.
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "core/image/compare.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class Vulkan : public testing::TestWithParam<Precision> {
+protected:
+    void SetUp() override
+    {
+        if (const auto why = vulkan.unavailable()) GTEST_SKIP() << *why;
+        const auto fractals = {official_scene("bulb", 101, 67), official_scene("box", 67, 101)};
+        for (const Scene& scene : fractals) scenes.push_back({"official", scene});
+        for (auto& odd : odd_scenes()) scenes.push_back(odd);
+        scenes.push_back({"one pixel", official_scene("bulb", 1, 1)});
+        scenes.push_back({"five bands", official_scene("bulb", 400, 390)});
+        scenes.push_back({"one row of many bands", official_scene("box", 20000, 2)});
+    }
+
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    const Backend& vulkan = *registry.find("vulkan");
+    std::vector<NamedScene> scenes;
+};
+
+TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
+{
+    const auto renderer = vulkan.create({.precision = GetParam()});
+    const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
+    for (const auto& [name, scene] : scenes) {
+        Image image(scene.width, scene.height, Image::Layers::all);
+        Image expected(scene.width, scene.height, Image::Layers::all);
+        const Work work = renderer->render(scene, image).work;
+        const Work expected_work = yardstick->render(scene, expected).work;
+        const Comparison difference = compare(expected, image);
+        EXPECT_TRUE(difference.same()) << name << ": "
+                                       << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
+        EXPECT_EQ(work.steps, expected_work.steps) << name;
+        EXPECT_EQ(work.estimates, expected_work.estimates) << name;
+        EXPECT_EQ(work.iterations, expected_work.iterations) << name;
+    }
+}
+
+// The twin: a picture of the other mode has other bits. And a picture of the same mode is close.
+TEST_P(Vulkan, FastModeHasOtherBitsAndTheCanonicalHit)
+{
+    const Scene scene = official_scene("box", 150, 150);
+    const Image exact = render(vulkan, scene, {.precision = GetParam()});
+    const Image fast = render(vulkan, scene, {.precision = GetParam(), .mode = Mode::fast});
+    const Image expected = render(*registry.find("reference"), scene, {.mode = Mode::fast});
+    EXPECT_FALSE(compare(exact, fast).same());
+    EXPECT_LE(compare(expected, fast).visibly_differing, expected.pixels() / 50);  // 2 %
+}
+
+TEST_P(Vulkan, TellsItsTimesApart)
+{
+    const Scene scene = official_scene("bulb", 64, 64);
+    const auto renderer = vulkan.create({.precision = GetParam()});
+    Image image(64, 64, Image::Layers::bytes);
+    const Timings first = renderer->render(scene, image).timings;
+    EXPECT_GT(first.context, 0);
+    EXPECT_GT(first.build, 0);
+    EXPECT_GT(first.upload, 0);
+    EXPECT_GT(first.kernel, 0);
+    EXPECT_GT(first.readback, 0);
+    EXPECT_GE(first.wall, first.build + first.upload + first.kernel + first.readback);
+    const Timings second = renderer->render(scene, image).timings;
+    EXPECT_EQ(second.build, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, Vulkan, testing::Values(Precision::f64, Precision::f32),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+}  // namespace
+}  // namespace mandelmarch

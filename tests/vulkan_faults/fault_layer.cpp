@@ -1,0 +1,232 @@
+// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT names the fault, MANDELMARCH_FAULT_AFTER how many
+// calls succeed before it:
+//   memory           vkAllocateMemory returns VK_ERROR_OUT_OF_DEVICE_MEMORY
+//   lost             vkQueueSubmit returns VK_ERROR_DEVICE_LOST
+//   silent           vkWaitForFences never sees a fence signalled
+//   no_double        no device has shaderFloat64
+//   float_division   float divisions are off in the last bits: shaders get a / b as a * b in place of them
+//   double_division  the same in double, and with it what float is pinned with
+//   unknown_driver   no driver says which it is
+//   discrete_gpu     every device says that it is one, with memory of its own
+//   misuse           a fence is made with flags that do not exist: what the validation layers must see
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+// The next layer's functions, of the one instance and the one device that a program under test has at a time.
+struct Next {
+    PFN_vkGetInstanceProcAddr instance_proc = nullptr;
+    PFN_vkGetDeviceProcAddr device_proc = nullptr;
+    PFN_vkCreateDevice create_device = nullptr;
+    PFN_vkGetPhysicalDeviceFeatures get_features = nullptr;
+    PFN_vkGetPhysicalDeviceProperties get_properties = nullptr;
+    PFN_vkGetPhysicalDeviceProperties2 get_properties2 = nullptr;
+    VkDevice device = VK_NULL_HANDLE;
+    int calls = 0;  // of the faulty function
+};
+Next next;
+
+template <class Function>
+Function next_of_device(const char* name)
+{
+    return reinterpret_cast<Function>(next.device_proc(next.device, name));
+}
+
+bool wanted(std::string_view fault)
+{
+    const char* name = std::getenv("MANDELMARCH_FAULT");
+    return name != nullptr && name == fault;
+}
+
+// True from the call on that is to fail.
+bool strikes(std::string_view fault)
+{
+    if (!wanted(fault)) return false;
+    const char* after = std::getenv("MANDELMARCH_FAULT_AFTER");
+    return next.calls++ >= (after == nullptr ? 0 : std::atoi(after));
+}
+
+// The layer's own entry in the chain that the loader hands to vkCreateInstance and vkCreateDevice.
+template <class LayerInfo, class CreateInfo>
+LayerInfo* link_of(const CreateInfo* create, VkStructureType type)
+{
+    auto* info = static_cast<const LayerInfo*>(create->pNext);
+    while (info != nullptr && !(info->sType == type && info->function == VK_LAYER_LINK_INFO)) {
+        info = static_cast<const LayerInfo*>(info->pNext);
+    }
+    return const_cast<LayerInfo*>(info);
+}
+
+VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationCallbacks* memory, VkInstance* instance)
+{
+    auto* link = link_of<VkLayerInstanceCreateInfo>(create, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    next.instance_proc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create_next = reinterpret_cast<PFN_vkCreateInstance>(next.instance_proc(nullptr, "vkCreateInstance"));
+    const VkResult result = create_next(create, memory, instance);
+    if (result != VK_SUCCESS) return result;
+    // Asked for now: later the loader would answer with the first layer's.
+    const auto ask = [&](auto& function, const char* name) {
+        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.instance_proc(*instance, name));
+    };
+    ask(next.create_device, "vkCreateDevice");
+    ask(next.get_features, "vkGetPhysicalDeviceFeatures");
+    ask(next.get_properties, "vkGetPhysicalDeviceProperties");
+    ask(next.get_properties2, "vkGetPhysicalDeviceProperties2");
+    return result;
+}
+
+VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* create, const VkAllocationCallbacks* memory,
+                       VkDevice* device)
+{
+    auto* link = link_of<VkLayerDeviceCreateInfo>(create, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    next.device_proc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const VkResult result = next.create_device(physical, create, memory, device);
+    next.device = *device;
+    return result;
+}
+
+void get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures* features)
+{
+    next.get_features(physical, features);
+    if (wanted("no_double")) features->shaderFloat64 = VK_FALSE;
+}
+
+void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties)
+{
+    next.get_properties(physical, properties);
+    if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+}
+
+void get_properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
+{
+    next.get_properties2(physical, properties);
+    for (auto* part = static_cast<VkBaseOutStructure*>(properties->pNext); part != nullptr; part = part->pNext) {
+        if (wanted("unknown_driver") && part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES) {
+            reinterpret_cast<VkPhysicalDeviceDriverProperties*>(part)->driverID = VkDriverId{};
+        }
+    }
+}
+
+VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* callbacks,
+                         VkDeviceMemory* memory)
+{
+    if (strikes("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    return next_of_device<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, callbacks, memory);
+}
+
+VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
+{
+    if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
+    return next_of_device<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
+}
+
+VkResult wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
+                         std::uint64_t timeout)
+{
+    if (strikes("silent")) {
+        std::this_thread::sleep_for(std::chrono::nanoseconds(timeout));
+        return VK_TIMEOUT;
+    }
+    return next_of_device<PFN_vkWaitForFences>("vkWaitForFences")(device, count, fences, all, timeout);
+}
+
+VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAllocationCallbacks* memory,
+                      VkFence* fence)
+{
+    VkFenceCreateInfo misused = *info;
+    if (wanted("misuse")) misused.flags |= 0x40000000;
+    return next_of_device<PFN_vkCreateFence>("vkCreateFence")(device, &misused, memory, fence);
+}
+
+// Divisions of numbers of `bits` bits become products. Numbers of opcodes from the SPIR-V specification, section 3.49.
+std::vector<std::uint32_t> without_division(const std::uint32_t* words, std::size_t count, std::uint32_t bits)
+{
+    constexpr std::uint32_t type_float = 22;
+    constexpr std::uint32_t multiply = 133;
+    constexpr std::uint32_t divide = 136;
+    std::vector<std::uint32_t> changed(words, words + count);
+    std::uint32_t type = 0;
+    for (std::size_t at = 5; at < changed.size(); at += changed[at] >> 16) {
+        const std::uint32_t opcode = changed[at] & 0xffff;
+        if (opcode == type_float && changed[at + 2] == bits) type = changed[at + 1];
+        if (opcode == divide && changed[at + 1] == type) changed[at] = (changed[at] & 0xffff0000) | multiply;
+    }
+    return changed;
+}
+
+VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* info,
+                              const VkAllocationCallbacks* memory, VkShaderModule* module)
+{
+    VkShaderModuleCreateInfo changed = *info;
+    std::vector<std::uint32_t> words(info->pCode, info->pCode + info->codeSize / 4);
+    if (wanted("float_division")) words = without_division(words.data(), words.size(), 32);
+    if (wanted("double_division")) words = without_division(words.data(), words.size(), 64);
+    changed.pCode = words.data();
+    return next_of_device<PFN_vkCreateShaderModule>("vkCreateShaderModule")(device, &changed, memory, module);
+}
+
+template <class Function>
+PFN_vkVoidFunction plain(Function* function)
+{
+    return reinterpret_cast<PFN_vkVoidFunction>(function);
+}
+
+PFN_vkVoidFunction own(std::string_view name);
+
+PFN_vkVoidFunction device_proc(VkDevice device, const char* name)
+{
+    if (const PFN_vkVoidFunction function = own(name)) return function;
+    return next.device_proc == nullptr ? nullptr : next.device_proc(device, name);
+}
+
+PFN_vkVoidFunction instance_proc(VkInstance instance, const char* name)
+{
+    if (const PFN_vkVoidFunction function = own(name)) return function;
+    return next.instance_proc == nullptr ? nullptr : next.instance_proc(instance, name);
+}
+
+PFN_vkVoidFunction own(std::string_view name)
+{
+    static const std::map<std::string_view, PFN_vkVoidFunction> functions{
+        {"vkGetInstanceProcAddr", plain(instance_proc)},
+        {"vkGetDeviceProcAddr", plain(device_proc)},
+        {"vkCreateInstance", plain(create_instance)},
+        {"vkCreateDevice", plain(create_device)},
+        {"vkGetPhysicalDeviceFeatures", plain(get_features)},
+        {"vkGetPhysicalDeviceProperties", plain(get_properties)},
+        {"vkGetPhysicalDeviceProperties2", plain(get_properties2)},
+        {"vkAllocateMemory", plain(allocate_memory)},
+        {"vkQueueSubmit", plain(queue_submit)},
+        {"vkWaitForFences", plain(wait_for_fences)},
+        {"vkCreateFence", plain(create_fence)},
+        {"vkCreateShaderModule", plain(create_shader_module)},
+    };
+    const auto found = functions.find(name);
+    return found == functions.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+// The loader's way in.
+extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(
+    VkNegotiateLayerInterface* interface)
+{
+    interface->loaderLayerInterfaceVersion = 2;
+    interface->pfnGetInstanceProcAddr = instance_proc;
+    interface->pfnGetDeviceProcAddr = device_proc;
+    interface->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}

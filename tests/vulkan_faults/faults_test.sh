@@ -1,0 +1,188 @@
+#!/usr/bin/env bash
+# faults_test.sh BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, do not answer or lack what is
+# asked; pipeline caches that are broken; and what the shaders must hold. Needs a Vulkan device (lavapipe will do).
+set -uo pipefail
+bin=$1
+source=$2
+layer=$3
+modules=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+export XDG_CACHE_HOME=$folder/cache MANDELMARCH_DEVICE_TIMEOUT=60
+validation=/usr/share/vulkan/explicit_layer.d
+failures=0
+
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# draw FRACTAL OUTPUT OPTION...: a small picture on Vulkan; its exit code. 60 seconds count as a hang.
+draw() {
+    local fractal=$1 output=$2
+    shift 2
+    timeout 60 "$bin/render" --fractal "$fractal" "$source/params${fractal^}.dat" --size 40x30 --backend vulkan \
+        --output "$output" "$@" >stdout 2>stderr </dev/null
+}
+
+# with FAULT[:AFTER] COMMAND...: under the layer.
+with() {
+    local fault=$1
+    shift
+    MANDELMARCH_FAULT=${fault%:*} MANDELMARCH_FAULT_AFTER=$([[ $fault = *:* ]] && echo "${fault#*:}" || echo 0) \
+        VK_INSTANCE_LAYERS=VK_LAYER_MANDELMARCH_faults VK_LAYER_PATH=$layer:$validation "$@"
+}
+
+# refused CODE TEXT FAULT DRAW-ARGUMENTS...: the exit code, one line on stderr that holds the text, and no file.
+refused() {
+    local code=$1 text=$2 fault=$3 got
+    shift 3
+    rm -f ./*.exr
+    with "$fault" draw "$@"
+    got=$?
+    [ $got = "$code" ] || fail "$fault: exit code $got, expected $code: $(head -c 300 stderr)"
+    [ "$(wc -l <stderr)" = 1 ] || fail "$fault: $(wc -l <stderr) lines on stderr: $(head -c 300 stderr)"
+    grep -q "$text" stderr || fail "$fault: stderr does not say '$text': $(head -c 300 stderr)"
+    [ -z "$(find . -maxdepth 1 -name '*.exr' -o -name '.mandelmarch-*')" ] || fail "$fault: a file is left"
+}
+
+# same A B
+same() { "$bin/imgdiff" "$1" "$2" >stdout || fail "$1 and $2 differ: $(tr '\n' ' ' <stdout)"; }
+
+if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *unavailable'; then exit 77; fi
+
+# The good device, and pictures to compare with: from the same text without Vulkan.
+draw bulb good.exr || { fail "no picture without a fault: $(cat stderr)"; exit 1; }
+mkdir -p true
+for fractal in bulb box; do
+    for precision in float double; do
+        "$bin/render" --fractal $fractal "$source/params${fractal^}.dat" --size 40x30 --backend openmp --pack 1 \
+            --precision $precision --output true/$fractal-$precision.exr || fail "openmp"
+    done
+done
+
+# Failures at the first call, which is a probe's, and at later ones, which are the picture's.
+for after in 0 2 4 5 6; do
+    refused 1 'out of device memory while taking' memory:$after bulb a.exr
+done
+for after in 0 1 2 3 4; do
+    refused 1 'device lost while' lost:$after box a.exr --precision float
+done
+refused 1 'device lost while' lost box a.exr --mode fast
+MANDELMARCH_DEVICE_TIMEOUT=0.3
+for after in 0 3; do
+    start=$SECONDS
+    refused 1 'no answer within 0.3 s' silent:$after bulb a.exr
+    [ $((SECONDS - start)) -lt 20 ] || fail "it took $((SECONDS - start)) seconds to give a silent device up"
+done
+MANDELMARCH_DEVICE_TIMEOUT=60
+
+# Devices that lack something: refused, or their pictures are the same bits.
+refused 77 'has no double' no_double bulb a.exr
+refused 77 'no double' no_double bulb a.exr --mode fast
+refused 77 'division and square root are not exact' double_division bulb a.exr
+for fault in none no_double float_division double_division discrete_gpu; do
+    for fractal in bulb box; do
+        with $fault draw $fractal a.exr --precision float && same a.exr true/$fractal-float.exr
+    done
+done
+for fault in float_division discrete_gpu; do
+    with $fault draw box a.exr && same a.exr true/box-double.exr
+done
+with discrete_gpu "$bin/render" --fractal bulb --list-devices | grep -q '^vulkan *0: ' || fail "a GPU is not listed"
+# The twin: fast mode, which probes nothing, shows that the layer does change divisions.
+with double_division draw bulb wrong.exr --mode fast
+draw bulb right.exr --mode fast
+"$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
+
+# Without a driver or a loader.
+VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null draw bulb none.exr
+[ $? = 77 ] && [ "$(wc -l <stderr)" = 1 ] || fail "no driver: $(cat stderr)"
+VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null "$bin/render" --fractal bulb --list-devices |
+    grep -q '^vulkan *unavailable: ' || fail "no driver: --list-devices"
+mkdir no_loader
+: >no_loader/libvulkan.so
+: >no_loader/libvulkan.so.1
+LD_LIBRARY_PATH=no_loader "$bin/render" --fractal bulb --list-devices |
+    grep -q '^vulkan *unavailable: no Vulkan loader' || fail "no loader: --list-devices"
+draw bulb none.exr --device 99
+[ $? = 77 ] || fail "device 99: $(cat stderr)"
+ldd "$bin/render" | grep -q libvulkan && fail "render is linked with the Vulkan loader"
+
+# Broken pipeline caches: the same picture, no word, and the file written anew.
+rm -rf cache
+draw bulb first.exr
+cache=$(find cache -name '*.bin' | sort | head -1)
+[ -s "$cache" ] || fail "no pipeline cache was written"
+cp -r cache whole
+break_cache() {
+    local file
+    for file in cache/mandelmarch/*.bin; do "$@" "$file"; done
+    draw bulb again.exr || fail "cache after $*: $(cat stderr)"
+    [ -s stderr ] && fail "cache after $*: $(cat stderr)"
+    same first.exr again.exr
+    diff -r cache whole >/dev/null || fail "cache after $*: not rebuilt"
+}
+flip() { printf '\377' | dd of="$1" bs=1 seek=20 conv=notrunc status=none; }
+empty() { : >"$1"; }
+junk() { head -c 5000 /dev/urandom >"$1"; }
+break_cache truncate -s 30
+break_cache flip
+break_cache empty
+break_cache junk
+break_cache rm
+for folder_for_cache in /dev/null /nowhere/at/all relative ""; do
+    MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=$folder_for_cache HOME=/dev/null draw bulb again.exr ||
+        fail "cache in '$folder_for_cache'"
+    [ -s stderr ] && fail "cache in '$folder_for_cache': $(cat stderr)"
+done
+
+# Marches that are longer than one pass: lavapipe would stop them silently. With power 1 and a far bailout radius every
+# estimate takes all of its 10,000 iterations. The twin does not know that it is lavapipe.
+awk '/^#/ || !NF { next }
+    { n++ } n == 1 { $0 = "0.001 0.002 0.001" } n == 7 { $0 = "0 1e6 1" } n == 8 { $0 = "10000 0" } { print }' \
+    "$source/paramsBulb.dat" >long.dat
+# long NAME OPTION...: the work that was done, into the file NAME.
+long() {
+    timeout 300 "$bin/render" --fractal bulb long.dat --size 24x18 --precision float --output long.bmp --stats stats \
+        "${@:2}" 2>stderr || fail "a long march: $(cat stderr)"
+    grep -A3 '"work"' stats >"$1"
+}
+long true-work --backend openmp --pack 1
+long work --backend vulkan
+diff work true-work || fail "a long march does other work"
+if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *0:' | grep -q llvmpipe; then
+    with unknown_driver long cut-work --backend vulkan
+    diff -q cut-work true-work >/dev/null && fail "long marches need no passes, says the twin"
+fi
+
+# Validation: not a word. The twin: a misuse is reported.
+if [ -e $validation/VkLayer_khronos_validation.json ]; then
+    export VK_KHRONOS_VALIDATION_REPORT_FLAGS=error,warn
+    validated() { VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation draw "$@"; }
+    for options in "bulb" "bulb --precision float" "box --mode fast" "box --precision float --mode fast"; do
+        set -- $options
+        validated "$1" valid.exr "${@:2}" || fail "validation, $options: $(cat stderr)"
+        [ -s stdout ] || [ -s stderr ] && fail "validation, $options: $(cat stdout stderr | head -c 500)"
+    done
+    MANDELMARCH_FAULT=discrete_gpu VK_LAYER_PATH=$layer:$validation \
+        VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation:VK_LAYER_MANDELMARCH_faults draw bulb valid.exr
+    [ -s stdout ] || [ -s stderr ] && fail "validation, GPU: $(cat stdout stderr | head -c 500)"
+    MANDELMARCH_FAULT=misuse VK_LAYER_PATH=$layer:$validation \
+        VK_INSTANCE_LAYERS=VK_LAYER_MANDELMARCH_faults:VK_LAYER_KHRONOS_validation draw bulb valid.exr
+    grep -q 'VUID-VkFenceCreateInfo' stdout || fail "validation does not see a misuse"
+else
+    echo "no validation layers here"
+fi
+
+# Every floating-point operation of the exact modules carries NoContraction; in the fast ones none does.
+for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv; do
+    "$modules/spirv_tool" check "$module" >stdout || fail "$(cat stdout)"
+done
+for module in "$modules"/*_fast.spv; do
+    "$modules/spirv_tool" check "$module" >stdout && fail "the twin: $(cat stdout)"
+done
+
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))
