@@ -78,9 +78,10 @@ void add_options(CLI::App& app, CommandLine& line, std::string& repetitions, std
     app.add_option("--study", o.study, study_names())->capture_default_str();
     app.add_option("--repetitions", repetitions, "rounds, exactly so many (default: until the intervals are narrow)");
     app.add_option("--launches", launches, "processes that measure one after the other (default 1)");
-    app.add_option("--budget", o.budget, "seconds that the timed rounds may take, where --repetitions is not given")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
+    app.add_option("--budget", o.budget,
+                   "seconds that the timed rounds may take without --repetitions (default: so that all ends in three "
+                   "minutes)")
+        ->check(CLI::Range(0.0, 1e6));
     app.add_option("--seed", seed, "of the order of rows in each round (default 1)");
     app.add_option("--json", o.json, "write everything to this file (- is standard output)");
     app.add_option("--csv", o.csv, "write a line a row to this file (- is standard output)");

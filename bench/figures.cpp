@@ -46,6 +46,7 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
 
 std::string Row::name() const
 {
+    if (fractal == "all") return backend;
     return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
                        point.empty() ? "" : "/", point);
 }

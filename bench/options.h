@@ -19,7 +19,7 @@ struct Options {
     int launches = 1;
     int launch = 0;          // of this process, from 0
     std::uint64_t seed = 1;  // of the order of rows in each round
-    double budget = 75;      // seconds that the timed rounds may take
+    std::optional<double> budget;  // seconds that the timed rounds may take
     std::string json, csv;   // files; - is standard output
     bool list = false, wide = false;
     // Google Benchmark's own.

@@ -214,10 +214,10 @@ nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities)
 
 std::string to_console(const std::vector<Portability>& portabilities)
 {
-    std::string text = fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7} {:<18} {:>7} {:<18}\n", "problem", "number",
+    std::string text = fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7} {:<18} {:>7} {}\n", "problem", "number",
                                    "mode", "backend", "H", "PP app", "95 %", "PP peak", "95 %");
     for (const Portability& p : portabilities) {
-        text += fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7.3f} {:<18} {:>7.3f} {:<18}\n", p.problem,
+        text += fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7.3f} {:<18} {:>7.3f} {}\n", p.problem,
                             name_of(p.precision), name_of(p.mode), p.application, p.platforms.size(),
                             p.application_portability,
                             fmt::format("[{:.3f}, {:.3f}]", p.application_interval.low, p.application_interval.high),

@@ -131,10 +131,10 @@ std::string ratio_table(const std::vector<Ratio>& ratios, const std::string& tit
                                    "95 % interval", "pairs");
     for (const Ratio& ratio : ratios) {
         const Row& row = *ratio.denominator;
-        text += fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5} {}\n", fractal ? nickname(row.fractal) : "",
+        text += fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}{}{}\n", fractal ? nickname(row.fractal) : "",
                             fractal ? "" : name_of(row.precision), name_of(row.mode), row.backend, row.device,
                             ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
-                            ratio.summary.count, row.point);
+                            ratio.summary.count, row.point.empty() ? "" : " ", row.point);
     }
     return text;
 }

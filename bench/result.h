@@ -44,7 +44,7 @@ struct Proof {
 };
 
 struct Row {
-    std::string fractal;  // name
+    std::string fractal;  // name; "all" in the one row of a backend without a device
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     std::string backend;
@@ -64,7 +64,7 @@ struct Row {
     double operations = 0;          // of one picture, from the counted text; 0: not known
     std::vector<Sample> samples;
 
-    // "mandelbulb/double/exact/openmp/0", and "/threads=2" in a sweep.
+    // "mandelbulb/double/exact/openmp/0", and "/threads=2" behind it in a sweep; "vulkan" for a backend without a device.
     std::string name() const;
     // There is a speed to show.
     bool timed() const { return unavailable.empty() && failure.empty() && proof.fine && !samples.empty(); }

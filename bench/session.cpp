@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "bench/environment.h"
 #include "bench/figures.h"
@@ -15,6 +16,12 @@
 
 namespace mandelmarch::bench {
 namespace {
+
+// Seconds that the timed rounds may take: what is left of two and a half minutes for everything, but not too little and
+// not too much.
+constexpr double whole_budget = 140;
+constexpr double least_budget = 15;
+constexpr double usual_budget = 75;
 
 // What the proof of one row needs: its picture with values and that of its yardstick, and one more for the timing.
 void check_memory(const Scene& scene)
@@ -166,13 +173,14 @@ Outcome measure(const Registry& registry, const Options& options, const Phase& p
     result.environment = environment(registry);
     std::vector<Case> cases = cases_of(registry, options);
     if (cases.empty()) throw InputError("bench: no row is left by these options (bench --list shows the rows)");
-    if (options.backend != "all" && std::ranges::none_of(cases, [&](const Case& one) {
-            return one.backend != nullptr && one.row.backend == options.backend;
-        })) {
-        throw Unavailable(fmt::format("backend {}: {}", options.backend, cases.front().row.unavailable));
+    for (const Case& one : cases) {
+        if (one.backend == nullptr && one.row.backend == options.backend) {
+            throw Unavailable(fmt::format("backend {}: {}", options.backend, one.row.unavailable));
+        }
     }
 
-    Rules rules{.repetitions = options.repetitions, .budget = options.budget, .seed = options.seed, .launch = options.launch};
+    const auto start = std::chrono::steady_clock::now();
+    Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
     std::vector<Live> live;
     // In the order of the yardsticks, so that each is drawn once.
@@ -188,6 +196,8 @@ Outcome measure(const Registry& registry, const Options& options, const Phase& p
     count_all(live, result, phase);
     if (options.study == "profile") result.stages = profile(options, phase);
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     outcome.runs = run_rounds(live, rules, [&](double share) { phase("timing", share); });
     // Once more: a machine that was slow before must not make the shares look better.
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
