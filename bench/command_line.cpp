@@ -129,6 +129,7 @@ CommandLine parse_command_line(int argc, char** argv)
     std::string launches;
     std::string launch;
     std::string seed;
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_options(app, line, repetitions, launches, launch, seed);
     app.require_subcommand(0, 1);
     CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");

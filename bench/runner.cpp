@@ -19,7 +19,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 // Pictures faster than this are drawn once, unmeasured, before the measured one: the row before has left its own threads,
 // caches and clock behind. Seconds.
-constexpr double warmed_below = 0.25;
+constexpr double warmed_below = 0.1;
 
 // Keeps what Google Benchmark measured, instead of printing it.
 class Collector : public benchmark::BenchmarkReporter {
@@ -90,7 +90,11 @@ private:
         for (Live* row : order) {
             benchmark::RegisterBenchmark(row->one->row.name().c_str(),
                                          [this, row, &progress](benchmark::State& state) {
-                                             draw_with_google_benchmark(state, *row, image_for(*row));
+                                             if (out_of_time() && !row->one->row.samples.empty()) {
+                                                 skip(state);
+                                             } else {
+                                                 draw_with_google_benchmark(state, *row, image_for(*row));
+                                             }
                                              progress(share());
                                          })
                 ->UseManualTime()
@@ -103,9 +107,19 @@ private:
         for (Live* row : order) keep(*row, round, measured.at(row->one->row.name()));
     }
 
+    bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
+
+    // Draws nothing; keep() knows by the counter.
+    static void skip(benchmark::State& state)
+    {
+        for ([[maybe_unused]] auto ignored : state) state.SetIterationTime(0);
+        state.counters["skipped"] = 1;
+    }
+
     void keep(Live& live, int round, const benchmark::BenchmarkReporter::Run& run)
     {
         Row& row = live.one->row;
+        if (run.counters.contains("skipped")) return;
         if (run.error_occurred) {
             row.failure = run.error_message;
             row.samples.clear();
@@ -126,7 +140,7 @@ private:
     {
         if (rules_.repetitions) return false;
         const Row& row = live.one->row;
-        if (seconds_since(start_) > rules_.budget || live.spent > rules_.row_budget) return true;
+        if (out_of_time() || live.spent > rules_.row_budget) return true;
         return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
     }
 

@@ -32,7 +32,8 @@ struct Live {
 struct Rules {
     std::optional<int> repetitions;  // exactly so many rounds
     double budget = 75;              // seconds of all rounds
-    double row_budget = 5;           // seconds of one row
+    double row_budget = 8;           // seconds of one row
+    double long_picture = 4;         // seconds: a picture that takes longer is drawn once, for its proof
     int least = 6;                   // rounds: fewer give no 95 % interval of a median
     int most = 40;
     double half_width = 0.02;  // of the interval, relative to the median: narrow enough

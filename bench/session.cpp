@@ -19,9 +19,9 @@ namespace {
 
 // Seconds that the timed rounds may take: what is left of two and a half minutes for everything, but not too little and
 // not too much.
-constexpr double whole_budget = 140;
+constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
-constexpr double usual_budget = 75;
+constexpr double usual_budget = 100;
 
 // What the proof of one row needs: its picture with values and that of its yardstick, and one more for the timing.
 void check_memory(const Scene& scene)
@@ -86,8 +86,7 @@ std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules
     }
     if (!row.proof.fine || !row.unavailable.empty()) return std::nullopt;
     live.expected = report.timings.kernel;
-    // A picture that takes as long as a row may: the one that was just drawn is its sample.
-    if (!rules.repetitions && live.expected > rules.row_budget) {
+    if (!rules.repetitions && live.expected > rules.long_picture) {
         row.samples.push_back(first_sample(report, rules.launch));
         live.done = true;
     }

@@ -29,18 +29,20 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q 'no difference\|faster\|SLOWER' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# A regression: every time of the new result doubled.
+# A regression: the launches' times made even, and then doubled.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
-for row in result['rows']:
-    for sample in row['samples']:
-        sample['kernel'] *= 2
-json.dump(result, open('slow.json', 'w'))
+for name, seconds in ('even', 0.1), ('slow', 0.2):
+    for row in result['rows']:
+        for sample in row['samples']:
+            sample['kernel'] = seconds * (1 + 0.002 * sample['launch'])
+    json.dump(result, open(name + '.json', 'w'))
 PY
-expect 1 compare a.json slow.json
+expect 1 compare even.json slow.json
 grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
-expect 0 compare slow.json a.json
+expect 0 compare slow.json even.json
+grep -q faster out || fail "no faster in a comparison with halved times"
 
 expect 0 portability a.json b.json
 grep -q mandelbox out || fail "no portability"
