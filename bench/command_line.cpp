@@ -30,7 +30,7 @@ void take_google_flag(const std::string& flag, CommandLine& line)
     const std::string name = flag.substr(0, equals);
     const std::string value = equals == std::string::npos ? "true" : flag.substr(equals + 1);
     Options& o = line.options;
-    const auto check_format = [&] {
+    const auto check_format = [&]() -> const std::string& {
         if (value != "console" && value != "json" && value != "csv") {
             throw InputError(fmt::format("{}: '{}' given, expected console, json or csv", name, value));
         }
@@ -132,6 +132,7 @@ CommandLine parse_command_line(int argc, char** argv)
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_options(app, line, repetitions, launches, launch, seed);
     app.require_subcommand(0, 1);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
     compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");

@@ -14,13 +14,16 @@ namespace {
 const Row* partner(const Result& result, const Row& row)
 {
     const auto found = std::ranges::find_if(result.rows, [&](const Row& other) {
-        return other.name() == row.name() && (other.platform == row.platform || other.platform.empty() ||
-                                              row.platform.empty());
+        return other.name() == row.name() &&
+               (other.platform == row.platform || other.platform.empty() || row.platform.empty());
     });
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-std::vector<double> units_of(const Row& row, bool by_launch) { return by_launch ? launch_medians(row) : kernel_times(row); }
+std::vector<double> units_of(const Row& row, bool by_launch)
+{
+    return by_launch ? launch_medians(row) : kernel_times(row);
+}
 
 std::string state_of(const Row& row)
 {
@@ -39,7 +42,8 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     }
     const Setting& a = old_row.setting;
     const Setting& b = new_row.setting;
-    if (!same_picture(a, b) || a.threads != b.threads || a.pack != b.pack || a.chunk != b.chunk || a.frames != b.frames) {
+    if (!same_picture(a, b) || a.threads != b.threads || a.pack != b.pack || a.chunk != b.chunk ||
+        a.frames != b.frames) {
         c.why = fmt::format("other settings: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
         return c;
     }
@@ -73,9 +77,8 @@ std::string_view name_of(Verdict verdict)
 
 bool ComparedResults::regression() const
 {
-    return std::ranges::any_of(rows, [](const Compared& row) {
-        return row.verdict == Verdict::slower || row.verdict == Verdict::broken;
-    });
+    return std::ranges::any_of(
+        rows, [](const Compared& row) { return row.verdict == Verdict::slower || row.verdict == Verdict::broken; });
 }
 
 ComparedResults compare_results(const Result& old_result, const Result& new_result)
@@ -122,8 +125,8 @@ ComparedResults compare_results(const Result& old_result, const Result& new_resu
 
 std::string to_console(const ComparedResults& comparison)
 {
-    std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval", "p, Holm",
-                                   "units", "verdict");
+    std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval",
+                                   "p, Holm", "units", "verdict");
     for (const Compared& row : comparison.rows) {
         if (row.verdict == Verdict::broken || row.verdict == Verdict::not_compared) {
             text += clipped(fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why), 120) + "\n";

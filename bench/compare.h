@@ -19,9 +19,9 @@ struct Compared {
     std::string name;
     std::string platform;
     Verdict verdict = Verdict::not_compared;
-    std::string why{};      // of broken and not_compared
-    Difference difference{};  // of kernel times, new / old
-    double p = 1;           // after Holm's correction
+    std::string why{};                 // of broken and not_compared
+    Difference difference{};           // of kernel times, new / old
+    double p = 1;                      // after Holm's correction
     int old_units = 0, new_units = 0;  // launches, or samples where there is one launch
 };
 
@@ -33,9 +33,9 @@ struct ComparedResults {
     bool regression() const;
 };
 
-// Pairs rows by name and platform. The units of the test are the medians of the launches, as samples of one process share
-// its memory layout and clock and are not independent; where either result has one launch only, its samples are the
-// units, with a warning that differences between launches are unseen. Rows of other settings or with fewer than two
+// Pairs rows by name and platform. The units of the test are the medians of the launches, as samples of one process
+// share its memory layout and clock and are not independent; where either result has one launch only, its samples are
+// the units, with a warning that differences between launches are unseen. Rows of other settings or with fewer than two
 // units are not compared. Throws InputError where the results have no row in common.
 ComparedResults compare_results(const Result& old_result, const Result& new_result);
 

@@ -47,9 +47,9 @@ public:
 
 private:
     const Scene& scene_;
-    int width_ = 1, height_ = 1;    // of a pack, pixels
-    int step_x_ = 1, step_y_ = 1;   // from pack to pack
-    int columns_ = 1, rows_ = 1;    // of packs
+    int width_ = 1, height_ = 1;   // of a pack, pixels
+    int step_x_ = 1, step_y_ = 1;  // from pack to pack
+    int columns_ = 1, rows_ = 1;   // of packs
 };
 
 void add(PackCount& to, const PackCount& from)
@@ -81,6 +81,7 @@ Count counted(const Scene& scene, const CountOptions& options, CountPack count_p
     std::atomic<std::uint64_t> pixels = 0;
     {
         std::vector<std::jthread> threads;
+        threads.reserve(sums.size());
         for (PackCount& sum : sums) {
             threads.emplace_back([&] {
                 PackCount mine;

@@ -29,8 +29,8 @@ struct Count {
     Work work;                 // of the pixels that were counted, by the text's own counters
     std::uint64_t pixels = 0;  // that were counted
     std::uint64_t hits = 0;    // of them
-    // Divergence of the march, for packs of `lanes` pixels in rectangles as square as they come: a pack goes on while any
-    // lane does. The shares of lanes that do something, 0 to 1, of the steps and of the estimator's iterations.
+    // Divergence of the march, for packs of `lanes` pixels in rectangles as square as they come: a pack goes on while
+    // any lane does. The shares of lanes that do something, 0 to 1, of the steps and of the estimator's iterations.
     int lanes = 0;
     double active_in_steps = 0;
     double active_in_iterations = 0;
@@ -43,7 +43,7 @@ struct Count {
 struct CountOptions {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    int lanes = 16;                 // of the packs whose divergence is asked
+    int lanes = 16;                     // of the packs whose divergence is asked
     std::int64_t most_pixels = 40'000;  // of larger pictures a regular part is counted
 };
 

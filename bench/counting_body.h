@@ -18,9 +18,8 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
     Ray rays[most];
     const std::size_t lanes = pixels.size() < most ? pixels.size() : most;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        rays[lane] = counted(stage(Stage::begin), [&] {
-            return begin(scene, real(scalar(pixels[lane].i)), real(scalar(pixels[lane].j)));
-        });
+        rays[lane] = counted(stage(Stage::begin),
+                             [&] { return begin(scene, real(scalar(pixels[lane].i)), real(scalar(pixels[lane].j))); });
     }
     // Step by step, as a pack does: it goes on while any lane does, and an estimate takes as long as its slowest lane.
     for (bool going = true; going;) {

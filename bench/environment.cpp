@@ -83,7 +83,8 @@ Json icds()
     Json found = Json::array();
     const auto resolved = [](const std::string& library) -> std::string {
         std::error_code none;
-        for (const char* folder : {"", "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib"}) {
+        for (const char* folder :
+             {"", "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib"}) {
             const fs::path path = fs::path(folder) / library;
             if (path.is_absolute() && fs::exists(path, none)) return fs::canonical(path, none).filename().string();
         }
@@ -172,7 +173,8 @@ Json environment(const Registry& registry)
     return {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                                  fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
             {"git", {{"revision", build.revision}, {"dirty", build.dirty}}},
-            {"build", {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", build.version}}},
+            {"build",
+             {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", build.version}}},
             {"cpu", cpu()},
             {"memory", memory()},
             {"os",

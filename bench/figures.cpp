@@ -68,6 +68,7 @@ std::vector<double> launch_medians(const Row& row)
     std::map<int, std::vector<double>> launches;
     for (const Sample& sample : row.samples) launches[sample.launch].push_back(sample.kernel);
     std::vector<double> medians;
+    medians.reserve(launches.size());
     for (auto& [launch, values] : launches) medians.push_back(median(std::move(values)));
     return medians;
 }
@@ -102,7 +103,8 @@ Figures figures_of(const Result& result, const Row& row)
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
     }
     for (const Row& other : result.rows) {
-        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == "reference" && other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
+        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == "reference" &&
+            other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
             f.speed_up = median(wall_times(other)) / f.wall.median;
         }
     }

@@ -18,15 +18,15 @@ std::vector<double> wall_times(const Row& row);
 std::vector<double> launch_medians(const Row& row);
 
 struct Figures {
-    Summary kernel, wall;              // seconds
-    double upload = 0, readback = 0;   // seconds, medians
-    double pixel_rate = 0;             // pixels per second of kernel time
+    Summary kernel, wall;                          // seconds
+    double upload = 0, readback = 0;               // seconds, medians
+    double pixel_rate = 0;                         // pixels per second of kernel time
     double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
-    std::optional<double> operation_rate;  // operations per second, from counted work
-    std::optional<double> peak;            // operations per second, of the row's platform and precision
-    std::optional<double> share;           // operation_rate / peak
-    std::optional<double> bound;           // seconds: the counted work at that peak
-    std::optional<double> speed_up;        // wall time of `reference`, double, exact, of the same setting / this wall time
+    std::optional<double> operation_rate;          // operations per second, from counted work
+    std::optional<double> peak;                    // operations per second, of the row's platform and precision
+    std::optional<double> share;                   // operation_rate / peak
+    std::optional<double> bound;                   // seconds: the counted work at that peak
+    std::optional<double> speed_up;  // wall time of `reference`, double, exact, of the same setting / this wall time
 };
 
 // Of a row that is timed.

@@ -12,7 +12,7 @@
 #include "bench/report.h"
 #include "core/base/error.h"
 
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+extern char** environ;  // NOLINT: POSIX leaves its declaration to the program
 
 namespace mandelmarch::bench {
 namespace {
@@ -42,6 +42,7 @@ int run(const std::vector<std::string>& arguments)
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     pid_t child = 0;
@@ -91,7 +92,8 @@ Result merged(std::vector<Result> results)
                 }
             }
         }
-        for (const std::string& warning : one.warnings) all.warnings.push_back(fmt::format("launch {}: {}", i, warning));
+        for (const std::string& warning : one.warnings)
+            all.warnings.push_back(fmt::format("launch {}: {}", i, warning));
     }
     all.launches = static_cast<int>(results.size());
     return all;
@@ -107,7 +109,8 @@ Result launch_again(const std::vector<std::string>& arguments, int launch)
     }
     const int code = run(words);
     // A mismatch leaves a result, too; anything else does not.
-    if (code != exit_fine && code != exit_failure) throw Error(fmt::format("bench: launch {} ended with {}", launch, code));
+    if (code != exit_fine && code != exit_failure)
+        throw Error(fmt::format("bench: launch {} ended with {}", launch, code));
     std::error_code none;
     if (std::filesystem::file_size(file.path(), none) == 0) throw Error(fmt::format("bench: launch {} failed", launch));
     return read_result(file.path());

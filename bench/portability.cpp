@@ -25,7 +25,11 @@ struct Problem {
     Precision precision;
     Mode mode;
     int width, height;
-    auto operator<=>(const Problem&) const = default;
+    bool operator<(const Problem& other) const
+    {
+        return std::tie(fractal, precision, mode, width, height) <
+               std::tie(other.fractal, other.precision, other.mode, other.width, other.height);
+    }
 };
 
 struct Efficiencies {
@@ -197,17 +201,18 @@ nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities)
             cascade.push_back(
                 {{"platform", step.platform}, {"efficiency", step.efficiency}, {"portability", step.portability}});
         }
-        list.push_back({{"problem", p.problem},
-                        {"fractal", p.fractal},
-                        {"precision", name_of(p.precision)},
-                        {"mode", name_of(p.mode)},
-                        {"application", p.application},
-                        {"by_application_efficiency", p.application_portability},
-                        {"by_application_efficiency_interval", {p.application_interval.low, p.application_interval.high}},
-                        {"by_share_of_peak", p.architecture_portability},
-                        {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
-                        {"platforms", platforms},
-                        {"cascade", cascade}});
+        list.push_back(
+            {{"problem", p.problem},
+             {"fractal", p.fractal},
+             {"precision", name_of(p.precision)},
+             {"mode", name_of(p.mode)},
+             {"application", p.application},
+             {"by_application_efficiency", p.application_portability},
+             {"by_application_efficiency_interval", {p.application_interval.low, p.application_interval.high}},
+             {"by_share_of_peak", p.architecture_portability},
+             {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
+             {"platforms", platforms},
+             {"cascade", cascade}});
     }
     return list;
 }

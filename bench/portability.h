@@ -1,8 +1,8 @@
 // Performance portability: the metric of Pennycook, Sewall and Lee ("A Metric for Performance Portability", PMBS 2016;
 // "Implications of a metric for performance portability", Future Generation Computer Systems 92, 2019).
 //
-// An application here is a backend, a platform a device, a problem a fractal at a size, in one precision and mode. Of the
-// platforms of a set H with the efficiencies e_i of one application:
+// An application here is a backend, a platform a device, a problem a fractal at a size, in one precision and mode. Of
+// the platforms of a set H with the efficiencies e_i of one application:
 //   PP = |H| / sum of 1 / e_i   where every platform of H is supported, else 0.
 #pragma once
 
@@ -22,9 +22,9 @@ double performance_portability(std::span<const double> efficiencies);
 // The application on one platform. Efficiencies are 0 where it is unsupported or its picture is wrong.
 struct OnPlatform {
     std::string platform;
-    double seconds = 0;      // median kernel time
-    double application = 0;  // application efficiency: the best time of any backend on the platform / this time
-    double architecture = 0; // architectural efficiency: share of the measured multiply-add peak
+    double seconds = 0;       // median kernel time
+    double application = 0;   // application efficiency: the best time of any backend on the platform / this time
+    double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
 };
 
 // Platforms in the order of falling application efficiency, with the portability over the first 1, 2, ... of them
@@ -36,7 +36,7 @@ struct CascadeStep {
 };
 
 struct Portability {
-    std::string problem;      // "mandelbulb 540x540"
+    std::string problem;  // "mandelbulb 540x540"
     std::string fractal;
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;

@@ -67,7 +67,8 @@ int run(const Registry& registry, const CommandLine& line)
         return exit_fine;
     }
     Display display(line.quiet);
-    Outcome outcome = measure(registry, options, [&](const std::string& what, double share) { display.show(what, share); });
+    Outcome outcome =
+        measure(registry, options, [&](const std::string& what, double share) { display.show(what, share); });
     Result& result = outcome.result;
     if (options.launches > 1) {
         std::vector<Result> results{std::move(result)};
@@ -103,13 +104,14 @@ int run(const Registry& registry, const CommandLine& line)
 int peak(const Registry& registry, const CommandLine& line)
 {
     Display display(line.quiet);
-    const auto peaks =
-        measure_peaks(registry, line.options, [&](const std::string& what, double share) { display.show(what, share); });
+    const auto peaks = measure_peaks(registry, line.options,
+                                     [&](const std::string& what, double share) { display.show(what, share); });
     display.finish();
-    std::string text = fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9}\n", "platform", "backend", "dev", "number", "GFLOP/s");
+    std::string text =
+        fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9}\n", "platform", "backend", "dev", "number", "GFLOP/s");
     for (const Peak& p : peaks) {
-        text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device, name_of(p.precision),
-                            1e-9 * p.rate);
+        text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device,
+                            name_of(p.precision), 1e-9 * p.rate);
     }
     write_text("-", text);
     return exit_fine;
@@ -135,7 +137,8 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::peak: return peak(registry, line);
         case Command::portability: return portability_of(line);
         case Command::compare: {
-            const ComparedResults comparison = compare_results(read_result(line.files.at(0)), read_result(line.files.at(1)));
+            const ComparedResults comparison =
+                compare_results(read_result(line.files.at(0)), read_result(line.files.at(1)));
             write_text("-", to_console(comparison));
             return comparison.regression() ? exit_failure : exit_fine;
         }

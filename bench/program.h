@@ -5,7 +5,8 @@
 
 namespace mandelmarch::bench {
 
-// Runs the command line and returns the exit code; throws InputError, Unavailable and Error as run_program expects them.
+// Runs the command line and returns the exit code; throws InputError, Unavailable and Error as run_program expects
+// them.
 int bench_program(const Registry& registry, int argc, char** argv);
 
 }  // namespace mandelmarch::bench

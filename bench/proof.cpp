@@ -35,8 +35,8 @@ Source source_for(const Case& one)
 std::string yardstick_key(const Case& one)
 {
     const Scene& s = one.scene;
-    return fmt::format("{} {}x{} n{} D{} P{} at {} {} {} {}", s.fractal->name, s.width, s.height, s.iterations, s.detail,
-                       s.shape[2], s.eye.x, s.eye.y, s.eye.z, source_for(one).name);
+    return fmt::format("{} {}x{} n{} D{} P{} at {} {} {} {}", s.fractal->name, s.width, s.height, s.iterations,
+                       s.detail, s.shape[2], s.eye.x, s.eye.y, s.eye.z, source_for(one).name);
 }
 
 bool Yardsticks::is_yardstick(const Case& one)
@@ -80,9 +80,9 @@ void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick)
     proof.largest_ulps = found.largest_ulps;
     proof.psnr = found.comparison.psnr;
     if (!proof.fine) {
-        row.failure = fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} required",
-                                  found.comparison.differing, found.comparison.pixels, yardstick.name,
-                                  name_of(required));
+        row.failure =
+            fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} required", found.comparison.differing,
+                        found.comparison.pixels, yardstick.name, name_of(required));
         if (found.comparison.first >= 0) {
             row.failure += "; " + describe_pixel(yardstick.image, image, found.comparison.first);
         }

@@ -10,9 +10,9 @@ namespace mandelmarch::bench {
 
 // Draws the pictures that others are compared with, and keeps the last one of each kind.
 //   exact rows: openmp's scalar text (--pack 1), in the row's precision; the same bits are required.
-//   fast rows: reference's canonical picture in double, or openmp's scalar text where reference would take minutes (more
-//   than a million pixels) or does not draw the fractal; at most 2 % of the pixels may be visibly off.
-//   reference itself in exact mode: openmp's scalar text in double; at most 2 % of the pixels visibly off.
+//   fast rows: reference's canonical picture in double, or openmp's scalar text where reference would take minutes
+//   (more than a million pixels) or does not draw the fractal; at most 2 % of the pixels may be visibly off. reference
+//   itself in exact mode: openmp's scalar text in double; at most 2 % of the pixels visibly off.
 class Yardsticks {
 public:
     explicit Yardsticks(const Registry& registry) : registry_(registry) {}

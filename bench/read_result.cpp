@@ -18,7 +18,10 @@ double number_or_infinity(const Json& json)
     return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
-Precision precision_of(const Json& json) { return json.get<std::string>() == "float" ? Precision::f32 : Precision::f64; }
+Precision precision_of(const Json& json)
+{
+    return json.get<std::string>() == "float" ? Precision::f32 : Precision::f64;
+}
 
 Mode mode_of(const Json& json) { return json.get<std::string>() == "fast" ? Mode::fast : Mode::exact; }
 
@@ -123,8 +126,8 @@ Result from_json(const Json& json, const std::string& name)
     try {
         if (json.at("schema") != "mandelmarch-bench") throw InputError(name + ": no result of bench");
         if (const int version = json.at("version"); version != schema_version) {
-            throw InputError(fmt::format("{}: version {} of the result format, expected {}", name, version,
-                                         schema_version));
+            throw InputError(
+                fmt::format("{}: version {} of the result format, expected {}", name, version, schema_version));
         }
         Result result;
         result.study = json.at("study");

@@ -21,8 +21,8 @@ nlohmann::ordered_json to_json(const Result& result);
 Result from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result read_result(const std::string& path);
 
-// One line a row; the first columns are problem, application, platform and fom (pixels per second of kernel time, higher
-// is better; empty where there is none), as p3-analysis-library reads them.
+// One line a row; the first columns are problem, application, platform and fom (pixels per second of kernel time,
+// higher is better; empty where there is none), as p3-analysis-library reads them.
 std::string to_csv(const Result& result);
 
 // As Google Benchmark's own reporter prints the runs: "console", "json" or "csv". Throws InputError for another format.

@@ -47,11 +47,11 @@ std::string main_table(const Result& result, bool sweep)
         const std::string whole = sweep ? fmt::format("{}{:<15} {}", start, point, rest) : start + rest + end;
         return fmt::format("{}\n", clipped(whole, columns));
     };
-    std::string text = line(fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", "scene", "number", "mode", "backend", "dev"),
-                            "point",
-                            fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", "proof", "kernel", "95 % interval",
-                                        "wall ms", "Mpixel/s", "GFLOP/s"),
-                            fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
+    std::string text =
+        line(fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", "scene", "number", "mode", "backend", "dev"), "point",
+             fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", "proof", "kernel", "95 % interval", "wall ms",
+                         "Mpixel/s", "GFLOP/s"),
+             fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
     for (const Row& row : result.rows) {
         if (row.device_name.empty()) {
             text += line(fmt::format("{:<5} {:<6} {:<5} {:<9}   - ", "all", "all", "all", row.backend), "",
@@ -63,12 +63,12 @@ std::string main_table(const Result& result, bool sweep)
             text += line(head(row), row.point, fmt::format("FAILED: {}", why), "");
         } else {
             const Figures f = figures_of(result, row);
-            text += line(head(row), row.point,
-                         fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", row.proof.text,
-                                     digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
-                                     digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
-                                     of(f.operation_rate, 1e-9)),
-                         fmt::format(" {:>6} {:>8}", percent(f.share), of(f.speed_up, 1)));
+            text +=
+                line(head(row), row.point,
+                     fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
+                                 interval(f.kernel, 1e3), digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
+                                 of(f.operation_rate, 1e-9)),
+                     fmt::format(" {:>6} {:>8}", percent(f.share), of(f.speed_up, 1)));
         }
     }
     return text;
@@ -78,11 +78,12 @@ std::string main_table(const Result& result, bool sweep)
 std::string wide_table(const Result& result)
 {
     std::string text = fmt::format(
-        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>6} "
+        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} "
+        "{:>6} "
         "{:>8} {:>8} {:>4} {:>4} {}\n",
         "row", "proof", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
-        "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up", "thr",
-        "pack", "set");
+        "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up",
+        "thr", "pack", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
             text += fmt::format("{:<46} {}\n", row.name(),
@@ -96,10 +97,10 @@ std::string wide_table(const Result& result)
             "{:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
             row.name(), row.proof.text, row.samples.size(), digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
             digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
-            digits(1e3 * f.upload), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
-            digits(1e-6 * f.iteration_rate), row.operations > 0 ? digits(1e-9 * row.operations) : "-",
-            of(f.operation_rate, 1e-9), of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3), of(f.speed_up, 1),
-            row.threads, row.pack, row.instruction_set);
+            digits(1e3 * f.upload), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
+            digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
+            row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
+            percent(f.share), of(f.bound, 1e3), of(f.speed_up, 1), row.threads, row.pack, row.instruction_set);
     }
     return text;
 }
@@ -115,10 +116,11 @@ std::string devices(const Result& result)
     }
     for (const Peak& peak : result.peaks) {
         const Peak* best = peak_of(result, peak.platform, peak.precision);
-        text += clipped(fmt::format("peak, {}, {} {}: {} GFLOP/s of multiply-adds{}", name_of(peak.precision), peak.backend,
-                                    peak.device, digits(1e-9 * peak.rate), &peak == best ? ", the device's peak" : ""),
-                        columns) +
-                "\n";
+        text +=
+            clipped(fmt::format("peak, {}, {} {}: {} GFLOP/s of multiply-adds{}", name_of(peak.precision), peak.backend,
+                                peak.device, digits(1e-9 * peak.rate), &peak == best ? ", the device's peak" : ""),
+                    columns) +
+            "\n";
     }
     return text;
 }
@@ -126,15 +128,16 @@ std::string devices(const Result& result)
 std::string ratio_table(const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
 {
     if (ratios.empty()) return {};
-    std::string text = fmt::format("\n{}\n{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}\n", title,
-                                   fractal ? "scene" : "", fractal ? "" : "number", "mode", "backend", "dev", "ratio",
-                                   "95 % interval", "pairs");
+    std::string text =
+        fmt::format("\n{}\n{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}\n", title, fractal ? "scene" : "",
+                    fractal ? "" : "number", "mode", "backend", "dev", "ratio", "95 % interval", "pairs");
     for (const Ratio& ratio : ratios) {
         const Row& row = *ratio.denominator;
-        text += fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}{}{}\n", fractal ? nickname(row.fractal) : "",
-                            fractal ? "" : name_of(row.precision), name_of(row.mode), row.backend, row.device,
-                            ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
-                            ratio.summary.count, row.point.empty() ? "" : " ", row.point);
+        text +=
+            fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}{}{}\n", fractal ? nickname(row.fractal) : "",
+                        fractal ? "" : name_of(row.precision), name_of(row.mode), row.backend, row.device,
+                        ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
+                        ratio.summary.count, row.point.empty() ? "" : " ", row.point);
     }
     return text;
 }
@@ -169,10 +172,12 @@ std::string to_console(const Result& result, bool wide)
             "{} x {} pixels; kernel and wall: medians in ms; speed-up: wall time of reference, exact, over the row's\n",
             any->setting.width, any->setting.height);
     }
-    text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's", false);
+    text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's",
+                        false);
     text += ratio_table(double_to_float(result), "Double against float: kernel time of the one over the other's", true);
     text += study_tables(result);
-    for (const std::string& warning : result.warnings) text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), columns));
+    for (const std::string& warning : result.warnings)
+        text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), columns));
     if (!result.warnings.empty()) text += "\n";
     return text;
 }

@@ -30,7 +30,8 @@ std::string or_empty(const std::optional<double>& value) { return value ? fmt::f
 std::string to_csv(const Result& result)
 {
     std::string text =
-        "problem,application,platform,fom,name,fractal,precision,mode,backend,device,point,width,height,iterations_limit,"
+        "problem,application,platform,fom,name,fractal,precision,mode,backend,device,point,width,height,iterations_"
+        "limit,"
         "detail,threads,pack,frames,proof,proof_fine,differing_pixels,samples,kernel_s,kernel_low_s,kernel_high_s,"
         "kernel_mad_s,wall_s,context_s,build_s,upload_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
         "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,steps,de_calls,iterations,"

@@ -43,8 +43,8 @@ Run median_of(const std::vector<Run>& runs)
     // Of an aggregate's time the reporters take seconds; they multiply by the unit themselves.
     made.real_accumulated_time = middle([](const Run& run) { return run.real_accumulated_time; });
     made.cpu_accumulated_time = middle([](const Run& run) { return run.cpu_accumulated_time; });
-    for (auto& [name, counter] : made.counters) {
-        counter.value = middle([&](const Run& run) { return run.counters.at(name).value; });
+    for (auto& counter : made.counters) {
+        counter.second.value = middle([&](const Run& run) { return run.counters.at(counter.first).value; });
     }
     return made;
 }

@@ -20,19 +20,16 @@ Json or_null(const std::optional<Value>& value)
 
 Json of(const Summary& s)
 {
-    return {{"count", s.count},
-            {"median", s.median},
-            {"mad", s.mad},
-            {"least", s.least},
-            {"most", s.most},
-            {"interval", s.interval ? Json{s.interval->low, s.interval->high} : Json()}};
+    return {{"count", s.count}, {"median", s.median},
+            {"mad", s.mad},     {"least", s.least},
+            {"most", s.most},   {"interval", s.interval ? Json{s.interval->low, s.interval->high} : Json()}};
 }
 
 Json of(const Setting& s)
 {
-    return {{"width", s.width},   {"height", s.height}, {"iterations", s.iterations}, {"detail", s.detail},
-            {"power", s.power},   {"view", s.view},     {"threads", s.threads},       {"pack", s.pack},
-            {"chunk", s.chunk},   {"frames", s.frames}};
+    return {{"width", s.width}, {"height", s.height}, {"iterations", s.iterations}, {"detail", s.detail},
+            {"power", s.power}, {"view", s.view},     {"threads", s.threads},       {"pack", s.pack},
+            {"chunk", s.chunk}, {"frames", s.frames}};
 }
 
 Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.estimates}, {"iterations", w.iterations}}; }
@@ -148,12 +145,8 @@ Json of(const std::vector<Ratio>& ratios)
 
 Json to_json(const Result& result)
 {
-    Json json{{"schema", "mandelmarch-bench"},
-              {"version", schema_version},
-              {"study", result.study},
-              {"seed", result.seed},
-              {"launches", result.launches},
-              {"environment", result.environment},
+    Json json{{"schema", "mandelmarch-bench"}, {"version", schema_version},   {"study", result.study},
+              {"seed", result.seed},           {"launches", result.launches}, {"environment", result.environment},
               {"warnings", result.warnings}};
     json["peaks"] = Json::array();
     for (const Peak& p : result.peaks) {

@@ -21,13 +21,13 @@ struct Sample {
 
 // What was asked of a row beside fractal, precision, mode, backend and device.
 struct Setting {
-    int width = 0, height = 0;  // pixels
-    int iterations = 0;         // n
-    double detail = 0;          // D
-    double power = 0;           // third value of line 7
+    int width = 0, height = 0;             // pixels
+    int iterations = 0;                    // n
+    double detail = 0;                     // D
+    double power = 0;                      // third value of line 7
     int threads = 0, pack = 0, chunk = 0;  // as in RendererOptions; 0: the backend's choice
     std::string view = "official";         // which scene: its name
-    int frames = 0;             // pictures from a fresh renderer in one sample; 0: one, from a warm renderer
+    int frames = 0;                        // pictures from a fresh renderer in one sample; 0: one, from a warm renderer
 };
 
 // How the row's picture compares with the one that it should be.
@@ -48,8 +48,8 @@ struct Row {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     std::string backend;
-    int device = 0;         // index
-    std::string point;      // what a sweep varies, "threads=2"; empty in the standard study
+    int device = 0;     // index
+    std::string point;  // what a sweep varies, "threads=2"; empty in the standard study
     Setting setting;
 
     std::string unavailable;  // why there is no such row; empty if there is
@@ -64,7 +64,8 @@ struct Row {
     double operations = 0;          // of one picture, from the counted text; 0: not known
     std::vector<Sample> samples;
 
-    // "mandelbulb/double/exact/openmp/0", and "/threads=2" behind it in a sweep; "vulkan" for a backend without a device.
+    // "mandelbulb/double/exact/openmp/0", and "/threads=2" behind it in a sweep; "vulkan" for a backend without a
+    // device.
     std::string name() const;
     // There is a speed to show.
     bool timed() const { return unavailable.empty() && failure.empty() && proof.fine && !samples.empty(); }
@@ -97,6 +98,7 @@ struct StageTime {
     std::vector<double> seconds;  // one for each repetition
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see
 struct Result {
     std::string study;
     std::uint64_t seed = 0;

@@ -48,8 +48,8 @@ using Runs = std::map<std::string, std::vector<benchmark::BenchmarkReporter::Run
 // fails and loses its samples. `progress` is told the finished share, 0 to 1.
 Runs run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress);
 
-// Draws one sample: a picture, or setting.frames of them from a fresh renderer. Throws what the backend throws, and Error where
-// the picture is not the proven one.
+// Draws one sample: a picture, or setting.frames of them from a fresh renderer. Throws what the backend throws, and
+// Error where the picture is not the proven one.
 Sample draw_sample(Live& row, Image& image);
 
 }  // namespace mandelmarch::bench

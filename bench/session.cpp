@@ -48,7 +48,8 @@ void describe(Row& row, const RenderReport& report)
 Sample first_sample(const RenderReport& report, int launch)
 {
     const Timings& t = report.timings;
-    return {.launch = launch, .round = 0, .kernel = t.kernel, .wall = t.wall, .upload = t.upload, .readback = t.readback};
+    return {
+        .launch = launch, .round = 0, .kernel = t.kernel, .wall = t.wall, .upload = t.upload, .readback = t.readback};
 }
 
 // Draws the row's picture once and compares it. What comes back can be timed.

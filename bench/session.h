@@ -9,6 +9,7 @@
 
 namespace mandelmarch::bench {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): as in result.h
 struct Outcome {
     Result result;
     Runs runs;  // Google Benchmark's records

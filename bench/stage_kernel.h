@@ -11,8 +11,8 @@ namespace mandelmarch::bench {
 enum class TimedStage { begin, march, refine, normal, shade, output };
 inline constexpr int timed_stages = 6;
 
-// Runs one stage on the packs of the tile whose bottom left pixel is (left, bottom). `stored` keeps the packs between the
-// stages: `bytes` bytes, aligned to 64. The last stage fills the tile.
+// Runs one stage on the packs of the tile whose bottom left pixel is (left, bottom). `stored` keeps the packs between
+// the stages: `bytes` bytes, aligned to 64. The last stage fills the tile.
 template <class Real>
 struct StageKernel {
     const char* instruction_set;

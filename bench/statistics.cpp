@@ -99,8 +99,9 @@ Difference difference(std::span<const double> old_values, std::span<const double
         d.p = std::abs(shift) > within ? 0 : 1;
         return d;
     }
-    d.degrees = variance * variance / (a.variance_of_mean * a.variance_of_mean / a.degrees +
-                                       b.variance_of_mean * b.variance_of_mean / b.degrees);
+    d.degrees =
+        variance * variance /
+        (a.variance_of_mean * a.variance_of_mean / a.degrees + b.variance_of_mean * b.variance_of_mean / b.degrees);
     const boost::math::students_t distribution(d.degrees);
     const double error = std::sqrt(variance);
     const double reach = quantile(distribution, (1 + confidence) / 2) * error;

@@ -30,18 +30,18 @@ double median(std::vector<double> values);
 
 Summary summary(std::span<const double> values);
 
-// The interval of the median from order statistics: the k-th smallest to the k-th largest of n numbers, with the largest
-// k for which the interval covers the median with probability 0.95 whatever the distribution. nullopt where even the
-// smallest and largest do not (n < 6).
+// The interval of the median from order statistics: the k-th smallest to the k-th largest of n numbers, with the
+// largest k for which the interval covers the median with probability 0.95 whatever the distribution. nullopt where
+// even the smallest and largest do not (n < 6).
 std::optional<Interval> median_interval(std::span<const double> values);
 
 // Welch's test of two sets of logarithms (two numbers at least in each): how sure is it that they differ by more than a
 // margin?
 struct Difference {
-    double ratio = 1;        // of the geometric means, new / old
-    Interval interval;       // of the ratio, 95 %, this pair alone
-    double p = 1;            // of a ratio at least as far from 1, if the true one were within the margin
-    double degrees = 0;      // of freedom
+    double ratio = 1;    // of the geometric means, new / old
+    Interval interval;   // of the ratio, 95 %, this pair alone
+    double p = 1;        // of a ratio at least as far from 1, if the true one were within the margin
+    double degrees = 0;  // of freedom
 };
 
 // `margin`: a true ratio between 1 / (1 + margin) and 1 + margin is no difference. All values must be above 0.

@@ -16,11 +16,11 @@ namespace mandelmarch::bench {
 namespace {
 
 // What is worth a warning.
-constexpr double much_load = 0.3;       // running threads for each core, before the start
-constexpr double much_stolen = 0.01;    // share of the processors' time
-constexpr double much_other = 0.05;     // share of the processors' time that other processes used
-constexpr double much_drift = 0.05;     // of the clock
-constexpr double much_spread = 0.05;    // median absolute deviation, of the median
+constexpr double much_load = 0.3;     // running threads for each core, before the start
+constexpr double much_stolen = 0.01;  // share of the processors' time
+constexpr double much_other = 0.05;   // share of the processors' time that other processes used
+constexpr double much_drift = 0.05;   // of the clock
+constexpr double much_spread = 0.05;  // median absolute deviation, of the median
 
 std::string first_line(const std::string& path)
 {
@@ -86,7 +86,8 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     const nlohmann::ordered_json now = during();
     const double cores = std::max(1U, std::thread::hardware_concurrency());
     if (start_.load > much_load * cores) {
-        found.push_back(fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
+        found.push_back(
+            fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
     }
     if (const double others = now["others_share"]; others > much_other) {
         found.push_back(fmt::format("load: other processes took {:.0f} % of the processors meanwhile", 100 * others));
@@ -117,8 +118,9 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
         }
     }
     if (worst != nullptr) {
-        found.push_back(fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %",
-                                    spread, result.rows.size(), 100 * much_spread, worst->name(), 100 * most));
+        found.push_back(
+            fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %", spread,
+                        result.rows.size(), 100 * much_spread, worst->name(), 100 * most));
     }
     return found;
 }

@@ -23,11 +23,11 @@ public:
 
 private:
     struct Look {
-        double load = 0;       // average number of running threads over the last minute
-        double frequency = 0;  // of the fastest core, MHz; 0: unknown
-        double stolen = 0;     // seconds that a hypervisor took from the processors, since boot, all together
-        double processors = 0; // seconds of all processors since boot
-        double others = 0;     // seconds of them that other processes used
+        double load = 0;        // average number of running threads over the last minute
+        double frequency = 0;   // of the fastest core, MHz; 0: unknown
+        double stolen = 0;      // seconds that a hypervisor took from the processors, since boot, all together
+        double processors = 0;  // seconds of all processors since boot
+        double others = 0;      // seconds of them that other processes used
     };
     static Look look();
 

@@ -31,7 +31,8 @@ constexpr std::array<Study, 10> all_studies{{
     {"threads", "threads", "threads on the host (openmp)"},
     {"packs", "pack", "pixels at once on a core (openmp, opencl)"},
     {"profile", "", "where a picture's time goes: begin, march, refine, normal, shade, output"},
-    {"box-vs-bulb", "scene", "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
+    {"box-vs-bulb", "scene",
+     "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
 }};
 
 // A point of a sweep, applied to a case.
@@ -52,7 +53,8 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     };
     if (study == "resolution") {
         std::vector<Point> made;
-        for (const auto& [width, height] : {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {4096, 2160}}) {
+        for (const auto& [width, height] :
+             {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {4096, 2160}}) {
             made.push_back({fmt::format("size={}x{}", width, height), {.width = width, .height = height}});
         }
         return made;

@@ -39,7 +39,8 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options);
 // The official scene of a fractal at a size in pixels, as the repository's parameter file has it.
 Scene official_scene_of(std::string_view nickname, int width, int height);
 
-// Other views of the Mandelbulb and the Mandelbox, for the study box-vs-bulb: both fractals under the same name of scene.
+// Other views of the Mandelbulb and the Mandelbox, for the study box-vs-bulb: both fractals under the same name of
+// scene.
 struct View {
     std::string_view name;
     Scene scene;

@@ -30,8 +30,7 @@ double measured(const cl::Device& device, const Build& build)
     const PeakRun run = [&](int rounds) {
         kernel.setArg(3, rounds);
         const auto start = std::chrono::steady_clock::now();
-        queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items),
-                                   is_cpu ? cl::NDRange(1) : cl::NullRange);
+        queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), is_cpu ? cl::NDRange(1) : cl::NullRange);
         queue.finish();
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };

@@ -32,8 +32,8 @@ double measured(Gpu& gpu, Workbench& bench, Precision precision)
     const PeakRun run = [&](int rounds) {
         const auto start = Clock::now();
         for (int left = rounds; left > 0; left -= rounds_per_pass) {
-            bench.program->dispatch(gpu, {}, {std::min(left, rounds_per_pass)}, static_cast<std::uint32_t>(items / group),
-                                    1);
+            bench.program->dispatch(gpu, {}, {std::min(left, rounds_per_pass)},
+                                    static_cast<std::uint32_t>(items / group), 1);
             gpu.barrier();
         }
         gpu.finish("measuring the multiply-add peak");

@@ -82,7 +82,8 @@ bool compare_alarms(const Result& before, const Result& after) { return called(c
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
-        if (difference(launch_medians(before.rows[i]), launch_medians(after.rows[i]), margin).p < significance) return true;
+        if (difference(launch_medians(before.rows[i]), launch_medians(after.rows[i]), margin).p < significance)
+            return true;
     }
     return false;
 }

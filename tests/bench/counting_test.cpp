@@ -83,7 +83,9 @@ TEST(Counting, TheWorkIsThatOfABackend)
 TEST(Counting, StagesAndSampling)
 {
     const Scene scene = official_scene("box", 160, 120);
-    const auto of = [](const Count& count, Stage stage) { return count.stages.at(static_cast<std::size_t>(stage)).total(); };
+    const auto of = [](const Count& count, Stage stage) {
+        return count.stages.at(static_cast<std::size_t>(stage)).total();
+    };
     const Count exact = count_operations(scene, {.mode = Mode::exact});
     const Count fast = count_operations(scene, {.mode = Mode::fast});
     EXPECT_EQ(of(exact, Stage::refine), 0U);

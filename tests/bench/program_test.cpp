@@ -181,26 +181,27 @@ TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
 
 TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
 {
-    const Ran ran = run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
+    const Ran ran =
+        run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
     EXPECT_EQ(ran.code, exit_fine);
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
 TEST(BenchProgram, WrongArgumentsExitTwo)
 {
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"--backend", "nosuch"},
-             {"--fractal", "nosuch"},
-             {"--precision", "half"},
-             {"--size", "0x10"},
-             {"--size", "70000x10"},
-             {"--repetitions", "0"},
-             {"--study", "nosuch"},
-             {"--nosuch"},
-             {"--benchmark_min_time=1"},
-             {"--benchmark_filter=("},
-             {"--benchmark_filter=nosuch"},
-             {"compare", "one.json"}}) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--backend", "nosuch"},
+                                               {"--fractal", "nosuch"},
+                                               {"--precision", "half"},
+                                               {"--size", "0x10"},
+                                               {"--size", "70000x10"},
+                                               {"--repetitions", "0"},
+                                               {"--study", "nosuch"},
+                                               {"--nosuch"},
+                                               {"--benchmark_min_time=1"},
+                                               {"--benchmark_filter=("},
+                                               {"--benchmark_filter=nosuch"},
+                                               {"compare", "one.json"}}) {
         EXPECT_EQ(run(Defect::none, arguments).code, exit_usage) << arguments.front();
     }
 }
@@ -250,8 +251,8 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
 {
     std::vector<std::string> arguments = small("exact");
     arguments.resize(arguments.size() - 2);  // without --repetitions
-    arguments.insert(arguments.end(), {"--benchmark_filter=box/.*/openmp", "--benchmark_repetitions=3",
-                                       "--benchmark_format=json"});
+    arguments.insert(arguments.end(),
+                     {"--benchmark_filter=box/.*/openmp", "--benchmark_repetitions=3", "--benchmark_format=json"});
     const Ran ran = run(Defect::none, arguments);
     EXPECT_EQ(ran.code, exit_fine) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);

@@ -1,9 +1,10 @@
 // Prelude: the words of the kernel text as C++ on a number that counts what is done with it, one lane at a time. Define
-// MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for the object whose members `sums`, `products`, `quotients`
-// and `roots` count, and include it inside a namespace, before the text; undefine.h takes the words away again.
+// MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for the object whose members `sums`, `products`,
+// `quotients` and `roots` count, and include it inside a namespace, before the text; undefine.h takes the words away
+// again.
 //
-// One operation: a + b, a - b, a * b, quotient(a, b), root(a) of two numbers that differ from lane to lane, or one such and
-// a number of the scene. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to whole
+// One operation: a + b, a - b, a * b, quotient(a, b), root(a) of two numbers that differ from lane to lane, or one such
+// and a number of the scene. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to whole
 // numbers, exponents, whole numbers, and what is the same for all lanes. A multiply-add is two operations.
 
 #define FN inline
@@ -30,13 +31,13 @@ struct real {
     real(scalar v) : value(v) {}
 };
 
-#define MM_COUNTED(name, kind, expression)                         \
-    inline real name(real left, real right)                        \
-    {                                                              \
-        ++MM_OPERATIONS.kind;                                      \
-        const scalar a = left.value;                               \
-        const scalar b = right.value;                              \
-        return expression;                                         \
+#define MM_COUNTED(name, kind, expression)  \
+    inline real name(real left, real right) \
+    {                                       \
+        ++MM_OPERATIONS.kind;               \
+        const scalar a = left.value;        \
+        const scalar b = right.value;       \
+        return expression;                  \
     }
 MM_COUNTED(operator+, sums, a + b)
 MM_COUNTED(operator-, sums, a - b)
@@ -86,8 +87,5 @@ inline real exponent_of(real a)
 {
     return static_cast<double>((__builtin_bit_cast(unsigned long long, a.value) >> 52) & 0x7ff) - 1023.0;
 }
-inline real two_to(real n)
-{
-    return __builtin_bit_cast(double, (static_cast<long long>(n.value) + 1023) << 52);
-}
+inline real two_to(real n) { return __builtin_bit_cast(double, (static_cast<long long>(n.value) + 1023) << 52); }
 #endif
