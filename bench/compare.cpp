@@ -43,7 +43,7 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     const Setting& a = old_row.setting;
     const Setting& b = new_row.setting;
     if (!same_picture(a, b) || a.threads != b.threads || a.pack != b.pack || a.chunk != b.chunk ||
-        a.frames != b.frames) {
+        a.frames != b.frames || a.without != b.without) {
         c.why = fmt::format("other settings: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
         return c;
     }

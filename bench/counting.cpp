@@ -73,7 +73,7 @@ double share(std::uint64_t part, std::uint64_t whole)
 template <class KernelScene>
 Count counted(const Scene& scene, const CountOptions& options, CountPack count_pack)
 {
-    const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode);
+    const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode, options.techniques);
     const Packs packs(scene, options.lanes, options.most_pixels);
     const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
     std::vector<PackCount> sums(workers);

@@ -43,6 +43,7 @@ struct Count {
 struct CountOptions {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
+    Techniques techniques = {};
     int lanes = 16;                     // of the packs whose divergence is asked
     std::int64_t most_pixels = 40'000;  // of larger pictures a regular part is counted
 };

@@ -44,7 +44,9 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
         Operations of_normal;
         if (has_hit(scene, ray)) {
             ++to.hits;
-            const vec3 p = along(point_at(scene, ray, ray.last_t), ray.direction, -tolerance(scene, ray));
+            const real t = landing(scene, ray);
+            const real back = scene.canonical != 0 ? t * scene.tolerance : tolerance(scene, ray);
+            const vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
             counted(of_normal, [&] { return normal_at(scene, p, true); });
         }
         Operations of_shade;

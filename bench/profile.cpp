@@ -25,52 +25,89 @@ constexpr std::array<const char*, timed_stages + 1> stage_names{"begin", "march"
 
 using Seconds = std::array<double, timed_stages + 1>;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
-// One picture, tile by tile, so that the stored rays stay in the cache; the clock is read between the stages of a tile.
-template <class Real>
-Seconds draw_once(const StageKernel<Real>& kernel, const void* scene, void* stored, Image& image)
-{
-    Seconds seconds{};
-    Tile<Real> tile;
-    for (int bottom = 0; bottom < image.height(); bottom += tile_side) {
-        for (int left = 0; left < image.width(); left += tile_side) {
-            const auto store = [&] {
-                image.store(planes_of(tile), left, bottom, std::min(tile_side, image.width() - left),
-                            std::min(tile_side, image.height() - bottom));
-            };
-            for (int stage = 0; stage < timed_stages; ++stage) {
-                const auto start = Clock::now();
-                kernel.run(static_cast<TimedStage>(stage), scene, left, bottom, stored, tile);
-                if (static_cast<TimedStage>(stage) == TimedStage::output) store();
-                seconds.at(static_cast<std::size_t>(stage)) += seconds_since(start);
-            }
-            const auto start = Clock::now();
-            kernel.draw(scene, left, bottom, tile);
-            store();
-            seconds.back() += seconds_since(start);
-        }
+// Tiles of a picture, one after the other.
+struct TileList {
+    int columns, count;
+    int next = 0;
+
+    openmp::Tiles tiles()
+    {
+        next = 0;
+        return {[](void* source, int& left, int& bottom) {
+                    auto& list = *static_cast<TileList*>(source);
+                    if (list.next >= list.count) return false;
+                    left = list.next % list.columns * tile_side;
+                    bottom = list.next / list.columns * tile_side;
+                    ++list.next;
+                    return true;
+                },
+                this};
     }
-    return seconds;
-}
+};
+
+// A picture on its way, in one thread's memory.
+template <class Real>
+class Profiler {
+public:
+    Profiler(const StageKernel<Real>& kernel, const Scene& scene)
+        : kernel_(kernel),
+          image_(scene.width, scene.height, Image::Layers::bytes),
+          reals_(real_planes * image_.pixels()),
+          wholes_(whole_planes * image_.pixels()),
+          // aligned_alloc wants a multiple of the alignment.
+          memory_(std::aligned_alloc(64, (kernel.bytes + 63) / 64 * 64), &std::free),
+          tiles_{.columns = (scene.width + tile_side - 1) / tile_side, .count = 0}
+    {
+        if (memory_ == nullptr) throw std::bad_alloc();
+        tiles_.count = tiles_.columns * ((scene.height + tile_side - 1) / tile_side);
+    }
+
+    Seconds draw(const void* scene)
+    {
+        Seconds seconds{};
+        const openmp::Canvas<Real> canvas{0, image_.height(), static_cast<std::ptrdiff_t>(image_.pixels()),
+                                          reals_.data(), wholes_.data()};
+        kernel_.profile(scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
+        seconds.at(static_cast<std::size_t>(TimedStage::output)) += store();
+        const double start = now();
+        kernel_.draw(scene, canvas, tiles_.tiles(), memory_.get());
+        seconds.back() = now() - start + store();
+        return seconds;
+    }
+
+private:
+    double store()
+    {
+        const double start = now();
+        const auto width = static_cast<std::size_t>(image_.width());
+        image_.store(planes_of(reals_.data(), wholes_.data(), image_.pixels(), width), 0, 0, image_.width(),
+                     image_.height());
+        return now() - start;
+    }
+
+    StageKernel<Real> kernel_;
+    Image image_;
+    std::vector<Real> reals_;
+    std::vector<int> wholes_;
+    std::unique_ptr<void, decltype(&std::free)> memory_;
+    TileList tiles_;
+};
 
 template <class Real, class KernelScene>
 void add(std::vector<StageTime>& times, const Scene& scene, Precision precision, Mode mode, int repetitions)
 {
     const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
     const KernelScene data = kernel_scene<KernelScene>(scene, mode);
-    // The packs' alignment is 64 at most; aligned_alloc wants a multiple of it.
-    const std::unique_ptr<void, decltype(&std::free)> stored(std::aligned_alloc(64, (kernel.bytes + 63) / 64 * 64),
-                                                             &std::free);
-    if (stored == nullptr) throw std::bad_alloc();
-    Image image(scene.width, scene.height, Image::Layers::bytes);
-    draw_once(kernel, &data, stored.get(), image);  // warms up
+    Profiler<Real> profiler(kernel, scene);
+    profiler.draw(&data);  // warms up
     const std::size_t first = times.size();
     for (const char* name : stage_names) {
         times.push_back({std::string(scene.fractal->name), precision, mode, name, {}});
     }
     for (int i = 0; i < repetitions; ++i) {
-        const Seconds seconds = draw_once(kernel, &data, stored.get(), image);
+        const Seconds seconds = profiler.draw(&data);
         for (std::size_t stage = 0; stage < seconds.size(); ++stage) {
             times[first + stage].seconds.push_back(seconds.at(stage));
         }

@@ -34,6 +34,7 @@ Setting setting_of(const Json& json)
     s.detail = json.at("detail");
     s.power = json.at("power");
     s.view = json.at("view");
+    s.without = json.at("without");
     s.threads = json.at("threads");
     s.pack = json.at("pack");
     s.chunk = json.at("chunk");

@@ -97,7 +97,7 @@ std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules
 bool same_text(const Counted& counted, const Row& row)
 {
     return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
-           same_picture(counted.setting, row.setting);
+           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
 }
 
 // Counts each picture once, and gives every row that draws it its operations.
@@ -115,7 +115,9 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
                             .precision = row.precision,
                             .mode = row.mode,
                             .setting = row.setting,
-                            .count = count_operations(live.one->scene, {.precision = row.precision, .mode = row.mode})};
+                            .count = count_operations(live.one->scene, {.precision = row.precision,
+                                                                        .mode = row.mode,
+                                                                        .techniques = live.one->options.techniques})};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
         row.operations = found->count.per_iteration() * static_cast<double>(row.work.iterations);

@@ -21,7 +21,7 @@ namespace {
 constexpr int usual_side = 540;   // pixels
 constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
 
-constexpr std::array<Study, 10> all_studies{{
+constexpr std::array<Study, 11> all_studies{{
     {"standard", "", "every fractal, precision, mode, backend and device at one size"},
     {"resolution", "pixels", "pictures from 270 x 270 to 4096 x 2160"},
     {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
@@ -30,6 +30,7 @@ constexpr std::array<Study, 10> all_studies{{
     {"tiles", "chunk", "tiles that a thread takes at once (openmp)"},
     {"threads", "threads", "threads on the host (openmp)"},
     {"packs", "pack", "pixels at once on a core (openmp, opencl)"},
+    {"techniques", "without", "what makes a picture cheaper, switched off one by one and together"},
     {"profile", "", "where a picture's time goes: begin, march, refine, normal, shade, output"},
     {"box-vs-bulb", "scene",
      "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
@@ -73,6 +74,13 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     }
     if (study == "tiles") return points("chunk", &Setting::chunk, {1, 2, 4, 8, 16, 32, 64});
     if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 32, 64});
+    if (study == "techniques") {
+        std::vector<Point> made{{"without=none", {}}};
+        for (const char* names : {"hull", "relaxation", "hull,relaxation"}) {
+            made.push_back({fmt::format("without={}", names), {.without = names}});
+        }
+        return made;
+    }
     if (study == "threads") {
         std::vector<Point> made;
         const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -204,6 +212,8 @@ std::vector<Mode> modes_of(const Options& options)
 {
     const std::string& mode = options.mode;
     if (mode == "fast") return {Mode::fast};
+    // Relaxation is fast mode's.
+    if (mode.empty() && options.study == "techniques") return {Mode::fast};
     if (mode == "exact" || (mode.empty() && !study_named(options.study).varies.empty())) return {Mode::exact};
     return {Mode::exact, Mode::fast};
 }
@@ -257,7 +267,8 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
                                             .mode = mode,
                                             .threads = setting.threads,
                                             .pack = setting.pack,
-                                            .chunk = setting.chunk};
+                                            .chunk = setting.chunk,
+                                            .techniques = techniques_without(setting.without)};
                             made.backend = backend.get();
                             const Device& described = devices[static_cast<std::size_t>(device)];
                             made.row.precision = precision;

@@ -6,13 +6,14 @@ file(GLOB fractal_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/core/ke
 list(TRANSFORM fractal_files REPLACE "\\.h$" "" OUTPUT_VARIABLE MANDELMARCH_FRACTALS)
 
 # mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
-# to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode and file.
+# to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode, is_fast and file.
 function(mandelmarch_kernel_variants target)
     foreach(template ${ARGN})
         foreach(fractal ${MANDELMARCH_FRACTALS})
             foreach(precision float double)
                 foreach(mode exact fast)
                     string(COMPARE EQUAL ${precision} float is_float)
+                    string(COMPARE EQUAL ${mode} fast is_fast)
                     set(file ${CMAKE_CURRENT_BINARY_DIR}/${template}_${fractal}_${precision}_${mode}.cpp)
                     configure_file(${template}.cpp.in ${file} @ONLY)
                     target_sources(${target} PRIVATE ${file})

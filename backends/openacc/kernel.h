@@ -76,7 +76,8 @@ FN void march_pixel(const Job* job, int thread)
     Ray ray = begun(job, place);
     while (marching(scene_of(job), ray)) ray = march(scene_of(job), ray, 1);
     place = place_of(job, thread);
-    job->reals[place.at] = ray.t;
+    // The plain schedule asks for t, refinement for the estimate before the hit.
+    job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
     job->reals[place.at + 3 * place.pixels] = ray.before_t;
@@ -90,7 +91,8 @@ FN void shade_pixel(const Job* job, int thread)
     Place place = place_of(job, thread);
     if (!place.inside) return;
     Ray ray = begun(job, place);
-    ray.t = job->reals[place.at];
+    if (canonical != 0) ray.before_distance = job->reals[place.at];
+    if (canonical == 0) ray.t = job->reals[place.at];
     ray.last_t = job->reals[place.at + place.pixels];
     ray.last_distance = job->reals[place.at + 2 * place.pixels];
     ray.before_t = job->reals[place.at + 3 * place.pixels];

@@ -49,16 +49,17 @@ void timed(double& seconds, const Call& call)
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, Mode mode, std::int64_t pixels, Timings& timings)
-        : kernels_(openacc::kernels_of<Real>(scene.fractal->name, mode)),
+    BandExecutor(const Scene& scene, const RendererOptions& options, std::int64_t pixels, Timings& timings)
+        : kernels_(openacc::kernels_of<Real>(scene.fractal->name, options.mode)),
           timings_(timings),
           reals_on_device_(static_cast<std::size_t>(pixels) * real_planes * sizeof(Real)),
           wholes_on_device_(static_cast<std::size_t>(pixels) * whole_planes * sizeof(int)),
           job_on_device_(sizeof(job_))
     {
-        job_.scene = kernel_scene<KernelScene<Real>>(scene, mode);
+        job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (kernel.h).
-        if (job_.scene.canonical != (mode == Mode::fast) || job_.scene.differences != std::is_same_v<Real, double>) {
+        if (job_.scene.canonical != (options.mode == Mode::fast) ||
+            job_.scene.differences != std::is_same_v<Real, double>) {
             throw Unavailable("backend openacc: its kernels are not made for this scene's hit or normal");
         }
         job_.reals = static_cast<Real*>(reals_on_device_.address());
@@ -138,7 +139,7 @@ private:
         timed(report.timings.wall, [&] {
             openacc::use_device(device_, options_.device);
             const Limits limits = limits_for(scene, pixel_bytes<Real>);
-            BandExecutor<Real> executor(scene, options_.mode, limits.pixels_per_band, report.timings);
+            BandExecutor<Real> executor(scene, options_, limits.pixels_per_band, report.timings);
             run_schedule(scene, options_.mode, limits, executor, image, progress);
             report.work = executor.work();
         });

@@ -67,14 +67,14 @@ using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(Session& session, cl::Program& program, const Build& build, const Scene& scene, Mode mode,
-                 std::int64_t pixels)
+    BandExecutor(Session& session, cl::Program& program, const Build& build, const Scene& scene,
+                 const RendererOptions& options, std::int64_t pixels)
         : session_(session),
           kernel_(program, "draw_band"),
           lanes_(build.lanes),
           width_(scene.width),
           pixels_(static_cast<std::size_t>(pixels)),
-          scene_(kernel_scene<KernelScene<Real>>(scene, mode))
+          scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques))
     {
         const Clock::time_point start = Clock::now();
         const cl_mem_flags flags = CL_MEM_READ_WRITE | (session.is_cpu ? CL_MEM_ALLOC_HOST_PTR : 0);
@@ -215,7 +215,7 @@ private:
             std::clamp<std::int64_t>(std::min<std::int64_t>(most, usual_band) / scene.width, 1, scene.height);
         const std::int64_t pixels = rows * scene.width;
         // On the heap: a hung device keeps what it works on.
-        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_.mode, pixels);
+        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels);
         double build_seconds = 0;
         try {
             if (first) {

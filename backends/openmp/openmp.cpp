@@ -4,7 +4,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <new>
 #include <type_traits>
 
 #include "backends/openmp/peak.h"
@@ -19,6 +21,11 @@ namespace mandelmarch {
 namespace {
 
 using openmp::Variant;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t band_pixels = 1 << 21;  // 28 bytes a pixel in float, 44 in double
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
@@ -31,50 +38,120 @@ void add_to(Work& to, const Work& from)
 }
 #pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
 
-// Tiles are drawn straight into the image, so that there is nothing to read back.
-template <class Real>
-class TileExecutor : public Executor {
+// Memory of one thread, for the whole picture.
+struct ThreadMemory {
+    explicit ThreadMemory(std::size_t bytes) : at(bytes == 0 ? nullptr : ::operator new(bytes, alignment)) {}
+    ~ThreadMemory() { ::operator delete(at, alignment); }
+    ThreadMemory(const ThreadMemory&) = delete;
+    ThreadMemory& operator=(const ThreadMemory&) = delete;
+
+    static constexpr std::align_val_t alignment{64};
+    void* at;
+};
+
+// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
+class TileQueue {
 public:
-    TileExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image)
-        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode)),
+    TileQueue(int width, const Band& band, int chunk)
+        : columns_((width + tile_side - 1) / tile_side),
+          count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
+          first_row_(band.first_row),
+          chunk_(chunk)
+    {
+    }
+
+    // One thread's tiles of the queue.
+    struct Share {
+        TileQueue& queue;
+        int at = 0, end = 0;  // tiles taken and not yet handed out
+
+        openmp::Tiles tiles() { return {next, this}; }
+    };
+
+private:
+    static bool next(void* source, int& left, int& bottom)
+    {
+        auto& [queue, at, end] = *static_cast<Share*>(source);
+        if (at == end) {
+            at = queue.taken_.fetch_add(queue.chunk_, std::memory_order_relaxed);
+            end = at + queue.chunk_;
+        }
+        const int index = at++;
+        if (index >= queue.count_) {
+            at = end = queue.count_;
+            return false;
+        }
+        left = index % queue.columns_ * tile_side;
+        bottom = queue.first_row_ + index / queue.columns_ * tile_side;
+        return true;
+    }
+
+    int columns_;
+    int count_;
+    int first_row_;
+    int chunk_;
+    std::atomic<int> taken_ = 0;
+};
+
+// Draws bands through planes in memory.
+template <class Real>
+class BandExecutor : public Executor {
+public:
+    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant)
+        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
           threads_(options.threads),
-          chunk_(std::max(1, options.chunk)),
-          image_(image)
+          chunk_(std::max(1, options.chunk))
     {
     }
 
     void run(Entry, const Band& band, int) override
     {
-        const int columns = (scene_.width + tile_side - 1) / tile_side;
-        const int rows = (band.rows + tile_side - 1) / tile_side;
-        Work work;
-#pragma omp parallel for num_threads(threads_) schedule(dynamic, chunk_) reduction(sum : work)
-        for (int index = 0; index < columns * rows; ++index) {
-            const int left = index % columns * tile_side;
-            const int bottom = band.first_row + index / columns * tile_side;
-            const int width = std::min(tile_side, scene_.width - left);
-            const int height = std::min(tile_side, band.first_row + band.rows - bottom);
-            Tile<Real> tile;
-            variant_.draw(&scene_, left, bottom, tile);
-            image_.store(planes_of(tile), left, bottom, width, height);
-            add_work(work, planes_of(tile), width, height);
+        const Clock::time_point start = Clock::now();
+        const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
+        reals_.resize(std::max(reals_.size(), real_planes * pixels));
+        wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
+        const openmp::Canvas<Real> canvas{band.first_row, band.first_row + band.rows,
+                                          static_cast<std::ptrdiff_t>(pixels), reals_.data(), wholes_.data()};
+        TileQueue queue(scene_.width, band, chunk_);
+#pragma omp parallel num_threads(threads_)
+        {
+            const ThreadMemory memory(variant_.memory);
+            TileQueue::Share share{queue};
+            variant_.draw(&scene_, canvas, share.tiles(), memory.at);
         }
-        add_to(work_, work);
+        timings.kernel += seconds_since(start);
     }
 
     bool marching(const Band&) override { return false; }
-    void read_back(const Band&, Image&) override {}
 
-    const Work& work() const { return work_; }
+    void read_back(const Band& band, Image& image) override
+    {
+        const Clock::time_point start = Clock::now();
+        const auto width = static_cast<std::size_t>(scene_.width);
+        const std::size_t pixels = static_cast<std::size_t>(band.rows) * width;
+        Work band_work;
+#pragma omp parallel for num_threads(threads_) schedule(dynamic) reduction(sum : band_work)
+        for (int row = 0; row < band.rows; ++row) {
+            const std::size_t from = static_cast<std::size_t>(row) * width;
+            const auto planes = planes_of(reals_.data() + from, wholes_.data() + from, pixels, width);
+            image.store(planes, 0, band.first_row + row, scene_.width, 1);
+            add_work(band_work, planes, scene_.width, 1);
+        }
+        add_to(work, band_work);
+        timings.readback += seconds_since(start);
+    }
+
+    Timings timings;
+    Work work;
 
 private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     int threads_;
     int chunk_;
-    Image& image_;
-    Work work_;
+    std::vector<Real> reals_;
+    std::vector<int> wholes_;
 };
 
 Device host_device()
@@ -99,12 +176,12 @@ private:
     template <class Real>
     RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene);
-        TileExecutor<Real> executor(scene, options_, variant, image);
-        const auto begin = std::chrono::steady_clock::now();
-        run_schedule(scene, options_.mode, {.pixels_per_band = 1 << 22}, executor, image, progress);
-        const auto end = std::chrono::steady_clock::now();
+        BandExecutor<Real> executor(scene, options_, variant);
+        // Large bands: at the end of each the threads run out of rays to fill their lanes with.
+        run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
+                     image, progress);
         RenderReport report{.backend = "openmp",
                             .device = host_device(),
                             .precision = options_.precision,
@@ -112,10 +189,9 @@ private:
                             .threads = options_.threads,
                             .pack = variant.pack,
                             .instruction_set = variant.instruction_set,
-                            .timings = {},
-                            .work = executor.work()};
-        report.timings.kernel = std::chrono::duration<double>(end - begin).count();
-        report.timings.wall = std::chrono::duration<double>(end - start).count();
+                            .timings = executor.timings,
+                            .work = executor.work};
+        report.timings.wall = seconds_since(start);
         return report;
     }
 

@@ -7,13 +7,13 @@ namespace {
 
 #define MM_REGISTERS 2
 namespace registers_2 {
-#include "backends/openmp/pack_tile.h"
+#include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
 #if MANDELMARCH_ALL_PACKS
-#define MM_REGISTERS 4
-namespace registers_4 {
-#include "backends/openmp/pack_tile.h"
+#define MM_REGISTERS 1
+namespace registers_1 {
+#include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
 #endif
@@ -23,11 +23,11 @@ VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);
 #if MANDELMARCH_ALL_PACKS
-    return {{{name, registers_4::pack_lanes, registers_4::draw_tile},
-             {name, registers_2::pack_lanes, registers_2::draw_tile}},
+    return {{{name, registers_1::pack_lanes, registers_1::draw_tiles, sizeof(registers_1::Pools)},
+             {name, registers_2::pack_lanes, registers_2::draw_tiles, sizeof(registers_2::Pools)}},
             2};
 #else
-    return {{{name, registers_2::pack_lanes, registers_2::draw_tile}}, 1};
+    return {{{name, registers_2::pack_lanes, registers_2::draw_tiles, sizeof(registers_2::Pools)}}, 1};
 #endif
 }
 

@@ -2,20 +2,39 @@
 // is shared with translation units that are compiled for one instruction set.
 #pragma once
 
+#include <cstddef>
+
 #include "core/image/tile.h"
 
 namespace mandelmarch::openmp {
 
-// Draws the tile whose bottom left pixel is (left, bottom) of the picture. `scene` is the kernel text's Scene in
-// Real's layout. Of a tile that crosses the edge only the pixels inside are drawn.
+// Where finished pixels go: planes as core/image/image.h lays them out, for rows [first_row, end_row) of the picture.
 template <class Real>
-using DrawTile = void (*)(const void* scene, int left, int bottom, Tile<Real>& tile);
+struct Canvas {
+    int first_row;
+    int end_row;
+    std::ptrdiff_t pixels;  // of a plane
+    Real* reals;
+    int* wholes;
+};
+
+// Hands out tiles, each once, to whichever thread asks: (left, bottom) is a tile's first pixel in the picture.
+struct Tiles {
+    bool (*next)(void* source, int& left, int& bottom);
+    void* source;
+};
+
+// Draws tiles until there are no more. `scene` is the kernel text's Scene in Real's layout; `memory` belongs to the
+// thread.
+template <class Real>
+using DrawTiles = void (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
 
 template <class Real>
 struct Variant {
     const char* instruction_set;
     int pack;  // pixels at once
-    DrawTile<Real> draw;
+    DrawTiles<Real> draw;
+    std::size_t memory;  // bytes that each thread needs, aligned to 64
 };
 
 // Every variant of one fractal, precision and mode that this machine can run, the best last.

@@ -26,8 +26,8 @@ using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, Mode mode, skeleton::DrawBand<Real> draw, std::size_t pixels)
-        : scene_(kernel_scene<KernelScene<Real>>(scene, mode)),
+    BandExecutor(const Scene& scene, const RendererOptions& options, skeleton::DrawBand<Real> draw, std::size_t pixels)
+        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           draw_(draw),
           reals_(real_planes * pixels),
           wholes_(whole_planes * pixels),
@@ -91,7 +91,7 @@ private:
         constexpr int most_pixels = 1 << 20;
         const int rows = std::clamp(most_pixels / scene.width, 1, scene.height);
         const std::int64_t pixels = std::int64_t{rows} * scene.width;
-        BandExecutor<Real> executor(scene, options_.mode, kernel, static_cast<std::size_t>(pixels));
+        BandExecutor<Real> executor(scene, options_, kernel, static_cast<std::size_t>(pixels));
         run_schedule(scene, options_.mode, {.pixels_per_band = pixels}, executor, image, progress);
         RenderReport report;
         report.backend = "skeleton";

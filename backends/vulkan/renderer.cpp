@@ -79,7 +79,7 @@ private:
     {
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
-        const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode);
+        const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
         const Limits limits = limits_of(gpu.facts(), sizeof(Real));
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);

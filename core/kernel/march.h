@@ -1,4 +1,4 @@
-// Kernel text, part 5: a ray from the camera to its hit. begin -> march -> refine, the last two any number of times.
+// Kernel text, part 6: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
 
 // The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
 FN Ray begin(Scene scene, real i, real j)
@@ -7,36 +7,58 @@ FN Ray begin(Scene scene, real i, real j)
     real v = quotient(2 * j, scene.height) - 1;
     Ray ray;
     ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
+    ray.end = scene.end;
     ray.t = 0;
+    if (scene.hull > 0) {
+        Span span = hull(scene, wide(scene.eye), ray.direction);
+        // Rounding moves the far end by less than this.
+        ray.end = smaller(ray.end, span.last * R(1.0001));
+        ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
+        // The plain schedule's samples start at the eye.
+        if (scene.canonical != 0) ray.t = larger(span.first * R(0.9999), 0);
+    }
     ray.last_t = 0;
-    ray.last_distance = scene.end;  // larger than the tolerance at t = 0, so that the march begins
+    ray.last_distance = scene.end;  // larger than the tolerance of any first sample, so that the march begins
     ray.before_t = 0;
+    ray.before_distance = scene.end;
     ray.steps = 0;
     ray.estimates = 0;
     ray.iterations = 0;
     return ray;
 }
 
-FN real tolerance(Scene scene, Ray ray) { return ray.t * scene.tolerance; }
+// The estimate below which the last sample is a hit. The plain schedule takes the t after the step.
+FN real tolerance(Scene scene, Ray ray)
+{
+    real t = ray.t;
+    if (scene.canonical != 0) t = ray.last_t;
+    return t * scene.tolerance;
+}
 
 // True while the ray has neither hit nor left the scene.
 FN mask marching(Scene scene, Ray ray)
 {
-    return ray.last_distance > tolerance(scene, ray) && ray.t <= scene.end && ray.steps < scene.max_steps;
+    return ray.last_distance > tolerance(scene, ray) && ray.t <= ray.end && ray.steps < scene.max_steps;
 }
 
 FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(scene, ray); }
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
 
-// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on.
+// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on, with
+// over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is taken back
+// where the spheres of its two ends do not overlap.
 FN Ray advance(Scene scene, Ray ray, mask on)
 {
     Estimate here = estimate(scene, point_at(scene, ray, ray.t), on);
-    ray.before_t = pick(on, ray.last_t, ray.before_t);
-    ray.last_t = pick(on, ray.t, ray.last_t);
-    ray.last_distance = pick(on, here.distance, ray.last_distance);
-    ray.t = pick(on, ray.t + scene.stride * here.distance, ray.t);
+    real reach = ray.t - ray.last_t;
+    mask over = reach > ray.last_distance && here.distance + ray.last_distance < reach;
+    mask taken = on && !over;
+    ray.before_t = pick(taken, ray.last_t, ray.before_t);
+    ray.before_distance = pick(taken, ray.last_distance, ray.before_distance);
+    ray.last_t = pick(taken, ray.t, ray.last_t);
+    ray.last_distance = pick(taken, here.distance, ray.last_distance);
+    ray.t = pick(on, ray.last_t + pick(over, scene.stride, scene.relaxation) * ray.last_distance, ray.t);
     ray.steps = ray.steps + count(on);
     ray.estimates = ray.estimates + count(on);
     ray.iterations = ray.iterations + here.iterations;
@@ -56,33 +78,97 @@ FN Ray march(Scene scene, Ray ray, int steps)
     return ray;
 }
 
-// The canonical hit: the root of DE(t) = tolerance t between the last two samples, by bisection to a thousandth of the
-// tolerance, or until no number is left between the two. A ray whose first sample was a hit stays where it is.
-// At most `steps` halvings, after which it can go on in another pass.
-FN Ray refine_by(Scene scene, Ray ray, int steps)
+// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method
+// (Dowell and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined,
+// its samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; t is the last root
+// tried. Its `end` has become a note of how far refinement is; while marching, it is -1 or more.
+FN real none_tried() { return -2; }
+FN real tried_below() { return -3; }  // the last root tried lies below the surface, f < 0
+FN real tried_above() { return -4; }
+FN real no_root() { return -5; }  // there is no hit, or a first sample hit, or no number is left between the ends
+
+// Changes what has not begun yet.
+FN Ray refine_begin(Scene scene, Ray ray)
 {
-    real low = ray.before_t;  // DE > tolerance t
-    real high = ray.last_t;   // DE < tolerance t
-    mask on = has_hit(scene, ray) && ray.last_distance < scene.tolerance * high && high > low;
-    ray.t = pick(on, high, ray.t);
-    int i = 0;
-    while (i < steps && any(on)) {
-        real t = R(0.5) * (low + high);
-        on = on && t > low && t < high && high - low > R(0.001) * scene.tolerance * high;
-        Estimate here = estimate(scene, point_at(scene, ray, t), on);
-        mask inside = on && here.distance < scene.tolerance * t;
-        low = pick(on && !inside, t, low);
-        high = pick(inside, t, high);
-        ray.t = pick(inside, t, ray.t);
-        ray.last_t = pick(inside, t, ray.last_t);
-        ray.last_distance = pick(inside, here.distance, ray.last_distance);
-        ray.estimates = ray.estimates + count(on);
-        ray.iterations = ray.iterations + here.iterations;
-        i = i + 1;
-    }
-    ray.before_t = low;
+    mask fresh = ray.end >= -1;
+    mask hit = has_hit(scene, ray);
+    real below = pick(hit, ray.last_distance - scene.tolerance * ray.last_t, scene.end);
+    real above = ray.before_distance - scene.tolerance * ray.before_t;
+    ray.end = pick(fresh, pick(hit && ray.last_t > ray.before_t, none_tried(), no_root()), ray.end);
+    ray.last_distance = pick(fresh, below, ray.last_distance);
+    ray.before_distance = pick(fresh, above, ray.before_distance);
+    ray.t = pick(fresh, ray.last_t, ray.t);
     return ray;
 }
 
-// 60 halvings leave no number between the two.
-FN Ray refine(Scene scene, Ray ray) { return refine_by(scene, ray, 60); }
+// A root is good where f is a thousandth of the tolerance: one more secant then brings it closer still.
+FN mask refining(Scene scene, Ray ray)
+{
+    real narrow = R(0.001) * scene.tolerance * ray.last_t;
+    real f = pick(ray.end == tried_above(), ray.before_distance, ray.last_distance);
+    return ray.end > no_root() && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
+}
+
+FN real secant(Ray ray)
+{
+    real rise = ray.last_distance - ray.before_distance;
+    return ray.last_t - quotient(ray.last_distance * (ray.last_t - ray.before_t), rise);
+}
+
+FN mask in_bracket(Ray ray, real t) { return t > ray.before_t && t < ray.last_t; }
+
+FN Ray refine_step(Scene scene, Ray ray, mask on)
+{
+    real t = secant(ray);
+    t = pick(in_bracket(ray, t), t, R(0.5) * (ray.before_t + ray.last_t));
+    mask splits = in_bracket(ray, t);
+    ray.end = pick(on && !splits, no_root(), ray.end);
+    on = on && splits;
+    Estimate here = estimate(scene, point_at(scene, ray, t), on);
+    real f = here.distance - scene.tolerance * t;
+    mask below = on && f < 0;
+    mask above = on && !below;
+    // An end that stays a second time counts half.
+    mask twice_below = below && ray.end == tried_below();
+    mask twice_above = above && ray.end == tried_above();
+    ray.before_distance = pick(twice_below, R(0.5) * ray.before_distance, ray.before_distance);
+    ray.last_distance = pick(twice_above, R(0.5) * ray.last_distance, ray.last_distance);
+    ray.before_t = pick(above, t, ray.before_t);
+    ray.before_distance = pick(above, f, ray.before_distance);
+    ray.last_t = pick(below, t, ray.last_t);
+    ray.last_distance = pick(below, f, ray.last_distance);
+    ray.end = pick(on, pick(below, tried_below(), tried_above()), ray.end);
+    ray.t = pick(on, t, ray.t);
+    ray.estimates = ray.estimates + count(on);
+    ray.iterations = ray.iterations + here.iterations;
+    return ray;
+}
+
+// At most `steps` roots tried, after which it can go on in another pass.
+FN Ray refine_by(Scene scene, Ray ray, int steps)
+{
+    ray = refine_begin(scene, ray);
+    mask on = refining(scene, ray);
+    int i = 0;
+    while (i < steps && any(on)) {
+        ray = refine_step(scene, ray, on);
+        on = on && refining(scene, ray);
+        i = i + 1;
+    }
+    return ray;
+}
+
+// All of it: the method takes some five steps, and 100 are enough where f jumps.
+FN Ray refine(Scene scene, Ray ray) { return refine_by(scene, ray, 100); }
+
+// Where a ray that has hit meets the surface.
+FN real landing(Scene scene, Ray ray)
+{
+    real t = ray.last_t;
+    if (scene.canonical != 0) {
+        // One more secant's root, which costs no estimate.
+        real closer = secant(ray);
+        t = pick(ray.end > no_root() && in_bracket(ray, closer), closer, ray.t);
+    }
+    return t;
+}

@@ -9,8 +9,8 @@ struct Scene {
     int max_steps;       // samples on a ray
     int exponent;        // a whole power P, or 0 where P is no whole number (or the fractal has none)
     int colouring;       // 0 or 1, as in the parameter file
-    int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample
-    int differences;     // 1: the normal comes from central differences; 0: from the analytic gradient
+    int canonical;    // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the plain schedule
+    int differences;  // 1: the normal comes from central differences; 0: from the analytic gradient
 
     scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
     scalar stride;     // the share of the distance estimate that one step goes
@@ -18,9 +18,9 @@ struct Scene {
     scalar miss;       // depth of a pixel that hits nothing: +infinity
     scalar brightness;
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
-    scalar spare_0;          // these two bring the triples to a multiple of four reals
-    scalar spare_1;
-    scalar fractal[8];  // the fractal's own constants, named in its file
+    scalar hull;             // radius or half an edge of what holds the surface; 0: nothing is known
+    scalar relaxation;       // the share that a step of over-relaxation goes; not above stride: none
+    scalar fractal[8];       // the fractal's own constants, named in its file
 
     triple eye;      // camera
     triple forward;  // unit vector
@@ -30,14 +30,16 @@ struct Scene {
 
 // A ray on its way. It can be stored after any step and taken up again by another pass.
 struct Ray {
-    vec3 direction;      // unit vector
-    real t;              // where the next sample will be taken
-    real last_t;         // where the last sample was taken
-    real last_distance;  // the distance estimate there
-    real before_t;       // where the sample before the last one was taken
-    whole steps;         // samples taken while marching
-    whole estimates;     // calls of the distance estimator, those of refining and of the normal included
-    whole iterations;    // iterations in all those calls
+    vec3 direction;        // unit vector
+    real end;              // no sample lies beyond this t
+    real t;                // where the next sample will be taken
+    real last_t;           // where the last sample was taken
+    real last_distance;    // the distance estimate there
+    real before_t;         // where the sample before the last one was taken
+    real before_distance;  // the distance estimate there
+    whole steps;           // samples taken while marching
+    whole estimates;       // calls of the distance estimator, those of refining and of the normal included
+    whole iterations;      // iterations in all those calls
 };
 
 // A pixel, finished.

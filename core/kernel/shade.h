@@ -1,4 +1,4 @@
-// Kernel text, part 6: from a ray's hit to a pixel's colour.
+// Kernel text, part 7: from a ray's hit to a pixel's colour.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -72,22 +72,32 @@ FN vec3 lit(Scene scene, vec3 direction, vec3 n)
     return colour;
 }
 
-// A ray that has ended, to its pixel.
-FN Pixel shade(Scene scene, Ray ray)
+// The pixel of a ray that has ended and hit nothing.
+FN Pixel missed(Scene scene, Ray ray)
 {
-    mask hit = has_hit(scene, ray);
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
     pixel.depth = scene.miss;
     pixel.steps = ray.steps;
     pixel.estimates = ray.estimates;
     pixel.iterations = ray.iterations;
+    return pixel;
+}
+
+// A ray that has ended, to its pixel.
+FN Pixel shade(Scene scene, Ray ray)
+{
+    mask hit = has_hit(scene, ray);
+    Pixel pixel = missed(scene, ray);
     if (any(hit)) {
         // The normal is taken one tolerance before the hit.
-        vec3 p = along(point_at(scene, ray, ray.last_t), ray.direction, -tolerance(scene, ray));
+        real t = landing(scene, ray);
+        real back = scene.tolerance * t;
+        if (scene.canonical == 0) back = tolerance(scene, ray);
+        vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
         Normal normal = normal_at(scene, p, hit);
         pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
-        pixel.depth = pick(hit, ray.last_t, pixel.depth);
+        pixel.depth = pick(hit, t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
         pixel.iterations = pixel.iterations + normal.iterations;
     }

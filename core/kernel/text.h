@@ -3,6 +3,7 @@
 #include "core/kernel/scene.h"
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
+#include "core/kernel/hull.h"
 #include MM_FRACTAL_FILE
 #include "core/kernel/march.h"
 #include "core/kernel/shade.h"

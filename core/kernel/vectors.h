@@ -22,9 +22,15 @@ FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on
 // A triple of the scene, for every lane.
 FN vec3 wide(triple a) { return vec3(a.x, a.y, a.z); }
 
+// b where one of them is not a number. A prelude may have them as one instruction.
+#ifndef MM_HAS_LARGER
 FN real larger(real a, real b) { return pick(a > b, a, b); }
 
 FN real smaller(real a, real b) { return pick(a < b, a, b); }
+#endif
+
+// x cut to [low, high]
+FN real cut(real x, real low, real high) { return smaller(larger(x, low), high); }
 
 struct Complex {
     real re;

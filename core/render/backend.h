@@ -27,6 +27,16 @@ struct Device {
     bool is_gpu = false;
 };
 
+// What makes a picture cheaper, each to be switched off by its name, so that its worth can be measured. None changes a
+// bit of an exact picture.
+struct Techniques {
+    bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
+    bool relaxation = true;  // fast: steps longer than the estimate
+};
+
+// All but those named, `hull,relaxation`, say. Throws InputError with the known names.
+Techniques techniques_without(std::string_view names);
+
 // How a renderer is made.
 struct RendererOptions {
     int device = 0;  // index into Backend::devices()
@@ -35,6 +45,7 @@ struct RendererOptions {
     int threads = 0;  // 0: all that there are; for backends that run on the host's cores
     int pack = 0;     // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;    // tiles that a host thread takes at once; 0: the backend's choice; for openmp
+    Techniques techniques = {};
 };
 
 // Seconds, each part apart; `wall` is the whole render() call.

@@ -6,12 +6,14 @@
 #include <type_traits>
 
 #include "core/scene/fractal.h"
+#include "core/scene/hull.h"
 
 namespace mandelmarch {
 namespace {
 
 // Constants of the original program.
 constexpr double stride = 0.95;                            // of the distance estimate
+constexpr double relaxation = 1.4;                         // of the distance estimate, in fast mode
 constexpr double end = 1000;                               // largest t of a sample
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
 constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
@@ -50,7 +52,7 @@ Camera camera_of(const Scene& scene)
 }
 
 template <class KernelScene>
-KernelScene kernel_scene(const Scene& scene, Mode mode)
+KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
 {
     using Real = decltype(KernelScene::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
@@ -70,6 +72,8 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
     k.stride = real(stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
+    k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
+    k.relaxation = real(mode == Mode::fast && techniques.relaxation ? relaxation : stride);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
@@ -80,7 +84,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode)
     return k;
 }
 
-template layout_f64::Scene kernel_scene(const Scene&, Mode);
-template layout_f32::Scene kernel_scene(const Scene&, Mode);
+template layout_f64::Scene kernel_scene(const Scene&, Mode, const Techniques&);
+template layout_f32::Scene kernel_scene(const Scene&, Mode, const Techniques&);
 
 }  // namespace mandelmarch

@@ -32,7 +32,7 @@ inline constexpr int max_steps = 8000;  // samples on a ray, as in the original 
 // exact: the plain schedule's hit. fast: the canonical hit.
 // The normal comes from central differences in double and from the analytic gradient in float.
 template <class KernelScene>
-KernelScene kernel_scene(const Scene& scene, Mode mode);
+KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
 // The camera's axes: forward is the unit vector of the view; across and upward lead from the picture's middle to its
 // right and top edges at distance 1.

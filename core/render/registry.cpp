@@ -31,6 +31,24 @@ std::string_view name_of(Precision precision) { return precision == Precision::f
 
 std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }
 
+Techniques techniques_without(std::string_view names)
+{
+    Techniques techniques;
+    while (!names.empty()) {
+        const std::size_t comma = std::min(names.find(','), names.size());
+        const std::string_view name = names.substr(0, comma);
+        if (name == "hull") {
+            techniques.hull = false;
+        } else if (name == "relaxation") {
+            techniques.relaxation = false;
+        } else {
+            throw InputError(fmt::format("no technique is called '{}', expected hull or relaxation", name));
+        }
+        names.remove_prefix(std::min(comma + 1, names.size()));
+    }
+    return techniques;
+}
+
 const Backend* Registry::find(std::string_view name) const
 {
     const auto found = std::ranges::find(backends_, name, [](const auto& backend) { return backend->name(); });

@@ -11,10 +11,10 @@ namespace {
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
 
-// The estimates of a pass that shades (central differences), and the halvings of a hit that is refined to its end: as
+// The estimates of a pass that shades (central differences), and the steps of a hit that is refined to its end: as
 // in the kernel text.
 constexpr std::int64_t shade_estimates = 6;
-constexpr std::int64_t refine_steps = 60;
+constexpr std::int64_t refine_steps = 100;
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/scene/hull.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
@@ -54,19 +55,22 @@ constexpr std::array table{
             {ignored, {"bailout", 0, huge, true}, {"power", 0, 1000, true}},
             ignored,
             no_objection,
-            bulb_constants},
+            bulb_constants,
+            bulb_hull},
     Fractal{"mandelbox",
             "box",
             {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
             {"escape time", 0, 1e15, true},
             box_objection,
-            box_constants},
+            box_constants,
+            box_hull},
     Fractal{"julia",
             "julia",
             {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
             {"c's k part", -4, 4},
             no_objection,
-            julia_constants},
+            julia_constants,
+            julia_hull},
 };
 
 }  // namespace

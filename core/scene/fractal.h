@@ -24,6 +24,12 @@ struct FractalConstants {
     int exponent = 0;  // see Scene::exponent in core/kernel/scene.h
 };
 
+// What core/scene/hull.cpp needs to know of a picture.
+struct View {
+    double slope;     // the least DE / t that no surface has: DE > slope t means no hit
+    double distance;  // of the eye from the origin
+};
+
 struct Fractal {
     std::string_view name;      // the kernel file's stem, too
     std::string_view nickname;  // short form on command lines
@@ -33,6 +39,9 @@ struct Fractal {
     std::string_view (*objection)(const Scene& scene);
     // `largest` is the largest finite power of ten of the number type, as a double.
     FractalConstants (*constants)(const Scene& scene, double largest);
+    // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
+    // that is not proven.
+    double (*hull)(const Scene& scene, const View& view);
 };
 
 std::span<const Fractal> fractals();

@@ -1,4 +1,4 @@
-// Kernel text, part 4: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
+// Kernel text, part 5: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
 // 3-D", SIGGRAPH 1982), cut at k = 0, with the distance estimate DE = 0.5 ln(r) r / dr, dr -> 2 r dr of Hart, Sandin
 // and Kauffman ("Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
 
@@ -40,6 +40,9 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
     return quaternion(z.a * z.a - vector_inner(z, z) + scene.fractal[0], twice * z.i + scene.fractal[1],
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
+
+// Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
+FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {

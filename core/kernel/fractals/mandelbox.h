@@ -1,4 +1,4 @@
-// Kernel text, part 4: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
+// Kernel text, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
 // Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1.
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
 
@@ -11,16 +11,25 @@ FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }        // escape
 FN scalar box_offset(Scene scene) { return scene.fractal[6]; }         // |s - 1|
 FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }      // |s|^(1 - n)
 
-FN real folded(real c) { return pick(c > 1, 2 - c, pick(c < -1, -2 - c, c)); }
+// c > 1: 2 - c; c < -1: -2 - c; else c.
+FN real folded(real c)
+{
+    real edge = cut(c, -1, 1);
+    return edge + edge - c;
+}
 
 FN vec3 box_fold(vec3 z) { return vec3(folded(z.x), folded(z.y), folded(z.z)); }
 
 // The factor of the sphere fold at squared radius r2.
 FN real sphere_fold(Scene scene, real r2)
 {
-    real shell = quotient(box_fixed_radius2(scene), r2);
+    // Zero or not a number only where the shell is not picked.
+    real shell = quick_quotient(box_fixed_radius2(scene), r2);
     return pick(r2 < box_inner_radius2(scene), box_inner_factor(scene), pick(r2 < box_fixed_radius2(scene), shell, 1));
 }
+
+// Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
+FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {

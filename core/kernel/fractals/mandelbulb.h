@@ -1,4 +1,4 @@
-// Kernel text, part 4: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
+// Kernel text, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
 // the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
@@ -19,10 +19,10 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
     real rho2 = z.x * z.x + z.y * z.y;
     mask off_axis = rho2 > BY_PRECISION(1.0e-290, 1.0e-30);
     BulbPower power;
-    power.rho = pick(off_axis, root(rho2), R(0.0));
+    power.rho = pick(off_axis, quick_root(pick(off_axis, rho2, R(1.0))), R(0.0));
     if (scene.exponent > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
-        real inverse = quotient(R(1.0), pick(off_axis, power.rho, R(1.0)));
+        real inverse = quick_quotient(R(1.0), pick(off_axis, power.rho, R(1.0)));
         Complex direction =
             complex_number(pick(off_axis, z.x * inverse, R(1.0)), pick(off_axis, z.y * inverse, R(0.0)));
         power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
@@ -46,6 +46,9 @@ FN vec3 bulb_point(BulbPower power)
 }
 
 FN vec3 plus(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+// Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
+FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {

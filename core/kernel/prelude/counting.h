@@ -43,6 +43,7 @@ MM_COUNTED(operator+, sums, a + b)
 MM_COUNTED(operator-, sums, a - b)
 MM_COUNTED(operator*, products, a* b)
 MM_COUNTED(quotient, quotients, a / b)
+MM_COUNTED(quick_quotient, quotients, a / b)
 #undef MM_COUNTED
 
 inline real operator-(real a) { return -a.value; }
@@ -89,3 +90,5 @@ inline real exponent_of(real a)
 }
 inline real two_to(real n) { return __builtin_bit_cast(double, (static_cast<long long>(n.value) + 1023) << 52); }
 #endif
+
+inline real quick_root(real a) { return root(a); }

@@ -33,6 +33,10 @@ real quotient(real a, real b) { return a / b; }
 real root(real a) { return sqrt(a); }
 #endif
 
+real quick_quotient(real a, real b) { return quotient(a, b); }
+
+real quick_root(real a) { return root(a); }
+
 real magnitude(real a) { return abs(a); }
 
 // The nearest whole number, ties to even.

@@ -105,6 +105,10 @@ FN real quotient(real a, real b) { return a / b; }
 FN real root(real a) { return sqrt(a); }
 #endif
 
+FN real quick_quotient(real a, real b) { return quotient(a, b); }
+
+FN real quick_root(real a) { return root(a); }
+
 FN real magnitude(real a) { return fabs(a); }
 
 // The nearest whole number, ties to even.

@@ -99,6 +99,24 @@ FN real pick(const mask& on, const real& a, const real& b)
     return c;
 }
 
+#if HWY_ARCH_X86
+// These instructions return their second operand where one is not a number, as the text asks.
+#define MM_HAS_LARGER
+FN real larger(const real& a, const real& b)
+{
+    real c;
+    EACH_REGISTER c.of[u] = hn::Max(a.of[u], b.of[u]);
+    return c;
+}
+
+FN real smaller(const real& a, const real& b)
+{
+    real c;
+    EACH_REGISTER c.of[u] = hn::Min(a.of[u], b.of[u]);
+    return c;
+}
+#endif
+
 // 1 where the lane is on, else 0.
 FN whole count(const mask& on)
 {
@@ -112,6 +130,50 @@ FN real root(real a)
     EACH_REGISTER a.of[u] = hn::Sqrt(a.of[u]);
     return a;
 }
+
+#if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
+// From the hardware's 12 or 14 bits by Newton's steps: a third of the time that division and root take.
+FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
+{
+    const auto two = hn::Set(Reals(), MM_REAL(2));
+#if MM_REAL_IS_FLOAT
+    const auto y = hn::ApproximateReciprocal(b);
+#else
+    const auto first = hn::Vec<Reals>{_mm512_rcp14_pd(b.raw)};
+    const auto y = hn::Mul(first, hn::NegMulAdd(b, first, two));
+#endif
+    return hn::Mul(y, hn::NegMulAdd(b, y, two));
+}
+
+FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a)
+{
+    const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
+    const auto three_halves = hn::Set(Reals(), MM_REAL(1.5));
+#if MM_REAL_IS_FLOAT
+    const auto y = hn::ApproximateReciprocalSqrt(a);
+#else
+    const auto first = hn::Vec<Reals>{_mm512_rsqrt14_pd(a.raw)};
+    const auto y = hn::Mul(first, hn::NegMulAdd(hn::Mul(half, first), first, three_halves));
+#endif
+    return hn::Mul(y, hn::NegMulAdd(hn::Mul(half, y), y, three_halves));
+}
+
+FN real quick_quotient(real a, const real& b)
+{
+    EACH_REGISTER a.of[u] = hn::Mul(a.of[u], reciprocal(b.of[u]));
+    return a;
+}
+
+FN real quick_root(real a)
+{
+    EACH_REGISTER a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u]));
+    return a;
+}
+#else
+FN real quick_quotient(const real& a, const real& b) { return quotient(a, b); }
+
+FN real quick_root(const real& a) { return root(a); }
+#endif
 
 FN real magnitude(real a)
 {

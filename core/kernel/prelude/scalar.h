@@ -41,6 +41,8 @@ FN vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
 
 FN real quotient(real a, real b) { return a / b; }
 
+FN real quick_quotient(real a, real b) { return a / b; }
+
 #if MM_REAL_IS_FLOAT
 FN real root(real a) { return __builtin_sqrtf(a); }
 
@@ -66,3 +68,5 @@ FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned long long
 // 2^n of a whole number n in [-1022, 1023].
 FN real two_to(real n) { return __builtin_bit_cast(real, ((long long)(n) + 1023) << 52); }
 #endif
+
+FN real quick_root(real a) { return root(a); }

@@ -7,4 +7,5 @@
 #undef count
 #undef R
 #undef BY_PRECISION
+#undef MM_HAS_LARGER
 #undef MM_NEAREST

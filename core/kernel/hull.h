@@ -1,0 +1,44 @@
+// Kernel text, part 4: hulls. The surface of a fractal lies inside a sphere or a cube around the origin.
+
+// Where a ray is inside: from t = first to t = last; last < first where it never is.
+struct Span {
+    real first;
+    real last;
+};
+
+FN Span sphere_span(scalar radius, vec3 origin, vec3 direction)
+{
+    real middle = -inner(origin, direction);
+    vec3 nearest_point = along(origin, direction, middle);
+    real rest = radius * radius - inner(nearest_point, nearest_point);
+    real half_length = root(larger(rest, 0));
+    Span span;
+    span.first = pick(rest > 0, middle - half_length, R(1.0));
+    span.last = pick(rest > 0, middle + half_length, R(-1.0));
+    return span;
+}
+
+// The share of a ray between two planes at -size and size.
+FN Span slab_span(scalar size, real origin, real direction)
+{
+    // A ray along the planes is given a slope that no picture shows.
+    real slope = pick(magnitude(direction) > R(1.0e-12), direction, R(1.0e-12));
+    real a = quotient(-size - origin, slope);
+    real b = quotient(size - origin, slope);
+    Span span;
+    span.first = smaller(a, b);
+    span.last = larger(a, b);
+    return span;
+}
+
+// size: half an edge
+FN Span cube_span(scalar size, vec3 origin, vec3 direction)
+{
+    Span x = slab_span(size, origin.x, direction.x);
+    Span y = slab_span(size, origin.y, direction.y);
+    Span z = slab_span(size, origin.z, direction.z);
+    Span span;
+    span.first = larger(larger(x.first, y.first), z.first);
+    span.last = smaller(smaller(x.last, y.last), z.last);
+    return span;
+}

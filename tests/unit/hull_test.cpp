@@ -1,0 +1,136 @@
+// Hulls change no bit of an exact picture, whatever the scene, and save work. docs/hulls.md has the proofs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "backends/all.h"
+#include "core/render/agreement.h"
+#include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
+#include "core/scene/hull.h"
+#include "tests/scenes.h"
+
+// The text once more, to draw with hulls that are too small.
+#define MM_REAL double
+#define MM_REAL_IS_FLOAT 0
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
+namespace box {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace box
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
+namespace bulb {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace bulb
+
+namespace mandelmarch {
+namespace {
+
+double size_of(const Scene& scene) { return hull_size(scene, std::pow(10.0, scene.detail)); }
+
+TEST(Hull, ChangesNoBitOfRandomScenes)
+{
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    std::vector<NamedScene> scenes = random_scenes(40, 4711);
+    for (NamedScene& scene : odd_scenes()) scenes.push_back(std::move(scene));
+    int with_hull = 0;
+    for (const auto& [name, scene] : scenes) {
+        with_hull += size_of(scene) > 0;
+        for (const Precision precision : {Precision::f64, Precision::f32}) {
+            RendererOptions options{.precision = precision};
+            const Image with = render(openmp, scene, options);
+            options.techniques.hull = false;
+            const Image without = render(openmp, scene, options);
+            const Comparison c = compare(without, with);
+            EXPECT_TRUE(c.same()) << name << ", hull " << size_of(scene) << ", " << name_of(precision) << ": "
+                                  << describe_pixel(without, with, std::max<std::int64_t>(0, c.first));
+        }
+    }
+    EXPECT_GT(with_hull, 100);
+}
+
+// The twin: pixels that a hull of this share of its size changes.
+template <class KernelScene, class Draw>
+int changed(const Scene& scene, double share, Draw draw)
+{
+    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
+    KernelScene k;
+    static_assert(sizeof(k) == sizeof(from));
+    std::memcpy(&k, &from, sizeof(k));
+    KernelScene smaller = k;
+    smaller.hull *= share;
+    int count = 0;
+    for (int j = 0; j < k.height; ++j) {
+        for (int i = 0; i < k.width; ++i) count += draw(k, i, j) != draw(smaller, i, j);
+    }
+    return count;
+}
+
+TEST(Hull, OneThatIsTooSmallChangesThem)
+{
+    const auto box_depth = [](const box::Scene& k, int i, int j) { return box::draw(k, i, j).depth; };
+    const auto bulb_depth = [](const bulb::Scene& k, int i, int j) { return bulb::draw(k, i, j).depth; };
+    const Scene box_scene = official_scene("box", 100, 100);
+    const Scene bulb_scene = official_scene("bulb", 100, 100);
+    EXPECT_EQ(changed<box::Scene>(box_scene, 1, box_depth), 0);
+    EXPECT_GT(changed<box::Scene>(box_scene, 0.9, box_depth), 0);
+    EXPECT_EQ(changed<bulb::Scene>(bulb_scene, 1, bulb_depth), 0);
+    EXPECT_GT(changed<bulb::Scene>(bulb_scene, 0.9, bulb_depth), 0);
+}
+
+TEST(Hull, IsLittleLargerThanTheSet)
+{
+    const double box = size_of(official_scene("box", 10, 10));  // the set: 2 (s + 1) / (s - 1) = 6
+    EXPECT_GT(box, 6);
+    EXPECT_LT(box, 6.02);
+    const double bulb = size_of(official_scene("bulb", 10, 10));  // the set: at most 2^(1/7) = 1.104
+    EXPECT_GT(bulb, 1.104);
+    EXPECT_LT(bulb, 1.11);
+}
+
+TEST(Hull, IsAbsentWhereNothingIsProven)
+{
+    Scene scene = official_scene("box", 10, 10);
+    scene.shape[0] = 0.9;
+    EXPECT_EQ(size_of(scene), 0);
+    scene.shape[0] = -1;
+    EXPECT_EQ(size_of(scene), 0);
+    scene.shape = {2, 1.5, 1};
+    EXPECT_EQ(size_of(scene), 0);
+    scene = official_scene("box", 10, 10);
+    scene.detail = -0.5;
+    EXPECT_EQ(size_of(scene), 0);
+    scene = official_scene("bulb", 10, 10);
+    scene.shape[2] = 1;
+    EXPECT_EQ(size_of(scene), 0);
+    scene.shape[2] = 8;
+    scene.iterations = 1;
+    EXPECT_EQ(size_of(scene), 0);
+}
+
+// The bounds themselves, at points outside: DE in double against what the hull says of it.
+TEST(Hull, NoPointOutsideIsASurface)
+{
+    const Scene scene = official_scene("box", 10, 10);
+    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
+    box::Scene k;
+    std::memcpy(&k, &from, sizeof(k));
+    const double size = size_of(scene);
+    for (int i = 0; i < 100'000; ++i) {
+        // A face of the cube, whole.
+        const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
+        const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
+        const box::vec3 p{size, u * size, v * size};
+        const double t = std::sqrt(3.0) * size + 19;  // at most, from this camera
+        EXPECT_GT(box::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch
