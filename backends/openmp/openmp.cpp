@@ -12,6 +12,7 @@
 #include <new>
 #include <type_traits>
 
+#include "backends/openmp/peak.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -51,24 +52,38 @@ struct ThreadMemory {
     void* at;
 };
 
-// The tiles of a band, handed out in rows from the bottom left.
+// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
 class TileQueue {
 public:
-    TileQueue(int width, const Band& band)
+    TileQueue(int width, const Band& band, int chunk)
         : columns_((width + tile_side - 1) / tile_side),
           count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
-          first_row_(band.first_row)
+          first_row_(band.first_row),
+          chunk_(chunk)
     {
     }
 
-    openmp::Tiles tiles() { return {next, this}; }
+    // One thread's tiles of the queue.
+    struct Share {
+        TileQueue& queue;
+        int at = 0, end = 0;  // tiles taken and not yet handed out
+
+        openmp::Tiles tiles() { return {next, this}; }
+    };
 
 private:
     static bool next(void* source, int& left, int& bottom)
     {
-        auto& queue = *static_cast<TileQueue*>(source);
-        const int index = queue.taken_.fetch_add(1, std::memory_order_relaxed);
-        if (index >= queue.count_) return false;
+        auto& [queue, at, end] = *static_cast<Share*>(source);
+        if (at == end) {
+            at = queue.taken_.fetch_add(queue.chunk_, std::memory_order_relaxed);
+            end = at + queue.chunk_;
+        }
+        const int index = at++;
+        if (index >= queue.count_) {
+            at = end = queue.count_;
+            return false;
+        }
         left = index % queue.columns_ * tile_side;
         bottom = queue.first_row_ + index / queue.columns_ * tile_side;
         return true;
@@ -77,6 +92,7 @@ private:
     int columns_;
     int count_;
     int first_row_;
+    int chunk_;
     std::atomic<int> taken_ = 0;
 };
 
@@ -102,7 +118,8 @@ public:
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
           threads_(options.threads),
-          cones_(options.mode == Mode::fast && options.techniques.cones)
+          cones_(options.mode == Mode::fast && options.techniques.cones),
+          chunk_(std::max(1, options.chunk))
     {
     }
 
@@ -118,11 +135,12 @@ public:
                                           cones_ ? pitch_of(scene_) : 0,
                                           reals_.data(),
                                           wholes_.data()};
-        TileQueue queue(scene_.width, band);
+        TileQueue queue(scene_.width, band, chunk_);
 #pragma omp parallel num_threads(threads_)
         {
             const ThreadMemory memory(variant_.memory);
-            variant_.draw(&scene_, canvas, queue.tiles(), memory.at);
+            TileQueue::Share share{queue};
+            variant_.draw(&scene_, canvas, share.tiles(), memory.at);
         }
         timings.kernel += seconds_since(start);
     }
@@ -154,6 +172,7 @@ private:
     const Variant<Real>& variant_;
     int threads_;
     bool cones_;
+    int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
 };
@@ -248,6 +267,10 @@ public:
             throw Unavailable(fmt::format("backend openmp: there is no device {}, only device 0", options.device));
         }
         return std::make_unique<OpenmpRenderer>(options);
+    }
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return openmp::multiply_add_peak(options.precision, options.threads);
     }
 };
 
