@@ -3,11 +3,11 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview kill-test install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
-	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench bin/
+	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/flythrough bin/
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
 mandelbulb mandelbox: setup
@@ -23,6 +23,30 @@ LAUNCHES ?= 3
 bench: build
 	@mkdir -p report/results
 	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
+
+flythrough: setup
+	@tools/build $(PRESET) flythrough
+	@mkdir -p bin && cp $(BUILD)/bin/flythrough bin/
+
+# The film: a title, then four minutes. An interrupted run goes on where it stopped. AUTHORS is the title's second line.
+FRACTAL ?= bulb
+SEED ?= 1
+FRAMES ?= 7200
+SIZE ?= 1920x1080
+TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
+AUTHORS ?= made with mandelmarch
+video: flythrough
+	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) \
+	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json --output video.mp4
+
+# A first look: ten seconds, small.
+video-preview: flythrough
+	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
+	    --authors "$(AUTHORS)" --output video-preview.mp4
+
+# A film killed at twenty random moments is the same film.
+kill-test: flythrough
+	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 # Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
 test: build python
@@ -51,7 +75,7 @@ install: build
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean:
-	rm -rf build bin mandelbulb mandelbox
+	rm -rf build bin mandelbulb mandelbox video*.mp4.parts
 
 setup:
 	@tools/setup

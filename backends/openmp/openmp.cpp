@@ -1,11 +1,14 @@
 #include "backends/openmp/openmp.h"
 
 #include <fmt/format.h>
+#include <hwy/targets.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 
@@ -93,6 +96,20 @@ private:
     std::atomic<int> taken_ = 0;
 };
 
+// How far apart at distance 1 the rays of two diagonal neighbours are, at most: 0 where cones would not pay. A cone
+// ends some of its widths before the surface; where a pixel is many tolerances wide, that is at once.
+template <class KernelScene>
+auto pitch_of(const KernelScene& scene) -> decltype(scene.tolerance)
+{
+    const auto spacing = [](const auto& axis, int pixels) {
+        return 2 * std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z) /
+               static_cast<decltype(axis.x + 0)>(pixels);
+    };
+    constexpr int most_tolerances = 8;
+    const auto pitch = std::hypot(spacing(scene.across, scene.width), spacing(scene.upward, scene.height));
+    return pitch < most_tolerances * scene.tolerance ? pitch : 0;
+}
+
 // Draws bands through planes in memory.
 template <class Real>
 class BandExecutor : public Executor {
@@ -101,6 +118,7 @@ public:
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
           threads_(options.threads),
+          cones_(options.mode == Mode::fast && options.techniques.cones),
           chunk_(std::max(1, options.chunk))
     {
     }
@@ -111,8 +129,12 @@ public:
         const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
         reals_.resize(std::max(reals_.size(), real_planes * pixels));
         wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
-        const openmp::Canvas<Real> canvas{band.first_row, band.first_row + band.rows,
-                                          static_cast<std::ptrdiff_t>(pixels), reals_.data(), wholes_.data()};
+        const openmp::Canvas<Real> canvas{band.first_row,
+                                          band.first_row + band.rows,
+                                          static_cast<std::ptrdiff_t>(pixels),
+                                          cones_ ? pitch_of(scene_) : 0,
+                                          reals_.data(),
+                                          wholes_.data()};
         TileQueue queue(scene_.width, band, chunk_);
 #pragma omp parallel num_threads(threads_)
         {
@@ -149,6 +171,7 @@ private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     int threads_;
+    bool cones_;
     int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
@@ -159,10 +182,31 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
+// MANDELMARCH_INSTRUCTIONS in the environment takes a smaller instruction set than the machine's best: SSE4, AVX2 or
+// AVX3 (AVX-512), as Highway calls them.
+void choose_instructions()
+{
+    const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
+    hwy::SetSupportedTargetsForTest(0);  // what the machine has
+    if (wanted == nullptr) return;
+    std::string known;
+    for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+        const std::int64_t target = rest & -rest;
+        if (std::string_view(hwy::TargetName(target)) == wanted) {
+            hwy::SetSupportedTargetsForTest(target);
+            return;
+        }
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", hwy::TargetName(target));
+    }
+    throw InputError(
+        fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
+}
+
 class OpenmpRenderer : public Renderer {
 public:
     explicit OpenmpRenderer(const RendererOptions& options) : options_(options)
     {
+        choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
     }
 

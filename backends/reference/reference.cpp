@@ -165,6 +165,10 @@ public:
 
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
+        if (scene.colouring > 1) {
+            throw Unavailable(
+                fmt::format("backend reference: it draws the colouring types 0 and 1, not {}", scene.colouring));
+        }
         if (scene.fractal->name == "mandelbox") return draw<reference::Mandelbox>(scene, image, progress);
         if (scene.fractal->name == "mandelbulb") return draw<reference::Mandelbulb>(scene, image, progress);
         throw Unavailable(fmt::format("backend reference: it does not draw the {}", scene.fractal->name));

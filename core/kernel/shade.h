@@ -77,6 +77,7 @@ FN Pixel missed(Scene scene, Ray ray)
 {
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
+    if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, ray.direction));
     pixel.depth = scene.miss;
     pixel.steps = ray.steps;
     pixel.estimates = ray.estimates;
@@ -96,7 +97,14 @@ FN Pixel shade(Scene scene, Ray ray)
         if (scene.canonical == 0) back = tolerance(scene, ray);
         vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
         Normal normal = normal_at(scene, p, hit);
-        pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+        if (scene.colouring > 1) {
+            Look seen = look(scene, ray.direction, p, normal.direction, t, hit);
+            pixel.colour = pick3(hit, seen.colour, pixel.colour);
+            pixel.estimates = pixel.estimates + seen.estimates;
+            pixel.iterations = pixel.iterations + seen.iterations;
+        } else {
+            pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+        }
         pixel.depth = pick(hit, t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
         pixel.iterations = pixel.iterations + normal.iterations;

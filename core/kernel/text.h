@@ -6,4 +6,5 @@
 #include "core/kernel/hull.h"
 #include MM_FRACTAL_FILE
 #include "core/kernel/march.h"
+#include "core/kernel/looks.h"
 #include "core/kernel/shade.h"

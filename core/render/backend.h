@@ -32,9 +32,10 @@ struct Device {
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
     bool relaxation = true;  // fast: steps longer than the estimate
+    bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
 };
 
-// All but those named, `hull,relaxation`, say. Throws InputError with the known names.
+// All but those named, `hull,cones`, say. Throws InputError with the known names.
 Techniques techniques_without(std::string_view names);
 
 // How a renderer is made.

@@ -14,7 +14,7 @@ struct Fractal;
 inline constexpr int max_side = 65535;         // pixels
 inline constexpr int max_iterations = 10'000;  // of the distance estimator
 inline constexpr double max_field_of_view = 180.0 / 65.0;
-inline constexpr int colouring_types = 2;  // 0 and 1
+inline constexpr int colouring_types = 5;  // 0 and 1: the original's; from 2: core/kernel/looks.h
 
 struct Scene {
     const Fractal* fractal = nullptr;

@@ -121,3 +121,26 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     real ln_r = natural_log(r);
     return vec3(julia_slope(z, r, ln_r, x), julia_slope(z, r, ln_r, y), julia_slope(z, r, ln_r, w));
 }
+
+// The share of light that haze takes on a way of length t: half at about the fractal's size.
+FN real haze(real t) { return quotient(t, t + R(2.0)); }
+
+// Where the orbit of p passes nearest to a = 0, to j = 0 and to the middle, for colours. A few iterations, so that
+// colours are smooth at the scale of a picture.
+FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
+{
+    Quaternion z = quaternion(p.x, p.y, p.z, 0);
+    real r2 = julia_r2(z);
+    vec3 trap = vec3(1, 1, 1);
+    on = on && r2 <= julia_escape2(scene);
+    int i = 0;
+    while (i < scene.max_iterations && i < 10 && any(on)) {
+        z = quaternion_pick(on, julia_next(scene, z), z);
+        r2 = pick(on, julia_r2(z), r2);
+        on = on && r2 <= julia_escape2(scene);
+        vec3 near = vec3(smaller(trap.x, magnitude(z.a)), smaller(trap.y, magnitude(z.j)), smaller(trap.z, r2));
+        trap = pick3(on, near, trap);
+        i = i + 1;
+    }
+    return trap;
+}

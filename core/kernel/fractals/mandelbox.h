@@ -122,3 +122,25 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     return vec3(box_slope(scene, z, length, k, x), box_slope(scene, z, length, k, y),
                 box_slope(scene, z, length, k, w));
 }
+
+// The share of light that haze takes on a way of length t: half at about the fractal's size.
+FN real haze(real t) { return quotient(t, t + R(8.0)); }
+
+// Where the folded orbit of p passes nearest to the plane x = 0, to the diagonal plane x = y and to the middle, for
+// colours. A few iterations, so that colours are smooth at the scale of a picture.
+FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
+{
+    vec3 z = p;
+    vec3 trap = vec3(1, 1, 1);
+    int i = 0;
+    while (i < scene.max_iterations && i < 8 && any(on)) {
+        vec3 f = box_fold(z);
+        real r2 = inner(f, f);
+        vec3 near = vec3(smaller(trap.x, magnitude(f.x)), smaller(trap.y, magnitude(f.x - f.y)), smaller(trap.z, r2));
+        trap = pick3(on, near, trap);
+        z = pick3(on, along(p, times(sphere_fold(scene, r2), f), box_scale(scene)), z);
+        on = on && r2 < box_escape2(scene);
+        i = i + 1;
+    }
+    return trap;
+}

@@ -167,3 +167,27 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     real ln_r = natural_log(r);
     return vec3(bulb_slope(r, dr, ln_r, x), bulb_slope(r, dr, ln_r, y), bulb_slope(r, dr, ln_r, w));
 }
+
+// The share of light that haze takes on a way of length t: half at about the fractal's size.
+FN real haze(real t) { return quotient(t, t + R(1.6)); }
+
+// Where the orbit of p passes nearest to x = 0, to z = 0 and to the middle, for colours: |x|, |z|, r^2. A few
+// iterations, so that colours are smooth at the scale of a picture.
+FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
+{
+    vec3 z = p;
+    real r = norm(z);
+    vec3 trap = vec3(1, 1, 1);
+    on = on && r <= bulb_bailout(scene);
+    int i = 0;
+    while (i < scene.max_iterations && i < 6 && any(on)) {
+        BulbPower power = bulb_raised(scene, z, r);
+        z = pick3(on, plus(bulb_point(power), p), z);
+        r = pick(on, norm(z), r);
+        on = on && r <= bulb_bailout(scene);
+        vec3 near = vec3(smaller(trap.x, magnitude(z.x)), smaller(trap.y, magnitude(z.z)), smaller(trap.z, r * r));
+        trap = pick3(on, near, trap);
+        i = i + 1;
+    }
+    return trap;
+}

@@ -1,0 +1,50 @@
+// The command line of flythrough.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+// The look that a film has unless --look chooses another.
+inline constexpr int film_look = 3;
+
+enum class Command { plan, render, film, audit };
+
+struct Flythrough {
+    Command command = Command::film;
+    std::string path;        // a path file: read by render and audit, written by film
+    std::string parameters;  // a parameter file whose fractal is flown through
+    std::string fractal = "mandelbulb";
+    std::uint64_t seed = 1;
+    int frames = 7200;
+    int width = 1920, height = 1080, samples = 2;
+    std::string backend = "auto";
+    RendererOptions renderer;
+    bool device_given = false;
+    int threads = 0;
+    std::optional<int> look;
+    std::string output, json, stills, title, authors;
+    bool jpeg = false;
+    std::size_t every = 1;
+    std::optional<std::pair<std::size_t, std::size_t>> segments;
+    bool force = false;
+
+    // The frames [first, last) that --segments means, or all.
+    std::pair<std::size_t, std::size_t> frames_asked(std::size_t all) const;
+};
+
+// `done`: the exit code where there is nothing to do but that (help). Throws InputError.
+Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done);
+
+// Threads for one of `local` processes on this machine: those that it may run on, shared out where it may run on all.
+int threads_for(int local);
+
+// Throws Error, in one line, before anything is drawn, where films cannot be made on this machine.
+void check_film_tools();
+
+}  // namespace mandelmarch

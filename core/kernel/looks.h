@@ -1,0 +1,121 @@
+// Kernel text, part 6: our own looks, the colouring types from 2 up. Colours are light (linear) until the last step.
+//   2 limestone  one warm stone, open to a cool sky
+//   3 coral      the orbit trap's colours under the same light
+//   4 lagoon     dark water, a lamp on the camera
+// All have ambient occlusion and a soft key light, both from a few distances along a line (Evans, "Fast approximations
+// for global illumination on dynamic scenes", SIGGRAPH 2006 course), and haze.
+
+FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
+
+// a for s = 0, b for s = 1
+FN vec3 blend(vec3 a, vec3 b, real s) { return along(times(1 - s, a), b, s); }
+
+FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
+
+struct Openness {
+    real share;  // 0: closed in, 1: open
+    whole iterations;
+};
+
+// How open it is from p along n: the estimate at five distances, from 0.4 to 9 % of the way t from the camera, each
+// beside the distance gone. An estimate is a bound, often a third of the truth: half the distance counts as open.
+FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
+{
+    Openness result;
+    result.share = 0;
+    result.iterations = 0;
+    real h = t * R(0.004);
+    int i = 0;
+    while (i < 5) {
+        Estimate there = estimate(scene, along(p, n, h), on);
+        result.share = result.share + R(0.2) * saturated(quotient(2 * there.distance, h));
+        result.iterations = result.iterations + there.iterations;
+        h = h * R(2.2);
+        i = i + 1;
+    }
+    return result;
+}
+
+// Stone: light for half of it comes from where the orbit passed, cut to [0, 1] for each of three traps.
+FN vec3 albedo(Scene scene, vec3 trap)
+{
+    vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
+    if (scene.colouring == 3) {
+        colour = blend(vec3(R(0.90), R(0.24), R(0.10)), vec3(R(0.03), R(0.38), R(0.46)), saturated(R(2.5) * trap.x));
+        colour = blend(colour, vec3(R(0.95), R(0.70), R(0.30)), saturated(R(0.9) - 3 * trap.y));
+        colour = blend(colour, vec3(R(0.16), R(0.04), R(0.22)), R(0.7) * saturated(trap.z));
+    }
+    if (scene.colouring == 4) {
+        colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), saturated(trap.x));
+        colour = blend(colour, vec3(R(0.10), R(0.12), R(0.45)), saturated(trap.z));
+    }
+    return colour;
+}
+
+// What a ray meets that hits nothing, and what the haze looks like in its direction.
+FN vec3 sky(Scene scene, vec3 direction)
+{
+    real height = R(0.5) + R(0.5) * direction.y;
+    vec3 colour = blend(vec3(R(0.62), R(0.66), R(0.70)), vec3(R(0.16), R(0.30), R(0.52)), height);
+    if (scene.colouring == 3) {
+        colour = blend(vec3(R(0.60), R(0.50), R(0.42)), vec3(R(0.10), R(0.20), R(0.34)), height);
+    }
+    if (scene.colouring == 4) {
+        colour = blend(vec3(R(0.01), R(0.05), R(0.09)), vec3(R(0.02), R(0.10), R(0.16)), height);
+    }
+    return colour;
+}
+
+// Light to what is displayed: brightness, a shoulder that keeps highlights, gamma 2.
+FN real displayed(Scene scene, real light)
+{
+    real x = R(1.2) * scene.brightness * light;
+    return root(saturated(quotient(x * (1 + R(0.1) * x), 1 + R(0.45) * x)));
+}
+
+struct Look {
+    vec3 colour;
+    whole estimates;
+    whole iterations;
+};
+
+FN vec3 displayed3(Scene scene, vec3 light)
+{
+    return vec3(displayed(scene, light.x), displayed(scene, light.y), displayed(scene, light.z));
+}
+
+// The light from a hit at p with unit normal n, t from the camera.
+FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on)
+{
+    vec3 sun = vec3(R(0.48), R(0.64), R(0.6));
+    Openness around = openness(scene, p, n, t, on);
+    Openness sunwards = openness(scene, p, sun, 2 * t, on);
+    vec3 stone = albedo(scene, orbit_trap(scene, p, on));
+    real facing = saturated(-inner(n, direction));
+    real key = saturated(R(0.15) + R(0.85) * inner(n, sun)) * sunwards.share * sunwards.share;
+    real shelter = around.share * (R(0.35) + R(0.65) * around.share);
+    vec3 light = times(shelter * (R(0.6) + R(0.4) * n.y), vec3(R(0.42), R(0.52), R(0.66)));
+    light = along(light, vec3(R(1.15), R(0.98), R(0.72)), key);
+    light = along(light, vec3(R(0.40), R(0.36), R(0.30)), shelter * facing);
+    real hazed = haze(t);
+    if (scene.colouring == 4) {
+        // A lamp at the camera: its light falls off, and the rims stay dark.
+        real fall = quotient(1 - hazed, 1 + 5 * hazed);
+        light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(2.6), R(2.4), R(1.9)));
+        light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
+        hazed = hazed * R(1.2);
+    }
+    Look result;
+    vec3 lit_stone = scaled(stone, light);
+    // A glint where the normal halves the angle between sun and eye.
+    real glint = saturated(inner(n, unit(minus(sun, direction))));
+    glint = glint * glint;
+    glint = glint * glint;
+    glint = glint * glint * glint * key;
+    lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
+    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
+    result.estimates = count(on) + count(on) + count(on) + count(on) + count(on);
+    result.estimates = result.estimates + result.estimates + count(on);
+    result.iterations = around.iterations + sunwards.iterations;
+    return result;
+}

@@ -1,0 +1,145 @@
+#include "flight/audit/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flight/field/threads.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double least_hits = 0.15;
+constexpr double one_depth = 1.25;   // ratio of the depths that bound 95 % of the picture
+constexpr double near_wall = 2;      // clearances
+constexpr double filling = 0.9;      // share of the picture
+constexpr double far = 12;           // hull sizes: rays end there
+constexpr double coarse = 0.008;     // of t: a ray that comes so near has hit
+
+Camera camera_at(const Frame& frame)
+{
+    Scene scene;
+    scene.eye = frame.eye;
+    scene.target = frame.target;
+    scene.up = frame.up;
+    scene.field_of_view = frame.field_of_view;
+    scene.width = 16;
+    scene.height = 9;
+    return camera_of(scene);
+}
+
+}  // namespace
+
+Vector direction_of(const Camera& camera, int pixel)
+{
+    const double u = (2 * (pixel % view_width) + 1.0) / view_width - 1;
+    const double v = (2 * (pixel / view_width) + 1.0) / view_height - 1;
+    return unit(camera.forward + u * camera.across + v * camera.upward);
+}
+
+double View::hit_share() const
+{
+    const auto hits = std::ranges::count_if(depth, [](float d) { return std::isfinite(d); });
+    return static_cast<double>(hits) / view_pixels;
+}
+
+bool View::dull(double clearance) const
+{
+    if (hit_share() < least_hits) return true;
+    std::array<float, view_pixels> sorted = depth;
+    std::ranges::sort(sorted);
+    const auto at = [&](double share) { return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]); };
+    return at(0.975) < one_depth * at(0.025) || at(filling) < near_wall * clearance;
+}
+
+std::vector<View> views_of(const Field& field, std::span<const Frame> frames, int stride)
+{
+    const auto every = static_cast<std::size_t>(stride);
+    std::vector<View> views((frames.size() + every - 1) / every);
+    const double end = far * field.hull().size;
+    parallel(views.size(), 16, field.threads(), [&](std::size_t first, std::size_t last) {
+        std::vector<Vector> from(view_pixels);
+        std::vector<Vector> along(view_pixels);
+        std::vector<double> t(view_pixels);
+        for (std::size_t i = first; i < last; ++i) {
+            const Frame& frame = frames[i * every];
+            const Camera camera = camera_at(frame);
+            for (int k = 0; k < view_pixels; ++k) {
+                from[static_cast<std::size_t>(k)] = frame.eye;
+                along[static_cast<std::size_t>(k)] = direction_of(camera, k);
+            }
+            field.casts(from, along, {.floor = 0, .tolerance = coarse, .end = end, .steps = 90}, t);
+            for (std::size_t k = 0; k < view_pixels; ++k) {
+                views[i].depth[k] = t[k] < end ? static_cast<float>(t[k]) : std::numeric_limits<float>::infinity();
+            }
+        }
+    });
+    return views;
+}
+
+double median_motion(const View& seen, const Frame& from, const Frame& to)
+{
+    const Camera before = camera_at(from);
+    const Camera after = camera_at(to);
+    const double across2 = dot(after.across, after.across);
+    const double upward2 = dot(after.upward, after.upward);
+    const bool hits_only = seen.hit_share() > 0.02;
+    std::array<double, view_pixels> moved{};
+    std::size_t count = 0;
+    for (int k = 0; k < view_pixels; ++k) {
+        const auto n = static_cast<std::size_t>(k);
+        if (hits_only && !std::isfinite(seen.depth[n])) continue;
+        const Vector direction = direction_of(before, k);
+        // What is not hit is infinitely far.
+        const Vector seen_from = std::isfinite(seen.depth[n]) ? from.eye + static_cast<double>(seen.depth[n]) * direction - to.eye : direction;
+        const double ahead = dot(seen_from, after.forward);
+        const double u = (2 * (k % view_width) + 1.0) / view_width - 1;
+        const double v = (2 * (k / view_width) + 1.0) / view_height - 1;
+        if (!(ahead > 0)) {
+            moved[count++] = 1;
+            continue;
+        }
+        const double u2 = dot(seen_from, after.across) / (across2 * ahead);
+        const double v2 = dot(seen_from, after.upward) / (upward2 * ahead);
+        // u and v run from -1 to 1 over width and height.
+        moved[count++] = 0.5 * std::hypot((u2 - u) * view_width / view_height, v2 - v);
+    }
+    const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(moved.begin(), middle, moved.begin() + static_cast<std::ptrdiff_t>(count));
+    return *middle;
+}
+
+double likeness(const View& a, const View& b)
+{
+    // What is not hit counts as twice as far as the farthest hit.
+    const auto logarithms = [](const View& view) {
+        float most = 0;
+        for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
+        std::array<double, view_pixels> logs{};
+        double mean = 0;
+        for (std::size_t k = 0; k < view_pixels; ++k) {
+            logs[k] = std::log(static_cast<double>(std::isfinite(view.depth[k]) ? view.depth[k] : 2 * most) + 1e-12);
+            mean += logs[k] / view_pixels;
+        }
+        for (double& l : logs) l -= mean;
+        return logs;
+    };
+    const auto x = logarithms(a);
+    const auto y = logarithms(b);
+    double xx = 0;
+    double yy = 0;
+    double xy = 0;
+    double mirrored = 0;
+    for (int k = 0; k < view_pixels; ++k) {
+        const auto n = static_cast<std::size_t>(k);
+        const auto m = static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width);
+        xx += x[n] * x[n];
+        yy += y[n] * y[n];
+        xy += x[n] * y[n];
+        mirrored += x[n] * y[m];
+    }
+    const double scale = std::sqrt(xx * yy);
+    return scale > 0 ? std::max(xy, mirrored) / scale : 1;
+}
+
+}  // namespace mandelmarch

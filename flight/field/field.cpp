@@ -1,0 +1,113 @@
+#include "flight/field/field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <thread>
+
+#include "core/scene/fractal.h"
+#include "flight/field/threads.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::size_t block = 256;  // points handed to the kernel at once; a multiple of every pack
+
+// Vectors as the kernel takes them. What is missing of a pack repeats the last point.
+struct Block {
+    std::array<double, block> x, y, z;
+
+    Block(std::span<const Vector> points, std::size_t padded)
+    {
+        for (std::size_t i = 0; i < padded; ++i) {
+            const Vector& p = points[std::min(i, points.size() - 1)];
+            x[i] = p.x;
+            y[i] = p.y;
+            z[i] = p.z;
+        }
+    }
+    field::Points points() const { return {x.data(), y.data(), z.data()}; }
+};
+
+std::size_t padded(std::size_t count, int lanes)
+{
+    const auto n = static_cast<std::size_t>(lanes);
+    return (count + n - 1) / n * n;
+}
+
+double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
+
+}  // namespace
+
+Field::Field(const Scene& scene, int threads)
+    : scene_(scene),
+      threads_(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+      kernel_(field::kernel_of(scene.fractal->name)),
+      data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
+      safety_(scene.fractal->nickname == "bulb" ? 0.8 : 1),
+      hull_(hull_of(scene, *this))
+{
+}
+
+double Field::distance(Vector p) const
+{
+    double out = 0;
+    distances({&p, 1}, {&out, 1});
+    return out;
+}
+
+void Field::distances(std::span<const Vector> points, std::span<double> out) const
+{
+    parallel(points.size(), 4096, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t at = first; at < last; at += block) {
+            const std::size_t count = std::min(block, last - at);
+            const std::size_t whole = padded(count, kernel_.lanes);
+            const Block in(points.subspan(at, count), whole);
+            std::array<double, block> result;
+            kernel_.distances(&data_, in.points(), whole, result.data());
+            for (std::size_t i = 0; i < count; ++i) out[at + i] = cleaned(result[i]);
+        }
+    });
+}
+
+void Field::casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
+                  std::span<double> out) const
+{
+    parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t at = first; at < last; at += block) {
+            const std::size_t count = std::min(block, last - at);
+            const std::size_t whole = padded(count, kernel_.lanes);
+            const Block origin(from.subspan(at, count), whole);
+            const Block direction(along.subspan(at, count), whole);
+            std::array<double, block> result;
+            kernel_.casts(&data_, origin.points(), direction.points(), reach, whole, result.data());
+            std::copy_n(result.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(at));
+        }
+    });
+}
+
+Vector Field::uphill(Vector p, double h) const
+{
+    const std::array<Vector, 6> around{Vector{p.x + h, p.y, p.z}, {p.x - h, p.y, p.z}, {p.x, p.y + h, p.z},
+                                       {p.x, p.y - h, p.z},       {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
+    std::array<double, 6> d{};
+    distances(around, d);
+    const Vector slope{d[0] - d[1], d[2] - d[3], d[4] - d[5]};
+    const double steepness = length(slope);
+    return steepness > 0 ? (1 / steepness) * slope : Vector{};
+}
+
+double Field::least_between(Vector a, Vector b, double floor) const
+{
+    const double whole = length(b - a);
+    const Vector direction = whole > 0 ? (1 / whole) * (b - a) : Vector{};
+    double least = distance(a);
+    for (double t = 0, here = least; t < whole && here > floor;) {
+        t = std::min(whole, t + safety_ * here);
+        here = distance(a + t * direction);
+        least = std::min(least, here);
+    }
+    return least;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,42 @@
+#include "flight/field/threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace mandelmarch {
+
+void parallel(std::size_t count, std::size_t grain, int threads,
+              const std::function<void(std::size_t first, std::size_t last)>& body)
+{
+    const std::size_t parts = (count + grain - 1) / grain;
+    const std::size_t helpers = std::min(parts, static_cast<std::size_t>(std::max(threads, 1)));
+    if (helpers <= 1) {
+        if (count > 0) body(0, count);
+        return;
+    }
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr error;
+    std::mutex guard;
+    const auto work = [&] {
+        try {
+            for (std::size_t part = next++; part < parts; part = next++) {
+                body(part * grain, std::min(count, (part + 1) * grain));
+            }
+        } catch (...) {
+            const std::scoped_lock lock(guard);
+            error = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < helpers; ++i) others.emplace_back(work);
+        work();
+    }
+    if (error) std::rethrow_exception(error);
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,141 @@
+#include "flight/film/encoder.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/scene/number.h"
+#include "flight/film/process.h"
+#include "flight/film/title.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch {
+namespace {
+
+// Before the output's name. Bitexact leaves out what changes from run to run; four threads whatever the machine.
+std::vector<std::string> encoding()
+{
+    return {"-c:v",      "libx264",     "-preset",          "medium",  "-crf",      "18",         "-threads",         "4",
+            "-pix_fmt",  "yuv420p",     "-g",               "60",      "-flags:v",  "+bitexact",  "-fflags",          "+bitexact",
+            "-colorspace", "bt709",     "-color_primaries", "bt709",   "-color_trc", "bt709",     "-color_range",     "tv",
+            "-video_track_timescale", "15360", "-f", "mp4"};
+}
+
+constexpr const char* conversion = "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format=yuv420p";
+
+template <class... Lists>
+std::vector<std::string> joined(std::vector<std::string> first, const Lists&... more)
+{
+    (first.insert(first.end(), more.begin(), more.end()), ...);
+    return first;
+}
+
+std::vector<std::string> quietly() { return {ffmpeg(), "-hide_banner", "-nostdin", "-loglevel", "error", "-y"}; }
+
+}  // namespace
+
+std::string ffmpeg()
+{
+    const char* named = std::getenv("MANDELMARCH_FFMPEG");
+    return named != nullptr && *named != '\0' ? named : "ffmpeg";
+}
+
+void check_ffmpeg()
+{
+    if (!std::filesystem::exists(title_font())) {
+        throw Error(fmt::format("the font {} for the title is missing, install fonts-dejavu-core", title_font()));
+    }
+    const std::string filter = fmt::format("drawtext=fontfile={}:text=x,{}", title_font(), conversion);
+    try {
+        Process process(joined(quietly(),
+                               std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter,
+                                                        "-c:v", "libx264", "-f", "null", "-"}),
+                        "");
+        const auto result = process.finish();
+        if (!result.fine) throw Error(result.cause);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{} does not work: {}; films need ffmpeg with libx264 and drawtext", ffmpeg(), error.what()));
+    }
+}
+
+std::string ffmpeg_version()
+{
+    Process process({ffmpeg(), "-version"}, "");
+    const std::string text = process.finish().output;
+    return text.substr(0, text.find(" Copyright"));
+}
+
+std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what)
+{
+    Process process(joined(quietly(), arguments), folder);
+    const auto result = process.finish();
+    if (!result.fine) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
+    return result.output;
+}
+
+std::int64_t frames_in(const std::string& progress)
+{
+    const auto at = progress.rfind("frame=");
+    if (at == std::string::npos) return -1;
+    std::string number = progress.substr(at + 6, progress.find('\n', at) - at - 6);
+    number.erase(0, number.find_first_not_of(' '));
+    return parse_whole(number).value_or(-1);
+}
+
+struct Encoder::Pipe {
+    Process process;
+};
+
+Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter)
+    : file_(file)
+{
+    const std::vector<std::string> input{"-f",           "rawvideo", "-pix_fmt", "rgb24",
+                                         "-video_size",  fmt::format("{}x{}", width, height),
+                                         "-framerate",   fmt::format("{}", frames_per_second),
+                                         "-i",           "-",
+                                         "-progress",    "pipe:1",
+                                         "-stats_period", "3600",
+                                         "-vf",          (filter.empty() ? "" : filter + ",") + std::string(conversion)};
+    auto command = joined(quietly(), input, encoding(), std::vector<std::string>{file});
+    std::erase(command, "-nostdin");
+    pipe_.reset(new Pipe{.process = {command, folder}});
+}
+
+Encoder::~Encoder()
+{
+    // A writer that waits for a child which reads no more ends when the child is killed.
+    if (writer_.joinable()) {
+        pipe_->process.finish();
+        writer_.join();
+    }
+}
+
+void Encoder::wait()
+{
+    if (writer_.joinable()) writer_.join();
+    if (!broken_) return;
+    const auto result = pipe_->process.finish();
+    throw Error(fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it took no more frames" : result.cause));
+}
+
+void Encoder::add(std::vector<std::uint8_t> frame)
+{
+    wait();
+    frame_ = std::move(frame);
+    ++frames_;
+    writer_ = std::jthread([this] { broken_ = !pipe_->process.write(frame_.data(), frame_.size()); });
+}
+
+void Encoder::finish()
+{
+    wait();
+    const auto result = pipe_->process.finish();
+    if (!result.fine) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
+    if (frames_in(result.output) != frames_) {
+        throw Error(fmt::format("{}: the encoder wrote {} frames of {}", file_, frames_in(result.output), frames_));
+    }
+}
+
+}  // namespace mandelmarch

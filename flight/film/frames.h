@@ -1,0 +1,35 @@
+// The pictures of a path, one after another, from one renderer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/render/backend.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch {
+
+struct Picture {
+    int width = 1920;   // pixels
+    int height = 1080;  // pixels
+    int samples = 2;    // per pixel and side: 2 draws at twice the size and takes the mean of 2 x 2
+    std::optional<int> look;  // a colouring type instead of the path's
+};
+
+class FrameMaker {
+public:
+    // Keeps one renderer for all frames. Throws Unavailable; InputError where a picture needs more memory than there is.
+    FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture);
+
+    // RGB, from the top row.
+    std::vector<std::uint8_t> draw(std::size_t frame);
+
+private:
+    const Path& path_;
+    Picture picture_;
+    std::unique_ptr<Renderer> renderer_;
+    Image image_;
+};
+
+}  // namespace mandelmarch

@@ -1,0 +1,133 @@
+#include "flight/film/process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "core/base/error.h"
+
+extern char** environ;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): POSIX's
+
+namespace mandelmarch {
+namespace {
+
+void close_if_open(int& descriptor)
+{
+    if (descriptor >= 0) close(descriptor);
+    descriptor = -1;
+}
+
+std::string contents(int descriptor)
+{
+    std::string text;
+    char part[4096];
+    lseek(descriptor, 0, SEEK_SET);
+    for (ssize_t n = 0; (n = read(descriptor, part, sizeof part)) > 0;) text.append(part, static_cast<std::size_t>(n));
+    return text;
+}
+
+// ffmpeg says what is wrong first and repeats it in more general words; of a full disk it says so somewhere.
+std::string cause_of(const std::string& errors)
+{
+    std::string first;
+    for (std::size_t at = 0; at < errors.size();) {
+        const auto end = std::min(errors.find('\n', at), errors.size());
+        const std::string line = errors.substr(at, end - at);
+        if (line.find("No space left") != std::string::npos) return "No space left on device";
+        if (first.empty()) first = line;
+        at = end + 1;
+    }
+    return first;
+}
+
+}  // namespace
+
+Process::Process(const std::vector<std::string>& command, const std::string& folder)
+{
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("a pipe for {}: {}", command[0], std::strerror(errno)));
+    input_ = ends[1];
+    output_ = memfd_create("output", MFD_CLOEXEC);
+    errors_ = memfd_create("errors", MFD_CLOEXEC);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    // This program ignores SIGPIPE; a child would inherit that.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t usual;
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int failed = posix_spawnp(&child_, arguments[0], &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[0]);
+    if (failed == 0) return;
+    child_ = -1;
+    close_if_open(input_);
+    close_if_open(output_);
+    close_if_open(errors_);
+    throw Error(fmt::format("{} cannot be started: {}", command[0], std::strerror(failed)));
+}
+
+Process::~Process()
+{
+    if (child_ > 0) {
+        kill(child_, SIGKILL);
+        waitpid(child_, nullptr, 0);
+    }
+    close_if_open(input_);
+    close_if_open(output_);
+    close_if_open(errors_);
+}
+
+bool Process::write(const void* data, std::size_t size)
+{
+    const char* next = static_cast<const char*>(data);
+    while (size > 0) {
+        const ssize_t written = ::write(input_, next, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        next += written;
+        size -= static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+Process::Result Process::finish()
+{
+    close_if_open(input_);
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    child_ = -1;
+    Result result;
+    result.output = contents(output_);
+    result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (result.fine) return result;
+    result.cause = cause_of(contents(errors_));
+    if (WIFSIGNALED(status)) {
+        result.cause = fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    } else if (result.cause.empty()) {
+        result.cause = fmt::format("exit code {}", WEXITSTATUS(status));
+    }
+    return result;
+}
+
+}  // namespace mandelmarch

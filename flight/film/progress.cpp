@@ -1,0 +1,66 @@
+#include "flight/film/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mandelmarch {
+namespace {
+
+constexpr int bar_width = 40;                       // characters
+constexpr auto look = std::chrono::milliseconds(200);  // between two looks of the bar
+constexpr auto line = std::chrono::seconds(15);        // between two lines where there is no terminal
+
+std::string clock(double seconds)
+{
+    const auto whole = static_cast<long long>(std::max(seconds, 0.0) + 0.5);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+FilmProgress::FilmProgress(std::size_t frames, std::size_t finished)
+    : frames_(frames),
+      finished_(finished),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_)
+{
+    if (finished > 0) fmt::print(stderr, "film: {} of {} frames are there already\n", finished, frames);
+}
+
+FilmProgress::~FilmProgress()
+{
+    if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void FilmProgress::add(std::size_t frames)
+{
+    const std::scoped_lock lock(guard_);
+    drawn_ += frames;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < (terminal_ ? std::chrono::milliseconds(look) : std::chrono::milliseconds(line))) return;
+    last_ = now;
+    show();
+}
+
+void FilmProgress::show()
+{
+    const double elapsed = std::chrono::duration<double>(last_ - start_).count();
+    const double rate = static_cast<double>(drawn_) / elapsed;
+    const std::size_t done = finished_ + drawn_;
+    const double left = rate > 0 ? static_cast<double>(frames_ - std::min(frames_, done)) / rate : 0;
+    const std::string text = fmt::format("{} of {} frames, {:.2f} frames/s, {} left", done, frames_, rate, clock(left));
+    if (!terminal_) {
+        fmt::print(stderr, "film: {}\n", text);
+        return;
+    }
+    shown_ = true;
+    const int full = static_cast<int>(static_cast<double>(bar_width) * static_cast<double>(done) / static_cast<double>(frames_));
+    fmt::print(stderr, "\rfilm [{:#<{}}{:.<{}}] {} \033[K", "", std::min(full, bar_width), "", bar_width - std::min(full, bar_width), text);
+    std::fflush(stderr);
+}
+
+}  // namespace mandelmarch

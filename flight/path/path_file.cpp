@@ -1,0 +1,227 @@
+// Path files: JSON, readable and made for editing by hand, one line a frame.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* format_name = "mandelmarch path 1";
+constexpr std::size_t most_frames = 10'000'000;  // 92 hours
+
+std::string number(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
+
+std::string triple(Vector v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
+
+double cut(double value) { return std::strtod(number(value).c_str(), nullptr); }
+
+Vector cut(Vector v) { return {cut(v.x), cut(v.y), cut(v.z)}; }
+
+std::string changes_text(const Changes& changes)
+{
+    std::string text;
+    if (changes.detail) text += fmt::format(", \"detail\": {}", number(*changes.detail));
+    if (changes.shape) {
+        const auto& [a, b, c] = *changes.shape;
+        text += fmt::format(", \"shape\": {}", triple({a, b, c}));
+    }
+    if (changes.iterations) text += fmt::format(", \"iterations\": {}", *changes.iterations);
+    if (changes.escape) text += fmt::format(", \"escape\": {}", number(*changes.escape));
+    if (changes.colouring) text += fmt::format(", \"colouring\": {}", *changes.colouring);
+    if (changes.brightness) text += fmt::format(", \"brightness\": {}", number(*changes.brightness));
+    return text;
+}
+
+// Takes values out of one object of the file; messages name the file and the object.
+class Reader {
+public:
+    Reader(const Json& object, std::string place, const Fractal& fractal)
+        : object_(object), place_(std::move(place)), fractal_(fractal)
+    {
+        if (!object.is_object()) fail("it is no object, expected {...}");
+    }
+
+    [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place_, why)); }
+
+    bool has(const char* key) const { return object_.contains(key); }
+
+    double real(const char* key, const Meaning& meaning) const { return checked(value(key), key, meaning); }
+
+    // Rounded to single precision, as from a parameter file.
+    double single(const char* key, const Meaning& meaning) const { return static_cast<float>(real(key, meaning)); }
+
+    int whole(const char* key, int low, int high) const
+    {
+        const Json& found = value(key);
+        if (!found.is_number_integer() || found.get<double>() < low || found.get<double>() > high) {
+            fail(fmt::format("\"{}\" is {}, expected a whole number from {} to {}", key, found.dump(), low, high));
+        }
+        return found.get<int>();
+    }
+
+    Vector vector(const char* key) const
+    {
+        const auto [x, y, z] = three(key, {Meaning{key, -1e9, 1e9}, {key, -1e9, 1e9}, {key, -1e9, 1e9}});
+        return {x, y, z};
+    }
+
+    std::array<double, 3> three(const char* key, const std::array<Meaning, 3>& meanings) const
+    {
+        const Json& found = value(key);
+        if (!found.is_array() || found.size() != 3) {
+            fail(fmt::format("\"{}\" is {}, expected three numbers [x, y, z]", key, found.dump()));
+        }
+        std::array<double, 3> numbers{};
+        for (std::size_t i = 0; i < 3; ++i) numbers[i] = checked(found[i], key, meanings[i]);
+        return numbers;
+    }
+
+    Changes changes() const
+    {
+        Changes result;
+        if (has("detail")) result.detail = single("detail", {"detail level", -37, 3});
+        if (has("shape")) {
+            auto shape = three("shape", fractal_.shape);
+            for (double& s : shape) s = static_cast<float>(s);
+            result.shape = shape;
+        }
+        if (has("iterations")) result.iterations = whole("iterations", 1, max_iterations);
+        if (has("escape")) result.escape = single("escape", fractal_.escape);
+        if (has("colouring")) result.colouring = whole("colouring", 0, colouring_types - 1);
+        if (has("brightness")) result.brightness = single("brightness", {"brightness", 0, 1e6});
+        return result;
+    }
+
+private:
+    const Json& value(const char* key) const
+    {
+        const auto found = object_.find(key);
+        if (found == object_.end()) fail(fmt::format("\"{}\" is missing", key));
+        return *found;
+    }
+
+    double checked(const Json& found, const char* key, const Meaning& meaning) const
+    {
+        const double number = found.is_number() ? found.get<double>() : NAN;
+        const bool fine = number <= meaning.high && (meaning.open_low ? number > meaning.low : number >= meaning.low);
+        if (!fine) {
+            fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, found.dump(), meaning.name,
+                             meaning.open_low ? "more than" : "at least", meaning.low, meaning.high));
+        }
+        return number;
+    }
+
+    const Json& object_;
+    std::string place_;
+    const Fractal& fractal_;
+};
+
+Frame read_frame(const Json& object, const std::string& place, const Path& path)
+{
+    const Reader reader(object, place, *path.scene.fractal);
+    Frame frame;
+    frame.eye = reader.vector("location");
+    frame.target = reader.vector("look_at");
+    frame.up = reader.vector("up");
+    frame.field_of_view = reader.real("field_of_view", {"the field of view", 0, max_field_of_view * 0.999, true});
+    frame.changes = reader.changes();
+    check_scene(scene_of(path, frame, 16, 9), [&](Item) { return place; });
+    return frame;
+}
+
+}  // namespace
+
+void cut_digits(Path& path)
+{
+    for (Frame& frame : path.frames) {
+        frame.eye = cut(frame.eye);
+        frame.target = cut(frame.target);
+        frame.up = cut(frame.up);
+        frame.field_of_view = cut(frame.field_of_view);
+    }
+}
+
+std::string to_text(const Path& path)
+{
+    const Scene& scene = path.scene;
+    const auto& [a, b, c] = scene.shape;
+    std::string text = fmt::format(
+        "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n\"scene\": {{\"detail\": {}, "
+        "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}}},\n\"frames\": [\n",
+        format_name, scene.fractal->name, path.seed, frames_per_second,
+        path.detail_by_size ? "\"by size\"" : number(scene.detail), triple({a, b, c}), scene.iterations,
+        number(scene.escape), scene.colouring, number(scene.brightness));
+    for (std::size_t i = 0; i < path.frames.size(); ++i) {
+        const Frame& frame = path.frames[i];
+        text += fmt::format("{{\"location\": {}, \"look_at\": {}, \"up\": {}, \"field_of_view\": {}{}}}{}\n",
+                            triple(frame.eye), triple(frame.target), triple(frame.up), number(frame.field_of_view),
+                            changes_text(frame.changes), i + 1 < path.frames.size() ? "," : "");
+    }
+    return text + "]\n}\n";
+}
+
+Path path_from_text(const std::string& text, const std::string& name)
+{
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::exception& error) {
+        throw InputError(fmt::format("{}: {}, expected a path file (JSON)", name, error.what()));
+    }
+    if (!json.is_object() || json.value("format", Json()) != format_name) {
+        throw InputError(fmt::format("{}: its \"format\" is not \"{}\", expected a path file", name, format_name));
+    }
+    Path path;
+    if (!json.contains("fractal") || !json["fractal"].is_string()) throw InputError(name + ": \"fractal\" is missing");
+    try {
+        path.scene.fractal = &fractal_named(json["fractal"].get<std::string>());
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", name, error.what()));
+    }
+    if (json.contains("seed") && json["seed"].is_number_unsigned()) path.seed = json["seed"].get<std::uint64_t>();
+    if (!json.contains("scene")) throw InputError(name + ": \"scene\" is missing");
+    Json scene = json["scene"];
+    path.detail_by_size = scene.is_object() && scene.contains("detail") && scene["detail"] == "by size";
+    if (path.detail_by_size) scene.erase("detail");
+    const Reader reader(scene, name + ": scene", *path.scene.fractal);
+    const Changes whole = reader.changes();
+    path.scene.detail = whole.detail.value_or(-3);
+    if (!whole.shape || !whole.iterations || !whole.escape || !whole.colouring || !whole.brightness) {
+        reader.fail("it needs shape, iterations, escape, colouring and brightness");
+    }
+    path.scene.shape = *whole.shape;
+    path.scene.iterations = *whole.iterations;
+    path.scene.escape = *whole.escape;
+    path.scene.colouring = *whole.colouring;
+    path.scene.brightness = *whole.brightness;
+    if (!json.contains("frames") || !json["frames"].is_array() || json["frames"].empty()) {
+        throw InputError(name + ": \"frames\" is missing or empty, expected a list of cameras");
+    }
+    if (json["frames"].size() > most_frames) throw InputError(name + ": it has too many frames");
+    for (std::size_t i = 0; i < json["frames"].size(); ++i) {
+        path.frames.push_back(read_frame(json["frames"][i], fmt::format("{}: frame {}", name, i), path));
+    }
+    return path;
+}
+
+Path read_path(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || !(text << stream.rdbuf())) {
+        throw InputError(fmt::format("{}: it cannot be read, expected a path file", file));
+    }
+    return path_from_text(text.str(), file);
+}
+
+}  // namespace mandelmarch

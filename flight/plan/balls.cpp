@@ -1,0 +1,219 @@
+#include "flight/plan/balls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mandelmarch {
+namespace {
+
+constexpr double margin = 1.2;      // half the cube's edge, in hull sizes
+constexpr double cover_share = 0.95; // of a ball's radius: no other ball's centre lies so near
+constexpr double overlap = 0.95;    // of two radii: linked balls are nearer than that
+
+}  // namespace
+
+Balls::Balls(const Field& field, double least, double narrow)
+    : field_(field), least_(least), narrow_(narrow), half_(margin * field.hull().size), side_(2 * half_ / fine)
+{
+    flood();
+    cover();
+    samples_ = {};
+    link();
+    keep_outside_component();
+}
+
+Balls::Cell Balls::cell_of(Vector p) const
+{
+    const auto along = [this](double c) {
+        return std::clamp(static_cast<int>(std::floor((c + half_) / side_)), 0, fine - 1);
+    };
+    return {along(p.x), along(p.y), along(p.z)};
+}
+
+Vector Balls::centre_of(Cell c) const
+{
+    return {(c.x + 0.5) * side_ - half_, (c.y + 0.5) * side_ - half_, (c.z + 0.5) * side_ - half_};
+}
+
+template <class Visit>
+void Balls::each_cell_near(Vector p, double radius, Visit visit) const
+{
+    const Cell low = cell_of({p.x - radius, p.y - radius, p.z - radius});
+    const Cell high = cell_of({p.x + radius, p.y + radius, p.z + radius});
+    const double square = radius * radius;
+    for (int z = low.z; z <= high.z; ++z) {
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const Vector away = centre_of({x, y, z}) - p;
+                if (dot(away, away) <= square) visit(index({x, y, z}));
+            }
+        }
+    }
+}
+
+// From an edge of the cube inwards, coarse cell by coarse cell: a cell that its own ball covers is one sample, others are
+// cut into fine cells, and a neighbour is visited only behind a face with a free cell. Solid insides, where estimates
+// are dear, are never entered.
+void Balls::flood()
+{
+    const double half_diagonal = side_ * parts * std::sqrt(0.75);
+    std::vector<char> seen(static_cast<std::size_t>(coarse) * coarse * coarse, 0);
+    const auto coarse_index = [](Cell c) { return (static_cast<std::size_t>(c.z) * coarse + static_cast<std::size_t>(c.y)) * coarse + static_cast<std::size_t>(c.x); };
+    const auto middle = [](Cell c) { return Cell{c.x * parts + parts / 2, c.y * parts + parts / 2, c.z * parts + parts / 2}; };
+    const Cell start{coarse - 1, coarse / 2, coarse - 1};
+    std::vector<Cell> wave{start};
+    seen[coarse_index(start)] = 1;
+    std::vector<Vector> points;
+    std::vector<double> clear;
+    while (!wave.empty()) {
+        points.clear();
+        for (const Cell c : wave) points.push_back(centre_of(middle(c)));
+        clear.resize(points.size());
+        field_.distances(points, clear);
+        std::vector<Cell> cut;
+        std::vector<std::pair<Cell, unsigned>> open;  // with a bit for each face that is open
+        for (std::size_t i = 0; i < wave.size(); ++i) {
+            if (field_.safety() * clear[i] >= half_diagonal) {
+                samples_.push_back({points[i], clear[i]});
+                open.emplace_back(wave[i], 63U);
+            } else {
+                cut.push_back(wave[i]);
+            }
+        }
+        points.clear();
+        for (const Cell c : cut) {
+            for (int k = 0; k < parts * parts * parts; ++k) {
+                points.push_back(centre_of({c.x * parts + k % parts, c.y * parts + k / parts % parts, c.z * parts + k / (parts * parts)}));
+            }
+        }
+        clear.resize(points.size());
+        field_.distances(points, clear);
+        for (std::size_t i = 0, at = 0; i < cut.size(); ++i) {
+            unsigned faces = 0;
+            for (int k = 0; k < parts * parts * parts; ++k, ++at) {
+                if (clear[at] >= narrow_ && field_.hull().contains(points[at])) {
+                    narrows_.push_back({points[at], clear[at]});
+                }
+                if (clear[at] < least_) continue;
+                samples_.push_back({points[at], clear[at]});
+                const int x = k % parts;
+                const int y = k / parts % parts;
+                const int z = k / (parts * parts);
+                faces |= (x == 0 ? 1U : 0) | (x == parts - 1 ? 2U : 0) | (y == 0 ? 4U : 0) | (y == parts - 1 ? 8U : 0) |
+                         (z == 0 ? 16U : 0) | (z == parts - 1 ? 32U : 0);
+            }
+            open.emplace_back(cut[i], faces);
+        }
+        wave.clear();
+        for (const auto& [c, faces] : open) {
+            for (int face = 0; face < 6; ++face) {
+                if ((faces >> face & 1U) == 0) continue;
+                Cell to = c;
+                (face < 2 ? to.x : face < 4 ? to.y : to.z) += face % 2 == 0 ? -1 : 1;
+                if (std::min({to.x, to.y, to.z}) < 0 || std::max({to.x, to.y, to.z}) >= coarse) continue;
+                if (seen[coarse_index(to)] != 0) continue;
+                if (!worth_searching(field_.scene(), field_.hull(), centre_of(middle(to)))) continue;
+                seen[coarse_index(to)] = 1;
+                wave.push_back(to);
+            }
+        }
+    }
+}
+
+// Large balls first; a sample that lies well inside a ball already taken gives none.
+void Balls::cover()
+{
+    std::vector<std::uint32_t> order(samples_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    std::ranges::stable_sort(order, [this](auto a, auto b) { return samples_[a].clearance > samples_[b].clearance; });
+    owner_.assign(static_cast<std::size_t>(fine) * fine * fine, -1);
+    for (const auto i : order) {
+        const Ball& ball = samples_[i];
+        if (owner_[index(cell_of(ball.centre))] >= 0) continue;
+        const auto number = static_cast<std::int32_t>(balls_.size());
+        balls_.push_back(ball);
+        owner_[index(cell_of(ball.centre))] = number;
+        each_cell_near(ball.centre, cover_share * field_.safety() * ball.clearance, [&](std::size_t at) {
+            if (owner_[at] < 0) owner_[at] = number;
+        });
+    }
+}
+
+// Balls that overlap are linked; so are small ones whose gap the ball in the middle closes.
+void Balls::link()
+{
+    links_.resize(balls_.size());
+    struct Gap {
+        int a, b;
+        Vector middle;
+    };
+    std::vector<Gap> gaps;
+    std::vector<std::int32_t> near;
+    const double safety = field_.safety();
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        const Ball& a = balls_[i];
+        near.clear();
+        each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
+            // Each pair is found from its larger ball, which has the smaller number.
+            if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at])) near.push_back(owner_[at]);
+        });
+        std::ranges::sort(near);
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        for (const auto number : near) {
+            const Ball& b = balls_[static_cast<std::size_t>(number)];
+            const double apart = length(b.centre - a.centre);
+            const int from = static_cast<int>(i);
+            if (apart < overlap * safety * (a.clearance + b.clearance)) {
+                links_[i].push_back({number, apart, b.clearance});
+                links_[static_cast<std::size_t>(number)].push_back({from, apart, b.clearance});
+            } else if (apart < 2 * safety * (a.clearance + b.clearance)) {
+                gaps.push_back({from, number, 0.5 * (a.centre + b.centre)});
+            }
+        }
+    }
+    std::vector<Vector> middles;
+    for (const Gap& gap : gaps) middles.push_back(gap.middle);
+    std::vector<double> clear(middles.size());
+    field_.distances(middles, clear);
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        const auto [from, to, middle] = gaps[i];
+        const Ball& a = balls_[static_cast<std::size_t>(from)];
+        const Ball& b = balls_[static_cast<std::size_t>(to)];
+        const double apart = length(b.centre - a.centre);
+        if (clear[i] < least_ || apart / 2 >= overlap * safety * (clear[i] + b.clearance)) continue;
+        const double least = std::min(clear[i], b.clearance);
+        links_[static_cast<std::size_t>(from)].push_back({to, apart, least});
+        links_[static_cast<std::size_t>(to)].push_back({from, apart, least});
+    }
+}
+
+// What does not hang together with the outside is never reached: its links are taken away, and its cells' owners.
+void Balls::keep_outside_component()
+{
+    std::vector<char> reached(balls_.size(), 0);
+    std::vector<int> stack{0};  // the largest ball lies outside
+    reached[static_cast<std::size_t>(stack[0])] = 1;
+    while (!stack.empty()) {
+        const int at = stack.back();
+        stack.pop_back();
+        for (const Link& link : links(at)) {
+            if (reached[static_cast<std::size_t>(link.to)] != 0) continue;
+            reached[static_cast<std::size_t>(link.to)] = 1;
+            stack.push_back(link.to);
+        }
+    }
+    for (auto& owner : owner_) {
+        if (owner >= 0 && reached[static_cast<std::size_t>(owner)] == 0) owner = -1;
+    }
+}
+
+int Balls::holding(Vector p) const
+{
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= half_) return -1;
+    const int number = owner_[index(cell_of(p))];
+    if (number < 0) return -1;
+    const Ball& ball = balls_[static_cast<std::size_t>(number)];
+    return length(p - ball.centre) < overlap * field_.safety() * ball.clearance ? number : -1;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,71 @@
+// The free space as balls that overlap: what tours are searched in.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "flight/field/field.h"
+
+namespace mandelmarch {
+
+struct Ball {
+    Vector centre;
+    double clearance;  // the distance estimate at the centre; the ball's radius is safety times this
+};
+
+struct Link {
+    int to;
+    double length;     // between the centres
+    double clearance;  // the least estimate known on the way
+};
+
+class Balls {
+public:
+    // Fills the cube of 1.2 hull sizes with balls of at least `least` clearance, as far as they hang together with the
+    // outside. Free places of at least `narrow` clearance that were seen on the way are kept as samples.
+    Balls(const Field& field, double least, double narrow);
+
+    const std::vector<Ball>& balls() const { return balls_; }
+    const std::vector<Link>& links(int ball) const { return links_[static_cast<std::size_t>(ball)]; }
+
+    // A ball that holds p; -1 if none is known.
+    int holding(Vector p) const;
+
+    // Free places inside the hull, near the surface too, where narrows may be looked for.
+    const std::vector<Ball>& narrows() const { return narrows_; }
+
+private:
+    struct Cell {
+        int x, y, z;
+    };
+    static constexpr int coarse = 64;  // cells of the coarse grid along an edge
+    static constexpr int parts = 4;    // fine cells along the edge of a coarse one
+    static constexpr int fine = coarse * parts;
+
+    std::size_t index(Cell c) const
+    {
+        return (static_cast<std::size_t>(c.z) * fine + static_cast<std::size_t>(c.y)) * fine +
+               static_cast<std::size_t>(c.x);
+    }
+    Cell cell_of(Vector p) const;
+    Vector centre_of(Cell c) const;
+    // Calls visit(index) for the fine cells whose centres lie within `radius` of p.
+    template <class Visit>
+    void each_cell_near(Vector p, double radius, Visit visit) const;
+
+    void flood();
+    void cover();
+    void link();
+    void keep_outside_component();
+
+    const Field& field_;
+    double least_, narrow_;
+    double half_;  // half the edge of the cube
+    double side_;  // of a fine cell
+    std::vector<Ball> samples_, narrows_;
+    std::vector<Ball> balls_;
+    std::vector<std::vector<Link>> links_;
+    std::vector<std::int32_t> owner_;  // of each fine cell: the ball that covers its centre, -1: none
+};
+
+}  // namespace mandelmarch

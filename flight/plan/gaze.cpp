@@ -1,0 +1,92 @@
+#include "flight/plan/gaze.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mandelmarch {
+namespace {
+
+constexpr double blur = 16;         // frames: the standard deviation of the smoothing in time
+constexpr double middle_until = 90; // frames: after it the gaze has left the fractal's middle
+
+// A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.
+std::vector<Vector> blurred(const std::vector<Vector>& in, double deviation)
+{
+    const int reach = static_cast<int>(3 * deviation);
+    const int count = static_cast<int>(in.size());
+    std::vector<Vector> out(in.size());
+    for (int i = 0; i < count; ++i) {
+        Vector sum{};
+        for (int k = -reach; k <= reach; ++k) {
+            const double weight = std::exp(-0.5 * k * k / (deviation * deviation));
+            sum = sum + weight * in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
+        }
+        out[static_cast<std::size_t>(i)] = unit(sum);
+    }
+    return out;
+}
+
+// Turns the unit vector a towards the unit vector b by an angle, radians.
+Vector turned(Vector a, Vector b, double angle)
+{
+    const Vector side = b - dot(a, b) * a;
+    const double size = length(side);
+    if (!(size > 1e-12)) return a;
+    return unit(std::cos(angle) * a + (std::sin(angle) / size) * side);
+}
+
+}  // namespace
+
+double degrees_between(Vector a, Vector b)
+{
+    return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
+}
+
+std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int frames)
+{
+    std::vector<Vector> aims;
+    const auto last = std::ssize(ride.at) - 1;
+    for (int i = 0; i < frames; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        const Vector ahead = ride.at[static_cast<std::size_t>(std::min<std::ptrdiff_t>(i + look_ahead, last))] - ride.at[n];
+        Vector aim = length(ahead) > 0 ? unit(ahead) : aims.empty() ? Vector{1, 0, 0} : aims.back();
+        aim = aim + tilt[n];
+        if (i < middle_until) {
+            const double share = 0.5 + 0.5 * std::cos(i * std::numbers::pi / middle_until);
+            aim = (1 - share) * unit(aim) + share * unit(-1 * ride.at[n]);
+        }
+        aims.push_back(length(aim) > 1e-6 ? unit(aim) : aims.empty() ? Vector{1, 0, 0} : aims.back());
+    }
+    return blurred(aims, blur);
+}
+
+void limit_turns(std::vector<Vector>& gaze, double most)
+{
+    for (std::size_t i = 1; i < gaze.size(); ++i) {
+        if (degrees_between(gaze[i - 1], gaze[i]) > most) gaze[i] = turned(gaze[i - 1], gaze[i], most * std::numbers::pi / 180);
+    }
+}
+
+std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view)
+{
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < gaze.size(); ++i) {
+        if (i > 0) {
+            // The least rotation from the last gaze to this one, applied to up (Rodrigues' formula without trigonometry).
+            const Vector axis = cross(gaze[i - 1], gaze[i]);
+            const double cosine = dot(gaze[i - 1], gaze[i]);
+            up = cosine * up + cross(axis, up) + (dot(axis, up) / (1 + cosine)) * axis;
+        }
+        up = unit(up - dot(up, gaze[i]) * gaze[i]);
+        Frame frame;
+        frame.eye = ride.at[i];
+        frame.target = ride.at[i] + gaze[i];
+        frame.up = up;
+        frame.field_of_view = field_of_view;
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film killed at random moments and begun again is the undisturbed film, and
+# no finished segment is rendered twice. Also: a full disk, an encoder that is missing or fails, and array jobs.
+set -uo pipefail
+program=$(realpath "$1")
+kills=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+small="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
+md5() { ffmpeg -v error -i "$1" -f framemd5 - | grep -v '^#'; }
+
+"$program" plan path.json --frames 330 --seed 5 >audit.txt 2>stderr || fail "plan: $(cat stderr)"
+"$program" render path.json $small --output whole.mp4 2>stderr || fail "render: $(cat stderr)"
+says '6 of 6 segments'
+[ "$(md5 whole.mp4 | wc -l)" = 450 ] || fail "whole.mp4 has $(md5 whole.mp4 | wc -l) frames, not 120 + 330"
+[ -e whole.mp4.parts ] && fail "parts are left"
+"$program" render path.json $small --output whole.mp4 2>stderr || fail "a second run: $(cat stderr)"
+says '0 of 6 segments'
+
+# Killed again and again, at moments that a fixed sequence draws.
+RANDOM=7
+for ((kill = 0; kill < kills; ++kill)); do
+    "$program" render path.json $small --output killed.mp4 2>/dev/null &
+    job=$!
+    sleep "$((RANDOM % 3)).$((RANDOM % 1000 + 1000))"
+    kill -9 $job 2>/dev/null
+    wait $job 2>/dev/null
+    ls -l --time-style=full-iso killed.mp4.parts/*/segment-* 2>/dev/null | awk '{print $5, $7, $9}' >now
+    # What was finished before is there still, untouched.
+    if [ -e before ] && [ ! -e killed.mp4 ]; then
+        comm -23 <(sort before) <(sort now) | grep -q . && fail "a finished segment was made again: kill $kill"
+    fi
+    mv now before
+done
+"$program" render path.json $small --output killed.mp4 2>stderr || fail "after $kills kills: $(cat stderr)"
+cmp whole.mp4 killed.mp4 || fail "the film killed $kills times is another one"
+
+# Array jobs side by side, then the join.
+"$program" render path.json $small --output array.mp4 --segments 0-2 2>stderr0 &
+"$program" render path.json $small --output array.mp4 --segments 3-5 2>stderr || fail "segments 3-5: $(cat stderr)"
+wait %1 || fail "segments 0-2: $(cat stderr0)"
+says 'not joined'
+"$program" render path.json $small --output array.mp4 2>stderr || fail "joining: $(cat stderr)"
+says '0 of 6 segments'
+cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
+
+# A full disk, here a limit on a file's size; then there is room again.
+(ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
+[ $? = 1 ] || fail "a full disk gives another exit code than 1"
+[ "$(wc -l <stderr)" -le 3 ] || fail "a full disk says too much: $(cat stderr)"
+says 'the encoder failed|ffmpeg failed'
+ls full.mp4.parts/*/.part-* >/dev/null 2>&1 && fail "a full disk leaves parts"
+[ -e full.mp4 ] && fail "a full disk leaves half a film"
+
+# A missing and a failing encoder, before the first frame.
+MANDELMARCH_FFMPEG=/nowhere/ffmpeg "$program" render path.json $small --output none.mp4 2>stderr
+[ $? = 1 ] || fail "a missing ffmpeg gives another exit code than 1"
+says '/nowhere/ffmpeg'
+MANDELMARCH_FFMPEG=false "$program" render path.json $small --output none.mp4 2>stderr
+[ $? = 1 ] || fail "a failing ffmpeg gives another exit code than 1"
+says 'does not work'
+[ -e none.mp4.parts ] && fail "work was begun without an encoder"
+
+# Several ranks, where mpirun is there and the program knows it.
+if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    for ranks in 1 2 4; do
+        timeout 120 mpirun --oversubscribe --bind-to none -n $ranks "$program" render path.json $small --output mpi.mp4 2>stderr ||
+            fail "$ranks ranks: $(cat stderr)"
+        says '6 of 6 segments'
+        cmp whole.mp4 mpi.mp4 || fail "the film of $ranks ranks is another one"
+        rm -f mpi.mp4*
+    done
+fi
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))
