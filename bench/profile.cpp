@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "backends/openmp/pitch.h"
 #include "bench/stage_kernels.h"
 #include "bench/study.h"
 #include "core/render/kernel_scene.h"
@@ -64,15 +65,20 @@ public:
         tiles_.count = tiles_.columns * ((scene.height + tile_side - 1) / tile_side);
     }
 
-    Seconds draw(const void* scene)
+    template <class KernelScene>
+    Seconds draw(const KernelScene& scene)
     {
         Seconds seconds{};
-        const openmp::Canvas<Real> canvas{0, image_.height(), static_cast<std::ptrdiff_t>(image_.pixels()),
-                                          reals_.data(), wholes_.data()};
-        kernel_.profile(scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
+        const openmp::Canvas<Real> canvas{.first_row = 0,
+                                          .end_row = image_.height(),
+                                          .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
+                                          .pitch = scene.canonical != 0 ? openmp::pitch_of(scene) : 0,
+                                          .reals = reals_.data(),
+                                          .wholes = wholes_.data()};
+        kernel_.profile(&scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
         seconds.at(static_cast<std::size_t>(TimedStage::output)) += store();
         const double start = now();
-        kernel_.draw(scene, canvas, tiles_.tiles(), memory_.get());
+        kernel_.draw(&scene, canvas, tiles_.tiles(), memory_.get());
         seconds.back() = now() - start + store();
         return seconds;
     }
@@ -101,13 +107,13 @@ void add(std::vector<StageTime>& times, const Scene& scene, Precision precision,
     const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
     const KernelScene data = kernel_scene<KernelScene>(scene, mode);
     Profiler<Real> profiler(kernel, scene);
-    profiler.draw(&data);  // warms up
+    profiler.draw(data);  // warms up
     const std::size_t first = times.size();
     for (const char* name : stage_names) {
         times.push_back({std::string(scene.fractal->name), precision, mode, name, {}});
     }
     for (int i = 0; i < repetitions; ++i) {
-        const Seconds seconds = profiler.draw(&data);
+        const Seconds seconds = profiler.draw(data);
         for (std::size_t stage = 0; stage < seconds.size(); ++stage) {
             times[first + stage].seconds.push_back(seconds.at(stage));
         }

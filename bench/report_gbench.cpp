@@ -37,6 +37,7 @@ Run median_of(const std::vector<Run>& runs)
     made.iterations = static_cast<benchmark::IterationCount>(runs.size());
     const auto middle = [&](auto value) {
         std::vector<double> values;
+        values.reserve(runs.size());
         for (const Run& run : runs) values.push_back(value(run));
         return median(std::move(values));
     };

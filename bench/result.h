@@ -26,7 +26,7 @@ struct Setting {
     double detail = 0;                     // D
     double power = 0;                      // third value of line 7
     int threads = 0, pack = 0, chunk = 0;  // as in RendererOptions; 0: the backend's choice
-    std::string without;                   // techniques that are switched off, as in --without of the renderers
+    std::string without{};                 // techniques that are switched off, as in --without of the renderers
     std::string view = "official";         // which scene: its name
     int frames = 0;                        // pictures from a fresh renderer in one sample; 0: one, from a warm renderer
 };

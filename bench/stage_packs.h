@@ -87,11 +87,14 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
         last = here;
     };
     while (more || pool.size > 0) {
-        while (more && pool.size <= pool_rays - tile_pixels) {
-            int left = 0;
-            int bottom = 0;
-            more = tiles.next(tiles.source, left, bottom);
-            if (more) begin_tile(scene, left, bottom, canvas, pool);
+        while (more && pool.size <= pool_rays - group_tiles * tile_pixels) {
+            Group group;
+            group.count = 0;
+            while (group.count < group_tiles && more) {
+                more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
+                group.count += more ? 1 : 0;
+            }
+            if (group.count > 0) begin_group(scene, group, canvas, pool);
         }
         took(TimedStage::begin);
         march_pool(scene, pool, hits, ended, canvas);

@@ -76,8 +76,11 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 32, 64});
     if (study == "techniques") {
         std::vector<Point> made{{"without=none", {}}};
-        for (const char* names : {"hull", "relaxation", "hull,relaxation"}) {
-            made.push_back({fmt::format("without={}", names), {.without = names}});
+        for (const auto& [name, techniques] : {std::pair("hull", "hull"),
+                                               {"relax", "relaxation"},
+                                               {"cones", "cones"},
+                                               {"all", "hull,relaxation,cones"}}) {
+            made.push_back({fmt::format("without={}", name), {.without = techniques}});
         }
         return made;
     }

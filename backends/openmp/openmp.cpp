@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "backends/openmp/peak.h"
+#include "backends/openmp/pitch.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -96,20 +97,6 @@ private:
     std::atomic<int> taken_ = 0;
 };
 
-// How far apart at distance 1 the rays of two diagonal neighbours are, at most: 0 where cones would not pay. A cone
-// ends some of its widths before the surface; where a pixel is many tolerances wide, that is at once.
-template <class KernelScene>
-auto pitch_of(const KernelScene& scene) -> decltype(scene.tolerance)
-{
-    const auto spacing = [](const auto& axis, int pixels) {
-        return 2 * std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z) /
-               static_cast<decltype(axis.x + 0)>(pixels);
-    };
-    constexpr int most_tolerances = 8;
-    const auto pitch = std::hypot(spacing(scene.across, scene.width), spacing(scene.upward, scene.height));
-    return pitch < most_tolerances * scene.tolerance ? pitch : 0;
-}
-
 // Draws bands through planes in memory.
 template <class Real>
 class BandExecutor : public Executor {
@@ -132,7 +119,7 @@ public:
         const openmp::Canvas<Real> canvas{band.first_row,
                                           band.first_row + band.rows,
                                           static_cast<std::ptrdiff_t>(pixels),
-                                          cones_ ? pitch_of(scene_) : 0,
+                                          cones_ ? openmp::pitch_of(scene_) : 0,
                                           reals_.data(),
                                           wholes_.data()};
         TileQueue queue(scene_.width, band, chunk_);
