@@ -100,8 +100,8 @@ int render(const Flythrough& options, const Path& path, Ranks& ranks)
     const Picture picture{options.width, options.height, options.samples, options.look};
     if (!options.stills.empty()) {
         const auto [first, last] = options.frames_asked(path.frames.size());
-        const std::size_t written =
-            make_stills(path, backend, {options.stills, options.jpeg, first, last, options.every, picture, renderer}, ranks);
+        const std::size_t written = make_stills(
+            path, backend, {options.stills, options.jpeg, first, last, options.every, picture, renderer}, ranks);
         if (ranks.rank() == 0) fmt::print(stderr, "stills: {} pictures in {}\n", written, options.stills);
         return exit_fine;
     }
@@ -114,8 +114,8 @@ int render(const Flythrough& options, const Path& path, Ranks& ranks)
     film.segments = options.segments;
     const FilmReport report = make_film(path, backend, film, ranks);
     if (ranks.rank() != 0) return exit_fine;
-    fmt::print(stderr, "film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered, report.segments,
-               report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
+    fmt::print(stderr, "film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered,
+               report.segments, report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
                report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
     return exit_fine;
 }
@@ -150,7 +150,8 @@ int run(const Flythrough& options)
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
         // One rank's failure ends them all; its message comes first.
-        const int code = run_program("flythrough", [](int, char**) -> int { std::rethrow_exception(std::current_exception()); }, 0, nullptr);
+        const int code = run_program(
+            "flythrough", [](int, char**) -> int { std::rethrow_exception(std::current_exception()); }, 0, nullptr);
         ranks->abort(code);
         return code;
     }

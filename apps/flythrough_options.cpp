@@ -27,8 +27,8 @@ long long whole_option(const std::string& name, const std::string& text, long lo
     return *value;
 }
 
-std::pair<long long, long long> pair_option(const std::string& name, const std::string& text, char between, long long low,
-                                            long long high, const char* expected)
+std::pair<long long, long long> pair_option(const std::string& name, const std::string& text, char between,
+                                            long long low, long long high, const char* expected)
 {
     const auto at = text.find(between);
     const auto first = parse_whole(text.substr(0, at));
@@ -40,8 +40,8 @@ std::pair<long long, long long> pair_option(const std::string& name, const std::
 }
 
 struct Texts {
-    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "2", device, threads = "0", look, segments,
-                         every = "1", precision = "float", mode = "fast", kind = "png";
+    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "2", device, threads = "0", look,
+                         segments, every = "1", precision = "float", mode = "fast", kind = "png";
 };
 
 void add_options(CLI::App& app, Flythrough& options, Texts& texts)
@@ -53,31 +53,43 @@ void add_options(CLI::App& app, Flythrough& options, Texts& texts)
         ->check(CLI::IsMember({"plan", "render", "film", "audit"}));
     app.add_option("PATH", options.path, "a path file: render and audit read it, film writes it if given");
     app.add_option("--fractal", options.fractal, names)->capture_default_str();
-    app.add_option("--params", options.parameters, "a parameter file (.dat): its fractal, not its camera, is flown through");
+    app.add_option("--params", options.parameters,
+                   "a parameter file (.dat): its fractal, not its camera, is flown through");
     app.add_option("--seed", texts.seed, "chooses the tour")->capture_default_str();
-    app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")->capture_default_str();
+    app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
+        ->capture_default_str();
     app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
     app.add_option("--samples", texts.samples, "per pixel and side: 2 means 4 samples a pixel")->capture_default_str();
     app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
         ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
         ->capture_default_str();
     app.add_option("--device", texts.device, "which of the backend's devices; without it each MPI rank takes its own");
-    app.add_option("--precision", texts.precision, "double or float")->check(CLI::IsMember({"double", "float"}))->capture_default_str();
-    app.add_option("--mode", texts.mode, "exact or fast")->check(CLI::IsMember({"exact", "fast"}))->capture_default_str();
+    app.add_option("--precision", texts.precision, "double or float")
+        ->check(CLI::IsMember({"double", "float"}))
+        ->capture_default_str();
+    app.add_option("--mode", texts.mode, "exact or fast")
+        ->check(CLI::IsMember({"exact", "fast"}))
+        ->capture_default_str();
     app.add_option("--threads", texts.threads, "threads on the host, 0: one a core");
     app.add_option("--look", texts.look, "colouring type instead of the film's own");
-    app.add_option("--output", options.output, "plan: the path file (path.json); film and render: the film (video.mp4)");
+    app.add_option("--output", options.output,
+                   "plan: the path file (path.json); film and render: the film (video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
     app.add_option("--title", options.title, "first line of the title; without title and authors there is none");
     app.add_option("--authors", options.authors, "second line of the title");
     app.add_option("--stills", options.stills, "write still frames into this folder instead of a film");
-    app.add_option("--still-format", texts.kind, "png or jpeg")->check(CLI::IsMember({"png", "jpeg"}))->capture_default_str();
+    app.add_option("--still-format", texts.kind, "png or jpeg")
+        ->check(CLI::IsMember({"png", "jpeg"}))
+        ->capture_default_str();
     app.add_option("--every", texts.every, "stills: only every so manieth frame");
-    app.add_option("--segments", texts.segments, "A-B: only these segments of 60 frames, from 0; the film is not joined");
+    app.add_option("--segments", texts.segments,
+                   "A-B: only these segments of 60 frames, from 0; the film is not joined");
     app.add_flag("--force", options.force, "render a path that breaks a promise");
     app.footer(
-        "plan makes a path file and prints its audit; audit prints one again; render makes a film of a path file; film does all.\n"
-        "An interrupted film goes on where it stopped: run the same command again. mpirun shares the work among its ranks.\n"
+        "plan makes a path file and prints its audit; audit prints one again; render makes a film of a path file; film "
+        "does all.\n"
+        "An interrupted film goes on where it stopped: run the same command again. mpirun shares the work among its "
+        "ranks.\n"
         "Exit codes: 0 fine, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not available.");
 }
 
@@ -117,7 +129,8 @@ Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
     options.samples = static_cast<int>(whole_option("samples", texts.samples, 1, 8));
     options.threads = static_cast<int>(whole_option("threads", texts.threads, 0, 1024));
     options.device_given = !texts.device.empty();
-    if (options.device_given) options.renderer.device = static_cast<int>(whole_option("device", texts.device, 0, 1'000'000));
+    if (options.device_given)
+        options.renderer.device = static_cast<int>(whole_option("device", texts.device, 0, 1'000'000));
     options.renderer.precision = texts.precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = texts.mode == "fast" ? Mode::fast : Mode::exact;
     if (!texts.look.empty()) options.look = static_cast<int>(whole_option("look", texts.look, 0, colouring_types - 1));

@@ -2,7 +2,7 @@
 # target_link_libraries(x mandelmarch::backends).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-install(TARGETS mandelbulb mandelbox render imgdiff RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mandelbulb mandelbox render imgdiff flythrough RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 list(TRANSFORM MANDELMARCH_BACKENDS PREPEND mandelmarch_ OUTPUT_VARIABLE backend_targets)
 install(TARGETS mandelmarch_core mandelmarch_backends mandelmarch_warnings ${backend_targets}
     EXPORT mandelmarch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

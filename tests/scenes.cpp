@@ -59,6 +59,12 @@ std::vector<NamedScene> odd_scenes()
     scenes.back().scene.escape = 0;
     add("julia, camera inside", julia).eye = {0.05, 0.02, 0.03};
     add("julia, hundreds of iterations", julia).iterations = 300;
+    // Our own looks, on every fractal.
+    for (int look = 2; look < colouring_types; ++look) {
+        add(fmt::format("bulb, look {}", look), bulb).colouring = look;
+        add(fmt::format("box, look {}", look), box).colouring = look;
+        add(fmt::format("julia, look {}", look), julia).colouring = look;
+    }
     return scenes;
 }
 

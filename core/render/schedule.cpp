@@ -1,7 +1,10 @@
 #include "core/render/schedule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
 
@@ -14,6 +17,7 @@ constexpr std::int64_t bands_wanted = 64;
 // The estimates of a pass that shades (central differences), and the steps of a hit that is refined to its end: as
 // in the kernel text.
 constexpr std::int64_t shade_estimates = 6;
+constexpr std::int64_t look_estimates = 12;  // more of them in our own looks, the orbit trap and its colours included
 constexpr std::int64_t refine_steps = 100;
 
 }  // namespace
@@ -51,10 +55,18 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
 {
     // An estimate loops once for each of its iterations; a loop may be counted once more, when it ends.
     const std::int64_t loops_per_step = std::int64_t{scene.iterations} + 2;
-    const std::int64_t estimates = max_steps + refine_steps + shade_estimates;
+    const std::int64_t shading = shade_estimates + (scene.colouring > 1 ? look_estimates : 0);
+    const std::int64_t estimates = max_steps + refine_steps + shading;
     const bool whole = limits.loops_per_invocation == 0 || loops_per_step * estimates <= limits.loops_per_invocation;
     const auto steps_per_pass =
         static_cast<int>(std::clamp<std::int64_t>(limits.loops_per_invocation / loops_per_step - 1, 1, max_steps));
+
+    if (limits.loops_per_invocation > 0 && shading * loops_per_step > limits.loops_per_invocation) {
+        throw Unavailable(
+            fmt::format("colouring type {} with {} iterations loops more often than this device survives, expected fewer "
+                        "iterations or the types 0 and 1",
+                        scene.colouring, scene.iterations));
+    }
 
     const int rows = rows_per_band(scene, limits);
     for (int row = 0; row < scene.height; row += rows) {

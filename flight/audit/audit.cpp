@@ -15,15 +15,15 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;           // hull sizes: an estimate under it is inside solid
-constexpr double turn_cap = 1.2;         // degrees a frame
-constexpr double aside = 60;             // degrees off the motion
-constexpr double stillness = 0.25;       // of the clearance: a camera that stays within it stands still
-constexpr double same_view = 0.95;       // correlation
-constexpr double minute = 60;            // seconds
-constexpr int view_every = 15;           // frames between views that are compared for likeness
-constexpr double moved_on = 0.5;         // a view is seen again only after one that is less like it than this
-constexpr double official_frames = 7200; // that the bar on passages is for
+constexpr double solid = 1e-5;            // hull sizes: an estimate under it is inside solid
+constexpr double turn_cap = 1.2;          // degrees a frame
+constexpr double aside = 60;              // degrees off the motion
+constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
+constexpr double same_view = 0.95;        // correlation
+constexpr double minute = 60;             // seconds
+constexpr int view_every = 15;            // frames between views that are compared for likeness
+constexpr double moved_on = 0.5;          // a view is seen again only after one that is less like it than this
+constexpr double official_frames = 7200;  // that the bar on passages is for
 
 struct Bars {
     double step, aside, passages, planning;
@@ -60,7 +60,8 @@ std::vector<Run> runs_of(const Path& path, int threads)
 
 class Auditor {
 public:
-    Auditor(const Path& path, int threads, int stride) : path_(path), stride_(static_cast<std::size_t>(stride)), runs_(runs_of(path, threads))
+    Auditor(const Path& path, int threads, int stride)
+        : path_(path), stride_(static_cast<std::size_t>(stride)), runs_(runs_of(path, threads))
     {
         for (const Frame& frame : path.frames) places_.push_back(frame.eye);
         clearances_.resize(places_.size());
@@ -98,7 +99,10 @@ public:
 
 private:
     double size() const { return runs_.front().field->hull().size; }
-    double percent(std::size_t count) const { return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size()); }
+    double percent(std::size_t count) const
+    {
+        return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
+    }
     static double seconds(std::size_t frames) { return static_cast<double>(frames) / frames_per_second; }
 
     // Between two frames the camera flies straight. Each sample's safe ball must reach the next sample.
@@ -131,7 +135,8 @@ private:
         double worst = 0;
         std::size_t where = 0;
         for (std::size_t i = 1; i < places_.size(); ++i) {
-            const double step = length(places_[i] - places_[i - 1]) / std::max(std::min(clearances_[i], clearances_[i - 1]), 1e-300);
+            const double step =
+                length(places_[i] - places_[i - 1]) / std::max(std::min(clearances_[i], clearances_[i - 1]), 1e-300);
             if (step > worst) {
                 worst = step;
                 where = i;
@@ -215,7 +220,7 @@ private:
     {
         // Runs are short where the fractal changes in flight: there a view is taken of every frame of a run.
         std::vector<std::size_t> of;
-        std::vector<View> views;
+        std::vector<Glimpse> views;
         for (const Run& run : runs_) {
             const auto part = views_of(*run.field, std::span(path_.frames).subspan(run.first, run.last - run.first),
                                        static_cast<int>(stride_));
@@ -227,7 +232,7 @@ private:
         again(of, views);
     }
 
-    void motion(const std::vector<std::size_t>& of, const std::vector<View>& views)
+    void motion(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
     {
         std::vector<double> moved;
         for (std::size_t v = 0; v < views.size(); ++v) {
@@ -244,7 +249,7 @@ private:
              fmt::format("median {:.2f} % of the height a frame", 100 * median)});
     }
 
-    void dullness(const std::vector<std::size_t>& of, const std::vector<View>& views)
+    void dullness(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
     {
         std::size_t count = 0;
         std::size_t longest = 0;
@@ -258,12 +263,13 @@ private:
                 where = of[v + 1 - on_end];
             }
         }
-        add({"dull frames", 100.0 * static_cast<double>(count) / static_cast<double>(views.size()), 3, true, false, "%", ""});
+        add({"dull frames", 100.0 * static_cast<double>(count) / static_cast<double>(views.size()), 3, true, false, "%",
+             ""});
         add({"longest time of dull frames on end", seconds(longest * stride_), 1, true, false, "s",
              longest > 0 ? at_frame(where) : ""});
     }
 
-    void again(const std::vector<std::size_t>& of, const std::vector<View>& views)
+    void again(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
     {
         std::vector<std::size_t> some;  // views, half a second apart
         for (std::size_t v = 0; v < views.size(); ++v) {
@@ -273,7 +279,8 @@ private:
         std::string first;
         for (std::size_t i = 0; i < some.size(); ++i) {
             bool other = false;
-            for (std::size_t j = i + 1; j < some.size() && of[some[j]] - of[some[i]] <= minute * frames_per_second; ++j) {
+            for (std::size_t j = i + 1; j < some.size() && of[some[j]] - of[some[i]] <= minute * frames_per_second;
+                 ++j) {
                 const double like = likeness(views[some[i]], views[some[j]]);
                 other = other || like < moved_on;
                 if (!other || like <= same_view) continue;

@@ -16,7 +16,7 @@ struct Row {
     bool at_most = true;   // the value may be at most the bar; else at least
     bool promise = false;  // a path that misses it is not rendered without --force
     std::string unit;
-    std::string worst;     // where it is worst, in words; may be empty
+    std::string worst;  // where it is worst, in words; may be empty
 
     bool kept() const { return at_most ? value <= bar : value >= bar; }
 };

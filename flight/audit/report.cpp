@@ -14,11 +14,15 @@ std::string table_of(const Path& path, const Audit& audit)
                                    path.scene.fractal->name, path.seed, path.frames.size(),
                                    static_cast<double>(path.frames.size()) / frames_per_second);
     for (const Row& row : audit.rows) {
-        const auto value = [&](double v) { return fmt::format("{:.4g}{}{}", v, row.unit.empty() ? "" : " ", row.unit); };
+        const auto value = [&](double v) {
+            return fmt::format("{:.4g}{}{}", v, row.unit.empty() ? "" : " ", row.unit);
+        };
         text += fmt::format("{} {:<54} {:>10}  {} {:<8} {}{}{}\n", row.promise ? '!' : ' ', row.name, value(row.value),
                             row.at_most ? "<=" : ">=", value(row.bar),
-                            row.kept() ? "kept" : row.promise ? "BROKEN" : "missed", row.worst.empty() ? "" : "  ",
-                            row.worst);
+                            row.kept()    ? "kept"
+                            : row.promise ? "BROKEN"
+                                          : "missed",
+                            row.worst.empty() ? "" : "  ", row.worst);
     }
     return text;
 }

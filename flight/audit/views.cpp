@@ -10,11 +10,11 @@ namespace mandelmarch {
 namespace {
 
 constexpr double least_hits = 0.15;
-constexpr double one_depth = 1.25;   // ratio of the depths that bound 95 % of the picture
-constexpr double near_wall = 2;      // clearances
-constexpr double filling = 0.9;      // share of the picture
-constexpr double far = 12;           // hull sizes: rays end there
-constexpr double coarse = 0.008;     // of t: a ray that comes so near has hit
+constexpr double one_depth = 1.25;  // ratio of the depths that bound 95 % of the picture
+constexpr double near_wall = 2;     // clearances
+constexpr double filling = 0.9;     // share of the picture
+constexpr double far = 12;          // hull sizes: rays end there
+constexpr double coarse = 0.008;    // of t: a ray that comes so near has hit
 
 Camera camera_at(const Frame& frame)
 {
@@ -37,25 +37,27 @@ Vector direction_of(const Camera& camera, int pixel)
     return unit(camera.forward + u * camera.across + v * camera.upward);
 }
 
-double View::hit_share() const
+double Glimpse::hit_share() const
 {
     const auto hits = std::ranges::count_if(depth, [](float d) { return std::isfinite(d); });
     return static_cast<double>(hits) / view_pixels;
 }
 
-bool View::dull(double clearance) const
+bool Glimpse::dull(double clearance) const
 {
     if (hit_share() < least_hits) return true;
     std::array<float, view_pixels> sorted = depth;
     std::ranges::sort(sorted);
-    const auto at = [&](double share) { return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]); };
+    const auto at = [&](double share) {
+        return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]);
+    };
     return at(0.975) < one_depth * at(0.025) || at(filling) < near_wall * clearance;
 }
 
-std::vector<View> views_of(const Field& field, std::span<const Frame> frames, int stride)
+std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames, int stride)
 {
     const auto every = static_cast<std::size_t>(stride);
-    std::vector<View> views((frames.size() + every - 1) / every);
+    std::vector<Glimpse> views((frames.size() + every - 1) / every);
     const double end = far * field.hull().size;
     parallel(views.size(), 16, field.threads(), [&](std::size_t first, std::size_t last) {
         std::vector<Vector> from(view_pixels);
@@ -77,7 +79,7 @@ std::vector<View> views_of(const Field& field, std::span<const Frame> frames, in
     return views;
 }
 
-double median_motion(const View& seen, const Frame& from, const Frame& to)
+double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
 {
     const Camera before = camera_at(from);
     const Camera after = camera_at(to);
@@ -91,7 +93,9 @@ double median_motion(const View& seen, const Frame& from, const Frame& to)
         if (hits_only && !std::isfinite(seen.depth[n])) continue;
         const Vector direction = direction_of(before, k);
         // What is not hit is infinitely far.
-        const Vector seen_from = std::isfinite(seen.depth[n]) ? from.eye + static_cast<double>(seen.depth[n]) * direction - to.eye : direction;
+        const Vector seen_from = std::isfinite(seen.depth[n])
+                                     ? from.eye + static_cast<double>(seen.depth[n]) * direction - to.eye
+                                     : direction;
         const double ahead = dot(seen_from, after.forward);
         const double u = (2 * (k % view_width) + 1.0) / view_width - 1;
         const double v = (2 * (k / view_width) + 1.0) / view_height - 1;
@@ -109,10 +113,10 @@ double median_motion(const View& seen, const Frame& from, const Frame& to)
     return *middle;
 }
 
-double likeness(const View& a, const View& b)
+double likeness(const Glimpse& a, const Glimpse& b)
 {
     // What is not hit counts as twice as far as the farthest hit.
-    const auto logarithms = [](const View& view) {
+    const auto logarithms = [](const Glimpse& view) {
         float most = 0;
         for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
         std::array<double, view_pixels> logs{};
@@ -139,7 +143,8 @@ double likeness(const View& a, const View& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    return scale > 0 ? std::max(xy, mirrored) / scale : 1;
+    // A picture of one depth is like another such picture only.
+    return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 
 }  // namespace mandelmarch

@@ -14,12 +14,12 @@ inline constexpr int view_width = 32;   // pixels
 inline constexpr int view_height = 18;  // pixels
 inline constexpr int view_pixels = view_width * view_height;
 
-struct View {
+struct Glimpse {
     std::array<float, view_pixels> depth;  // along the ray, in the scene's units; +infinity: nothing hit
 
     double hit_share() const;
-    // True if the eye sees little: under 15 % of the pixels hit something, or 95 % of the depths lie within a quarter of
-    // each other, or a wall nearer than 2 `clearance`s fills nine tenths of the picture.
+    // True if the eye sees little: under 15 % of the pixels hit something, or 95 % of the depths lie within a quarter
+    // of each other, or a wall nearer than 2 `clearance`s fills nine tenths of the picture.
     bool dull(double clearance) const;
 };
 
@@ -27,13 +27,13 @@ struct View {
 Vector direction_of(const Camera& camera, int pixel);
 
 // Views of frames[0], frames[stride], ..., on all of the field's threads. The field must have the frames' shape.
-std::vector<View> views_of(const Field& field, std::span<const Frame> frames, int stride);
+std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames, int stride);
 
 // Pixels move by this much, in picture heights, from one frame to the next: the median over the pixels of the view
 // `seen` from the first that hit something, as the background has one colour; over all of them where few do.
-double median_motion(const View& seen, const Frame& from, const Frame& to);
+double median_motion(const Glimpse& seen, const Frame& from, const Frame& to);
 
 // The correlation of two views' logarithms of depth, of one as it is or mirrored, whichever is larger.
-double likeness(const View& a, const View& b);
+double likeness(const Glimpse& a, const Glimpse& b);
 
 }  // namespace mandelmarch

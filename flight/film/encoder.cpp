@@ -17,13 +17,38 @@ namespace {
 // Before the output's name. Bitexact leaves out what changes from run to run; four threads whatever the machine.
 std::vector<std::string> encoding()
 {
-    return {"-c:v",      "libx264",     "-preset",          "medium",  "-crf",      "18",         "-threads",         "4",
-            "-pix_fmt",  "yuv420p",     "-g",               "60",      "-flags:v",  "+bitexact",  "-fflags",          "+bitexact",
-            "-colorspace", "bt709",     "-color_primaries", "bt709",   "-color_trc", "bt709",     "-color_range",     "tv",
-            "-video_track_timescale", "15360", "-f", "mp4"};
+    return {"-c:v",
+            "libx264",
+            "-preset",
+            "medium",
+            "-crf",
+            "18",
+            "-threads",
+            "4",
+            "-pix_fmt",
+            "yuv420p",
+            "-g",
+            "60",
+            "-flags:v",
+            "+bitexact",
+            "-fflags",
+            "+bitexact",
+            "-colorspace",
+            "bt709",
+            "-color_primaries",
+            "bt709",
+            "-color_trc",
+            "bt709",
+            "-color_range",
+            "tv",
+            "-video_track_timescale",
+            "15360",
+            "-f",
+            "mp4"};
 }
 
-constexpr const char* conversion = "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format=yuv420p";
+constexpr const char* conversion =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format=yuv420p";
 
 template <class... Lists>
 std::vector<std::string> joined(std::vector<std::string> first, const Lists&... more)
@@ -49,14 +74,15 @@ void check_ffmpeg()
     }
     const std::string filter = fmt::format("drawtext=fontfile={}:text=x,{}", title_font(), conversion);
     try {
-        Process process(joined(quietly(),
-                               std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter,
-                                                        "-c:v", "libx264", "-f", "null", "-"}),
-                        "");
+        Process process(
+            joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter,
+                                                       "-c:v", "libx264", "-f", "null", "-"}),
+            "");
         const auto result = process.finish();
         if (!result.fine) throw Error(result.cause);
     } catch (const Error& error) {
-        throw Error(fmt::format("{} does not work: {}; films need ffmpeg with libx264 and drawtext", ffmpeg(), error.what()));
+        throw Error(
+            fmt::format("{} does not work: {}; films need ffmpeg with libx264 and drawtext", ffmpeg(), error.what()));
     }
 }
 
@@ -91,13 +117,22 @@ struct Encoder::Pipe {
 Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter)
     : file_(file)
 {
-    const std::vector<std::string> input{"-f",           "rawvideo", "-pix_fmt", "rgb24",
-                                         "-video_size",  fmt::format("{}x{}", width, height),
-                                         "-framerate",   fmt::format("{}", frames_per_second),
-                                         "-i",           "-",
-                                         "-progress",    "pipe:1",
-                                         "-stats_period", "3600",
-                                         "-vf",          (filter.empty() ? "" : filter + ",") + std::string(conversion)};
+    const std::vector<std::string> input{"-f",
+                                         "rawvideo",
+                                         "-pix_fmt",
+                                         "rgb24",
+                                         "-video_size",
+                                         fmt::format("{}x{}", width, height),
+                                         "-framerate",
+                                         fmt::format("{}", frames_per_second),
+                                         "-i",
+                                         "-",
+                                         "-progress",
+                                         "pipe:1",
+                                         "-stats_period",
+                                         "3600",
+                                         "-vf",
+                                         (filter.empty() ? "" : filter + ",") + std::string(conversion)};
     auto command = joined(quietly(), input, encoding(), std::vector<std::string>{file});
     std::erase(command, "-nostdin");
     pipe_.reset(new Pipe{.process = {command, folder}});
@@ -117,7 +152,8 @@ void Encoder::wait()
     if (writer_.joinable()) writer_.join();
     if (!broken_) return;
     const auto result = pipe_->process.finish();
-    throw Error(fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it took no more frames" : result.cause));
+    throw Error(
+        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it took no more frames" : result.cause));
 }
 
 void Encoder::add(std::vector<std::uint8_t> frame)

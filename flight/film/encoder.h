@@ -30,8 +30,8 @@ public:
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    // One frame, RGB, from the top row. It is handed over while the caller draws the next: throws Error where an earlier
-    // one failed.
+    // One frame, RGB, from the top row. It is handed over while the caller draws the next: throws Error where an
+    // earlier one failed.
     void add(std::vector<std::uint8_t> frame);
 
     // Throws Error where the encoder failed or counts another number of frames than were added.

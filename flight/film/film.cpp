@@ -26,21 +26,24 @@ std::string description_of(const Path& path, const Backend& backend, const FilmO
     const auto devices = backend.devices();
     const auto device = static_cast<std::size_t>(options.renderer.device);
     return fmt::format(
-        "{{\"film\": 1, \"path\": \"{}\", \"frames\": {}, \"size\": \"{}x{}\", \"samples\": {}, \"look\": {}, \"backend\": \"{}\", "
+        "{{\"film\": 1, \"path\": \"{}\", \"frames\": {}, \"size\": \"{}x{}\", \"samples\": {}, \"look\": {}, "
+        "\"backend\": \"{}\", "
         "\"device\": \"{}\", \"precision\": \"{}\", \"mode\": \"{}\", \"title\": \"{}\", \"encoder\": \"{}\"}}\n",
-        digest(to_text(path)), path.frames.size(), picture.width, picture.height, picture.samples, picture.look.value_or(-1),
-        backend.name(), device < devices.size() ? devices[device].name : "", name_of(options.renderer.precision),
-        name_of(options.renderer.mode), digest(options.title + "\n" + options.authors), ffmpeg_version());
+        digest(to_text(path)), path.frames.size(), picture.width, picture.height, picture.samples,
+        picture.look.value_or(-1), backend.name(), device < devices.size() ? devices[device].name : "",
+        name_of(options.renderer.precision), name_of(options.renderer.mode),
+        digest(options.title + "\n" + options.authors), ffmpeg_version());
 }
 
 void check(const FilmOptions& options, const Workshop& work)
 {
     const Picture& picture = options.picture;
     if (picture.width % 2 != 0 || picture.height % 2 != 0 || std::min(picture.width, picture.height) < 16) {
-        throw InputError(fmt::format("--size: a film of {} x {} pixels, expected even sides of at least 16", picture.width,
-                                     picture.height));
+        throw InputError(fmt::format("--size: a film of {} x {} pixels, expected even sides of at least 16",
+                                     picture.width, picture.height));
     }
-    if (options.segments && (options.segments->second >= work.segments() || options.segments->first > options.segments->second)) {
+    if (options.segments &&
+        (options.segments->second >= work.segments() || options.segments->first > options.segments->second)) {
         throw InputError(fmt::format("--segments: {}-{} given, expected some of 0-{}", options.segments->first,
                                      options.segments->second, work.segments() - 1));
     }
@@ -56,7 +59,8 @@ public:
     // Renders what is missing of the segments asked for; returns how many these were.
     std::size_t render()
     {
-        const auto [first, last] = options_.segments.value_or(std::pair<std::size_t, std::size_t>{0, work_.segments() - 1});
+        const auto [first, last] =
+            options_.segments.value_or(std::pair<std::size_t, std::size_t>{0, work_.segments() - 1});
         // Rank 0 looks what is missing, so that all ranks count the same.
         std::string missing;
         std::size_t finished = 0;
@@ -78,9 +82,7 @@ public:
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
         const bool alone = ranks_.size() == 1;
-        const auto body = [&](std::size_t number) {
-            segment(*maker, todo[number], alone ? &progress : nullptr);
-        };
+        const auto body = [&](std::size_t number) { segment(*maker, todo[number], alone ? &progress : nullptr); };
         const auto done = [&](std::size_t number) {
             // Of several ranks only whole segments are known.
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
@@ -110,11 +112,30 @@ public:
         file.commit();
         const std::string whole = ".part-film.mp4";
         piece("film.mp4", whole, [&](const std::string& part) {
-            const auto told = run_ffmpeg({"-f", "concat", "-safe", "0", "-i", "list.txt", "-c", "copy", "-movflags", "+faststart",
-                                          "-video_track_timescale", "15360", "-fflags", "+bitexact", "-progress", "pipe:1",
-                                          "-stats_period", "3600", "-f", "mp4", part},
+            const auto told = run_ffmpeg({"-f",
+                                          "concat",
+                                          "-safe",
+                                          "0",
+                                          "-i",
+                                          "list.txt",
+                                          "-c",
+                                          "copy",
+                                          "-movflags",
+                                          "+faststart",
+                                          "-video_track_timescale",
+                                          "15360",
+                                          "-fflags",
+                                          "+bitexact",
+                                          "-progress",
+                                          "pipe:1",
+                                          "-stats_period",
+                                          "3600",
+                                          "-f",
+                                          "mp4",
+                                          part},
                                          work_.folder(), options_.output);
-            const auto expected = static_cast<std::int64_t>(path_.frames.size()) + (list.starts_with("file 't") ? title_frames : 0);
+            const auto expected =
+                static_cast<std::int64_t>(path_.frames.size()) + (list.starts_with("file 't") ? title_frames : 0);
             if (frames_in(told) != expected) {
                 throw Error(fmt::format("{}: joined {} frames of {}", options_.output, frames_in(told), expected));
             }

@@ -27,12 +27,13 @@ struct FilmReport {
     std::size_t segments = 0;  // in the film
     std::size_t rendered = 0;  // segments, in this run, by all ranks
     double seconds = 0;
-    bool joined = false;       // the film stands
+    bool joined = false;  // the film stands
 };
 
 // Makes the film: every segment that is not finished yet, by all ranks, then the title, and joins them without encoding
-// again. The film appears whole or not at all; a run that ends before goes on where it stopped. Progress goes to stderr.
-// Throws InputError (a size that is odd, segments that are not there), Error (ffmpeg, a full disk), Unavailable.
+// again. The film appears whole or not at all; a run that ends before goes on where it stopped. Progress goes to
+// stderr. Throws InputError (a size that is odd, segments that are not there), Error (ffmpeg, a full disk),
+// Unavailable.
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 struct StillOptions {
@@ -44,8 +45,8 @@ struct StillOptions {
     RendererOptions renderer;
 };
 
-// Writes frame-000123.png (or .jpg) for every so manieth frame; those that are there already stay. Returns how many were
-// written.
+// Writes frame-000123.png (or .jpg) for every so manieth frame; those that are there already stay. Returns how many
+// were written.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

@@ -15,10 +15,10 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
     constexpr std::uint64_t beside = 300ULL << 20;  // bytes: the program, the encoder and frames in flight
     const std::uint64_t needed = 3ULL * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) + beside;
     if (width > max_side || height > max_side || needed > available_memory()) {
-        throw InputError(fmt::format("{} x {} pixels of {} x {} samples need {} MiB of memory and sides up to {}, expected "
-                                     "a smaller size",
-                                     picture.width, picture.height, picture.samples, picture.samples, needed >> 20,
-                                     max_side));
+        throw InputError(
+            fmt::format("{} x {} pixels of {} x {} samples need {} MiB of memory and sides up to {}, expected "
+                        "a smaller size",
+                        picture.width, picture.height, picture.samples, picture.samples, needed >> 20, max_side));
     }
     image_ = Image(width, height, Image::Layers::bytes);
 }
@@ -45,7 +45,8 @@ std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
                 }
             }
         }
-        for (std::size_t i = 0; i < sums.size(); ++i) rgb[3 * width * y + i] = static_cast<std::uint8_t>(sums[i] / count);
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            rgb[3 * width * y + i] = static_cast<std::uint8_t>(sums[i] / count);
     }
     return rgb;
 }

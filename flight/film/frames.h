@@ -11,15 +11,16 @@
 namespace mandelmarch {
 
 struct Picture {
-    int width = 1920;   // pixels
-    int height = 1080;  // pixels
-    int samples = 2;    // per pixel and side: 2 draws at twice the size and takes the mean of 2 x 2
+    int width = 1920;         // pixels
+    int height = 1080;        // pixels
+    int samples = 2;          // per pixel and side: 2 draws at twice the size and takes the mean of 2 x 2
     std::optional<int> look;  // a colouring type instead of the path's
 };
 
 class FrameMaker {
 public:
-    // Keeps one renderer for all frames. Throws Unavailable; InputError where a picture needs more memory than there is.
+    // Keeps one renderer for all frames. Throws Unavailable; InputError where a picture needs more memory than there
+    // is.
     FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture);
 
     // RGB, from the top row.

@@ -9,7 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int bar_width = 40;                       // characters
+constexpr int bar_width = 40;                          // characters
 constexpr auto look = std::chrono::milliseconds(200);  // between two looks of the bar
 constexpr auto line = std::chrono::seconds(15);        // between two lines where there is no terminal
 
@@ -58,8 +58,10 @@ void FilmProgress::show()
         return;
     }
     shown_ = true;
-    const int full = static_cast<int>(static_cast<double>(bar_width) * static_cast<double>(done) / static_cast<double>(frames_));
-    fmt::print(stderr, "\rfilm [{:#<{}}{:.<{}}] {} \033[K", "", std::min(full, bar_width), "", bar_width - std::min(full, bar_width), text);
+    const int full =
+        static_cast<int>(static_cast<double>(bar_width) * static_cast<double>(done) / static_cast<double>(frames_));
+    fmt::print(stderr, "\rfilm [{:#<{}}{:.<{}}] {} \033[K", "", std::min(full, bar_width), "",
+               bar_width - std::min(full, bar_width), text);
     std::fflush(stderr);
 }
 

@@ -22,8 +22,8 @@ public:
     virtual std::string share(const std::string& text) = 0;
 
     // Hands out the numbers 0 to count - 1, each to one rank, in order: calls body(number) on this rank until none is
-    // left, and returns when all ranks are done. Ranks that are faster get more. `done` is called on rank 0 with a number
-    // when its body has returned.
+    // left, and returns when all ranks are done. Ranks that are faster get more. `done` is called on rank 0 with a
+    // number when its body has returned.
     virtual void each(std::size_t count, const std::function<void(std::size_t)>& body,
                       const std::function<void(std::size_t)>& done) = 0;
 
@@ -31,8 +31,8 @@ public:
     virtual void abort(int code) = 0;
 };
 
-// The ranks that mpirun started, where this program was built with MPI and started by it; else one process alone. Throws
-// Unavailable where mpirun started several that cannot work together, as the program was built without MPI.
+// The ranks that mpirun started, where this program was built with MPI and started by it; else one process alone.
+// Throws Unavailable where mpirun started several that cannot work together, as the program was built without MPI.
 std::unique_ptr<Ranks> make_ranks();
 
 }  // namespace mandelmarch

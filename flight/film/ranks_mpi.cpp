@@ -38,7 +38,8 @@ public:
         MPI_Comm_rank(here, &local_rank_);
         MPI_Comm_size(here, &local_size_);
         MPI_Comm_free(&here);
-        if (provided < MPI_THREAD_SERIALIZED) throw Unavailable("this MPI gives threads no access, expected another one");
+        if (provided < MPI_THREAD_SERIALIZED)
+            throw Unavailable("this MPI gives threads no access, expected another one");
     }
     ~MpiRanks() override { MPI_Finalize(); }
 

@@ -23,7 +23,8 @@ std::unique_ptr<Ranks> one_rank() { return std::make_unique<OneRank>(); }
 std::unique_ptr<Ranks> make_ranks()
 {
     if (started_by_mpi()) {
-        throw Unavailable("this program was built without MPI and cannot share work, expected no mpirun or a build with MPI");
+        throw Unavailable(
+            "this program was built without MPI and cannot share work, expected no mpirun or a build with MPI");
     }
     return one_rank();
 }

@@ -29,9 +29,34 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
 {
     const std::string part = file + ".part";
-    Process process({ffmpeg(), "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
-                     fmt::format("{}x{}", picture.width, picture.height), "-i", "-", "-c:v", "mjpeg", "-q:v", "2", "-pix_fmt",
-                     "yuvj444p", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", "image2", "-update", "1", part},
+    Process process({ffmpeg(),
+                     "-hide_banner",
+                     "-loglevel",
+                     "error",
+                     "-y",
+                     "-f",
+                     "rawvideo",
+                     "-pix_fmt",
+                     "rgb24",
+                     "-video_size",
+                     fmt::format("{}x{}", picture.width, picture.height),
+                     "-i",
+                     "-",
+                     "-c:v",
+                     "mjpeg",
+                     "-q:v",
+                     "2",
+                     "-pix_fmt",
+                     "yuvj444p",
+                     "-fflags",
+                     "+bitexact",
+                     "-flags:v",
+                     "+bitexact",
+                     "-f",
+                     "image2",
+                     "-update",
+                     "1",
+                     part},
                     "");
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();

@@ -17,7 +17,8 @@ constexpr int brightening = 15;  // frames
 std::string line_filter(const std::string& file, int size, int below_middle)
 {
     return fmt::format(
-        "drawtext=fontfile={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x=(w-text_w)/2:y=(h-text_h)/2+{}:alpha='min(1,t/"
+        "drawtext=fontfile={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x=(w-text_w)/2:y=(h-text_h)/"
+        "2+{}:alpha='min(1,t/"
         "0.8)*min(1,max(0,(3.9-t)/0.6))'",
         title_font(), file, size, below_middle);
 }
@@ -52,7 +53,8 @@ void write_title(const std::string& folder, const std::string& file, const std::
     }
     Encoder encoder(folder, file, width, height, filter);
     for (int i = 0; i < title_frames; ++i) {
-        // In the last half second the picture brightens to the first frame of the flight: from a third to all its light.
+        // In the last half second the picture brightens to the first frame of the flight: from a third to all its
+        // light.
         const int light = brightening + 2 * std::max(0, i - (title_frames - brightening));
         std::vector<std::uint8_t> frame = first;
         for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * brightening));

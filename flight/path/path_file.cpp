@@ -115,8 +115,8 @@ private:
         const double number = found.is_number() ? found.get<double>() : NAN;
         const bool fine = number <= meaning.high && (meaning.open_low ? number > meaning.low : number >= meaning.low);
         if (!fine) {
-            fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, found.dump(), meaning.name,
-                             meaning.open_low ? "more than" : "at least", meaning.low, meaning.high));
+            fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, found.dump(),
+                             meaning.name, meaning.open_low ? "more than" : "at least", meaning.low, meaning.high));
         }
         return number;
     }
@@ -156,7 +156,8 @@ std::string to_text(const Path& path)
     const Scene& scene = path.scene;
     const auto& [a, b, c] = scene.shape;
     std::string text = fmt::format(
-        "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n\"scene\": {{\"detail\": {}, "
+        "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n\"scene\": "
+        "{{\"detail\": {}, "
         "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}}},\n\"frames\": [\n",
         format_name, scene.fractal->name, path.seed, frames_per_second,
         path.detail_by_size ? "\"by size\"" : number(scene.detail), triple({a, b, c}), scene.iterations,

@@ -6,9 +6,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double margin = 1.2;      // half the cube's edge, in hull sizes
-constexpr double cover_share = 0.95; // of a ball's radius: no other ball's centre lies so near
-constexpr double overlap = 0.95;    // of two radii: linked balls are nearer than that
+constexpr double margin = 1.2;        // half the cube's edge, in hull sizes
+constexpr double cover_share = 0.95;  // of a ball's radius: no other ball's centre lies so near
+constexpr double overlap = 0.95;      // of two radii: linked balls are nearer than that
 
 }  // namespace
 
@@ -51,15 +51,20 @@ void Balls::each_cell_near(Vector p, double radius, Visit visit) const
     }
 }
 
-// From an edge of the cube inwards, coarse cell by coarse cell: a cell that its own ball covers is one sample, others are
-// cut into fine cells, and a neighbour is visited only behind a face with a free cell. Solid insides, where estimates
-// are dear, are never entered.
+// From an edge of the cube inwards, coarse cell by coarse cell: a cell that its own ball covers is one sample, others
+// are cut into fine cells, and a neighbour is visited only behind a face with a free cell. Solid insides, where
+// estimates are dear, are never entered.
 void Balls::flood()
 {
     const double half_diagonal = side_ * parts * std::sqrt(0.75);
     std::vector<char> seen(static_cast<std::size_t>(coarse) * coarse * coarse, 0);
-    const auto coarse_index = [](Cell c) { return (static_cast<std::size_t>(c.z) * coarse + static_cast<std::size_t>(c.y)) * coarse + static_cast<std::size_t>(c.x); };
-    const auto middle = [](Cell c) { return Cell{c.x * parts + parts / 2, c.y * parts + parts / 2, c.z * parts + parts / 2}; };
+    const auto coarse_index = [](Cell c) {
+        return (static_cast<std::size_t>(c.z) * coarse + static_cast<std::size_t>(c.y)) * coarse +
+               static_cast<std::size_t>(c.x);
+    };
+    const auto middle = [](Cell c) {
+        return Cell{c.x * parts + parts / 2, c.y * parts + parts / 2, c.z * parts + parts / 2};
+    };
     const Cell start{coarse - 1, coarse / 2, coarse - 1};
     std::vector<Cell> wave{start};
     seen[coarse_index(start)] = 1;
@@ -83,7 +88,8 @@ void Balls::flood()
         points.clear();
         for (const Cell c : cut) {
             for (int k = 0; k < parts * parts * parts; ++k) {
-                points.push_back(centre_of({c.x * parts + k % parts, c.y * parts + k / parts % parts, c.z * parts + k / (parts * parts)}));
+                points.push_back(centre_of(
+                    {c.x * parts + k % parts, c.y * parts + k / parts % parts, c.z * parts + k / (parts * parts)}));
             }
         }
         clear.resize(points.size());
@@ -155,7 +161,8 @@ void Balls::link()
         near.clear();
         each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
             // Each pair is found from its larger ball, which has the smaller number.
-            if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at])) near.push_back(owner_[at]);
+            if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at]))
+                near.push_back(owner_[at]);
         });
         std::ranges::sort(near);
         near.erase(std::unique(near.begin(), near.end()), near.end());

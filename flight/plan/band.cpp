@@ -9,10 +9,10 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double spacing = 0.35;     // between points, in clearances
-constexpr double freedom = 0.45;     // how far a point may leave its place in a round, in safe clearances
-constexpr double pin_freedom = 0.08; // the same for a pin
-constexpr double push = 0.15;        // of a point away from the walls, in clearances, each round
+constexpr double spacing = 0.35;      // between points, in clearances
+constexpr double freedom = 0.45;      // how far a point may leave its place in a round, in safe clearances
+constexpr double pin_freedom = 0.08;  // the same for a pin
+constexpr double push = 0.15;         // of a point away from the walls, in clearances, each round
 constexpr int rounds = 7;
 constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
 constexpr int sweeps = 12;  // at each stride
@@ -98,7 +98,8 @@ void relax(const Field& field, Band& band)
                 // bends round.
                 Vector aim = 0.5 * (point(-step) + point(step));
                 if (i - 2 * step >= 0 && i + 2 * step < count) {
-                    const Vector bent = (4.0 / 6) * (point(-step) + point(step)) - (1.0 / 6) * (point(-2 * step) + point(2 * step));
+                    const Vector bent =
+                        (4.0 / 6) * (point(-step) + point(step)) - (1.0 / 6) * (point(-2 * step) + point(2 * step));
                     aim = 0.4 * aim + 0.6 * bent;
                 }
                 const auto n = static_cast<std::size_t>(i);

@@ -12,12 +12,12 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double look = 1.5;          // clearances: how far around a place its shape is felt
-constexpr double ring_radius = 7;     // clearances within which the ring's rays must meet wall
+constexpr double look = 1.5;       // clearances: how far around a place its shape is felt
+constexpr double ring_radius = 7;  // clearances within which the ring's rays must meet wall
 constexpr std::size_t lines = 32;
 constexpr int ring_rays = 16;
-constexpr double widening = 2.3;      // the way out must reach so many times the gate's clearance
-constexpr double same_place = 2;      // clearances: gates nearer to each other are one
+constexpr double widening = 2.3;  // the way out must reach so many times the gate's clearance
+constexpr double same_place = 2;  // clearances: gates nearer to each other are one
 
 // 13 directions: the axes through the faces, edges and corners of a cube.
 std::array<Vector, 13> compass()
@@ -41,8 +41,7 @@ std::pair<Vector, Vector> across(Vector axis)
 class Finder {
 public:
     Finder(const Field& field, const Balls& balls, double least, double most)
-        : field_(field), balls_(balls), least_(least), most_(most),
-          enough_(9.0 / ring_rays)
+        : field_(field), balls_(balls), least_(least), most_(most), enough_(9.0 / ring_rays)
     {
     }
 
@@ -152,7 +151,8 @@ private:
             points[8] = gate.centre + reach * gate.axis;
             points[9] = gate.centre - reach * gate.axis;
             field_.distances(points, clear);
-            const auto widest = static_cast<std::size_t>(std::max_element(clear.begin(), clear.begin() + 8) - clear.begin());
+            const auto widest =
+                static_cast<std::size_t>(std::max_element(clear.begin(), clear.begin() + 8) - clear.begin());
             const std::size_t narrower = clear[8] < clear[9] ? 8 : 9;
             std::size_t to = 10;
             if (clear[widest] > gate.clearance * 1.001) {
@@ -278,9 +278,8 @@ std::vector<Gate> find_gates(const Field& field, const Balls& balls, double leas
         };
         if (std::ranges::any_of(gates, same)) continue;
         const Vector here = representative(field.scene(), gate->centre);
-        const auto kind = std::ranges::find_if(kinds, [&](Vector known) {
-            return length(known - here) < same_place * gate->clearance;
-        });
+        const auto kind = std::ranges::find_if(
+            kinds, [&](Vector known) { return length(known - here) < same_place * gate->clearance; });
         gate->kind = static_cast<int>(kind - kinds.begin());
         if (kind == kinds.end()) kinds.push_back(here);
         gates.push_back(std::move(*gate));

@@ -7,8 +7,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double blur = 16;         // frames: the standard deviation of the smoothing in time
-constexpr double middle_until = 90; // frames: after it the gaze has left the fractal's middle
+constexpr double blur = 16;          // frames: the standard deviation of the smoothing in time
+constexpr double middle_until = 90;  // frames: after it the gaze has left the fractal's middle
 
 // A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.
 std::vector<Vector> blurred(const std::vector<Vector>& in, double deviation)
@@ -49,7 +49,8 @@ std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int 
     const auto last = std::ssize(ride.at) - 1;
     for (int i = 0; i < frames; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        const Vector ahead = ride.at[static_cast<std::size_t>(std::min<std::ptrdiff_t>(i + look_ahead, last))] - ride.at[n];
+        const Vector ahead =
+            ride.at[static_cast<std::size_t>(std::min<std::ptrdiff_t>(i + look_ahead, last))] - ride.at[n];
         Vector aim = length(ahead) > 0 ? unit(ahead) : aims.empty() ? Vector{1, 0, 0} : aims.back();
         aim = aim + tilt[n];
         if (i < middle_until) {
@@ -64,7 +65,8 @@ std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int 
 void limit_turns(std::vector<Vector>& gaze, double most)
 {
     for (std::size_t i = 1; i < gaze.size(); ++i) {
-        if (degrees_between(gaze[i - 1], gaze[i]) > most) gaze[i] = turned(gaze[i - 1], gaze[i], most * std::numbers::pi / 180);
+        if (degrees_between(gaze[i - 1], gaze[i]) > most)
+            gaze[i] = turned(gaze[i - 1], gaze[i], most * std::numbers::pi / 180);
     }
 }
 
@@ -73,7 +75,8 @@ std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Ve
     std::vector<Frame> frames;
     for (std::size_t i = 0; i < gaze.size(); ++i) {
         if (i > 0) {
-            // The least rotation from the last gaze to this one, applied to up (Rodrigues' formula without trigonometry).
+            // The least rotation from the last gaze to this one, applied to up (Rodrigues' formula without
+            // trigonometry).
             const Vector axis = cross(gaze[i - 1], gaze[i]);
             const double cosine = dot(gaze[i - 1], gaze[i]);
             up = cosine * up + cross(axis, up) + (dot(axis, up) / (1 + cosine)) * axis;

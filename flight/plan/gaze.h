@@ -12,8 +12,8 @@ namespace mandelmarch {
 inline constexpr int look_ahead = 48;  // frames, 1.6 s
 
 // Unit vectors for the first `frames` places of a ride that goes on for look_ahead more: towards where the camera will
-// be, tilted by `tilt` (one a frame, added to the unit vector), smoothed in time. The first frames look at the middle of
-// the fractal.
+// be, tilted by `tilt` (one a frame, added to the unit vector), smoothed in time. The first frames look at the middle
+// of the fractal.
 std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int frames);
 
 // The same with no turn of more than `most` degrees from frame to frame.

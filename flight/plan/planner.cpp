@@ -21,10 +21,10 @@ namespace {
 // Shares of the hull's size, and paces, by fractal: the box's estimate is about 3.5 times too small, so that its free
 // space looks narrower and may be flown through faster.
 struct Measures {
-    double roads;        // least clearance of the balls
-    double gate_least;   // bounds of a gate's clearance
+    double roads;       // least clearance of the balls
+    double gate_least;  // bounds of a gate's clearance
     double gate_most;
-    double pace;         // clearances a frame
+    double pace;  // clearances a frame
 };
 
 Measures measures_of(const Fractal& fractal)
@@ -36,15 +36,15 @@ Measures measures_of(const Fractal& fractal)
 constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
 constexpr int tries = 300'000;              // places where gates are looked for
 constexpr double field_of_view = 1.0;
-constexpr double wanted_turn = 0.95;   // degrees a frame: where the gaze turns faster, the ride slows down
-constexpr double turn_limit = 1.17;    // degrees a frame; the promise is 1.2
-constexpr double slowest = 0.08;       // of the pace
+constexpr double wanted_turn = 0.95;    // degrees a frame: where the gaze turns faster, the ride slows down
+constexpr double turn_limit = 1.17;     // degrees a frame; the promise is 1.2
+constexpr double slowest = 0.08;        // of the pace
 constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
 constexpr double slow_motion = 0.004;   // less tilts the gaze towards what is near
-constexpr double most_tilt = 1.25;      // of the gaze, added to the unit vector along the motion
+constexpr double most_tilt = 1.0;       // of the gaze, added to the unit vector along the motion
 constexpr int retimings = 7;
-constexpr int audit_stride = 5;        // the same while tours are compared
-constexpr int view_stride = 10;        // frames between the views that are looked at for dullness
+constexpr int audit_stride = 5;  // the same while tours are compared
+constexpr int view_stride = 10;  // frames between the views that are looked at for dullness
 
 class Planner {
 public:
@@ -128,10 +128,10 @@ private:
     }
 
     // Looks at the ride's views: where the picture moves faster than usual the ride slows down, where slower it goes
-    // faster, as far as the pace allows; where a view is dull, or nearly, or stands nearly still, the gaze is tilted (if `tilt` is asked for): towards the surface, or, where a wall fills the
-    // picture, towards the open.
-    void look_around(Track& track, const Ride& ride, const std::vector<Vector>& views, std::vector<Vector>& tilt_of_sample,
-                     bool tilting) const
+    // faster, as far as the pace allows; where a view is dull, or nearly, or stands nearly still, the gaze is tilted
+    // (if `tilt` is asked for): towards the surface, or, where a wall fills the picture, towards the open.
+    void look_around(Track& track, const Ride& ride, const std::vector<Vector>& views,
+                     std::vector<Vector>& tilt_of_sample, bool tilting) const
     {
         const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
         const auto seen = views_of(field_, frames, view_stride);
@@ -143,7 +143,8 @@ private:
             const double motion = median_motion(seen[v], frames[i], frames[i + 1]);
             const double wanted = std::clamp(std::pow(usual_motion / std::max(motion, 1e-5), 0.8), 0.4, 2.0);
             const std::size_t end = std::min(i + view_stride, ride.sample.size() - 1);
-            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]); ++s) {
+            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]);
+                 ++s) {
                 factor[s] = wanted;
             }
             const double clearance = field_.distance(frames[i].eye);
@@ -167,17 +168,20 @@ private:
             const Vector sum = tilt_of_sample[s] + more[s];
             tilt_of_sample[s] = std::min(1.0, most_tilt / std::max(length(sum), 1e-9)) * sum;
         }
-        for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::clamp(track.slow[s] * factor[s], slowest, 1.0);
+        for (std::size_t s = 0; s < factor.size(); ++s)
+            track.slow[s] = std::clamp(track.slow[s] * factor[s], slowest, 1.0);
     }
 
-    // Calls body(sample, nearness) for the track's samples up to `reach` frames from frame i; nearness falls from 1 to 0.
+    // Calls body(sample, nearness) for the track's samples up to `reach` frames from frame i; nearness falls from 1 to
+    // 0.
     template <class Body>
     static void each_sample(const Ride& ride, std::size_t i, std::size_t reach, Body body)
     {
         const std::size_t from = i > reach ? i - reach : 0;
         const std::size_t to = std::min(i + reach, ride.sample.size() - 1);
         for (std::size_t f = from; f < to; ++f) {
-            const double near = 1 - std::abs(static_cast<double>(f) - static_cast<double>(i)) / static_cast<double>(reach + 1);
+            const double near =
+                1 - std::abs(static_cast<double>(f) - static_cast<double>(i)) / static_cast<double>(reach + 1);
             const auto last = static_cast<std::size_t>(ride.sample[f + 1]);
             for (auto s = static_cast<std::size_t>(ride.sample[f]); s <= last; ++s) body(s, near);
         }
@@ -186,7 +190,7 @@ private:
     // The up vector of the first camera: y, or z where the gaze goes along y.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
-    static Vector open_direction(const View& view, const Frame& frame)
+    static Vector open_direction(const Glimpse& view, const Frame& frame)
     {
         Scene scene;
         scene.eye = frame.eye;
@@ -251,7 +255,8 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
         }
         const Audit result = audit(path, threads, 0, audit_stride);
         const double here = faults(result);
-        say(fmt::format("tour {}: {} bars missed, {:.2f}\n{}", number, result.bars_missed(), here, table_of(path, result)));
+        say(fmt::format("tour {}: {} bars missed, {:.2f}\n{}", number, result.bars_missed(), here,
+                        table_of(path, result)));
         if (here < least) {
             least = here;
             best.path = std::move(path);

@@ -20,8 +20,8 @@ struct Plan {
 using Log = std::function<void(const std::string&)>;
 
 // A flight of `frames` frames through the scene's fractal that keeps every promise of docs/flight.md. The same seed
-// gives the same path, on any number of threads (0: one a core). Throws Error where the fractal has no free space to fly
-// in or no tour keeps the promises.
+// gives the same path, on any number of threads (0: one a core). Throws Error where the fractal has no free space to
+// fly in or no tour keeps the promises.
 Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const Log& log = {});
 
 }  // namespace mandelmarch

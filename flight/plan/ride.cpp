@@ -44,8 +44,10 @@ Ride ride(const Field& field, const Track& track, double pace, int frames)
     for (std::size_t i = 0; i < count; ++i) {
         double least = track.clearance[i];
         const double near = foresight * 0.3 * std::min(track.clearance[i], cap);
-        for (std::size_t j = i; j-- > 0 && track.length[i] - track.length[j] < near;) least = std::min(least, track.clearance[j]);
-        for (std::size_t j = i + 1; j < count && track.length[j] - track.length[i] < near; ++j) least = std::min(least, track.clearance[j]);
+        for (std::size_t j = i; j-- > 0 && track.length[i] - track.length[j] < near;)
+            least = std::min(least, track.clearance[j]);
+        for (std::size_t j = i + 1; j < count && track.length[j] - track.length[i] < near; ++j)
+            least = std::min(least, track.clearance[j]);
         speed[i] = pace * std::min(least, cap) * track.slow[i];
     }
     const auto limit = [&](std::size_t i, std::size_t from) {

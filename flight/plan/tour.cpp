@@ -9,13 +9,13 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 2.5;   // of the eye from the middle, in hull sizes
-constexpr double outside_penalty = 6;    // a way outside the hull counts so many times
-constexpr double seen_penalty = 3;       // a way through balls flown through before
-constexpr double turn_cost = 30;         // clearances that turning round costs: 180 degrees at the cap on turning
-constexpr double reach = 400;            // clearances within which the next gate is sought
-constexpr int choices = 10;              // gate entries looked at before choosing
-constexpr double whim = 1.0;             // a gate's cost counts up to this much more, at random
+constexpr double start_distance = 2.5;  // of the eye from the middle, in hull sizes
+constexpr double outside_penalty = 6;   // a way outside the hull counts so many times
+constexpr double seen_penalty = 3;      // a way through balls flown through before
+constexpr double turn_cost = 30;        // clearances that turning round costs: 180 degrees at the cap on turning
+constexpr double reach = 400;           // clearances within which the next gate is sought
+constexpr int choices = 10;             // gate entries looked at before choosing
+constexpr double whim = 1.0;            // a gate's cost counts up to this much more, at random
 
 double angle_between(Vector a, Vector b)
 {
@@ -76,7 +76,8 @@ private:
         std::vector<int> candidates;
         for (std::size_t i = 0; i < balls_.balls().size(); ++i) {
             const Ball& ball = balls_.balls()[i];
-            if (ball.clearance > 0.1 * field_.hull().size && !field_.hull().contains(ball.centre) && !balls_.links(static_cast<int>(i)).empty()) {
+            if (ball.clearance > 0.1 * field_.hull().size && !field_.hull().contains(ball.centre) &&
+                !balls_.links(static_cast<int>(i)).empty()) {
                 candidates.push_back(static_cast<int>(i));
             }
         }
@@ -84,8 +85,8 @@ private:
         return candidates[static_cast<std::size_t>(random_.share() * static_cast<double>(candidates.size()))];
     }
 
-    // Dijkstra's search from ball `from` until enough gates are seen; returns the entry chosen (2 gate + side), with the
-    // way to it in before_; -1 if there is none.
+    // Dijkstra's search from ball `from` until enough gates are seen; returns the entry chosen (2 gate + side), with
+    // the way to it in before_; -1 if there is none.
     int next(int from)
     {
         ++turn_;
@@ -123,7 +124,9 @@ private:
             for (const Link& link : balls_.links(ball)) {
                 const auto to = static_cast<std::size_t>(link.to);
                 const Ball& there = balls_.balls()[to];
-                const double clearance = std::min(0.5 * (std::min(link.clearance, there.clearance) + balls_.balls()[b].clearance), fastest_clearance(field_.hull()));
+                const double clearance =
+                    std::min(0.5 * (std::min(link.clearance, there.clearance) + balls_.balls()[b].clearance),
+                             fastest_clearance(field_.hull()));
                 double step = link.length / clearance;
                 if (!field_.hull().contains(there.centre)) step *= outside_penalty;
                 if (seen_[to] != 0) step *= seen_penalty;
@@ -133,7 +136,8 @@ private:
         return best;
     }
 
-    // Angles that the way to a gate turns by, radians: from the last way out into the leg, and from the leg into the gate.
+    // Angles that the way to a gate turns by, radians: from the last way out into the leg, and from the leg into the
+    // gate.
     double turning(int ball, int entry) const
     {
         std::vector<int> leg = leg_to(ball);

@@ -1,0 +1,236 @@
+// Distances, planning, path files and audits: the same on any number of threads, and every row of an audit can fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "flight/audit/audit.h"
+#include "flight/audit/passages.h"
+#include "flight/audit/views.h"
+#include "flight/plan/planner.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr int frames = 400;
+
+const Path& planned()
+{
+    static const Path path = plan(official_scene("bulb", 16, 9), 3, frames, 0).path;
+    return path;
+}
+
+const Row& row_of(const Audit& audit, const std::string& name)
+{
+    const auto row = std::ranges::find_if(audit.rows, [&](const Row& r) { return r.name.starts_with(name); });
+    if (row == audit.rows.end()) throw Error("no row " + name);
+    return *row;
+}
+
+// The audit of the planned path after `spoil` has changed its frames.
+template <class Spoil>
+Audit spoilt(Spoil spoil)
+{
+    Path path = planned();
+    spoil(path.frames);
+    return audit(path, 0, 0, 5);
+}
+
+void move_to(Frame& frame, Vector place)
+{
+    frame.target = place + (frame.target - frame.eye);
+    frame.eye = place;
+}
+
+TEST(Field, TheSameBitsOnAnyNumberOfThreads)
+{
+    for (const char* name : {"bulb", "box"}) {
+        const Scene scene = official_scene(name, 16, 9);
+        const Field one(scene, 1);
+        const Field many(scene, 5);
+        std::vector<Vector> points;
+        for (int i = 0; i < 30'000; ++i) points.push_back({std::sin(i * 1.7), std::cos(i * 2.3), std::sin(i * 0.31)});
+        std::vector<double> a(points.size());
+        std::vector<double> b(points.size());
+        one.distances(points, a);
+        many.distances(points, b);
+        EXPECT_EQ(a, b);
+        EXPECT_EQ(a[77], one.distance(points[77]));
+        const Vector outside{3 * one.hull().size, 0, 0};
+        EXPECT_FALSE(one.hull().contains(outside));
+        EXPECT_GT(one.distance(outside), 0);
+        EXPECT_LE(one.distance(outside), 3 * one.hull().size);
+    }
+}
+
+TEST(Field, SymmetricPlacesAreOne)
+{
+    const Scene bulb = official_scene("bulb", 16, 9);
+    const Field field(bulb, 1);
+    const Vector p{0.7, 0.2, 0.8};
+    const double turn = 2 * std::acos(-1.0) / 7;
+    const Vector q{p.x * std::cos(turn) - p.y * std::sin(turn), -(p.x * std::sin(turn) + p.y * std::cos(turn)), p.z};
+    EXPECT_NEAR(field.distance(p), field.distance(q), 1e-9);
+    EXPECT_LT(length(representative(bulb, p) - representative(bulb, q)), 1e-9);
+    const Scene box = official_scene("box", 16, 9);
+    EXPECT_LT(length(representative(box, {1, -2, 3}) - representative(box, {-3, 1, 2})), 1e-12);
+}
+
+TEST(Plan, TheSameSeedGivesTheSamePathOnAnyNumberOfThreads)
+{
+    const Scene scene = official_scene("box", 16, 9);
+    const std::string one = to_text(plan(scene, 9, 150, 1).path);
+    EXPECT_EQ(one, to_text(plan(scene, 9, 150, 3).path));
+    EXPECT_NE(one, to_text(plan(scene, 10, 150, 3).path));
+}
+
+TEST(Plan, KeepsEveryPromise)
+{
+    const Audit result = audit(planned(), 1);
+    EXPECT_TRUE(result.promises_kept()) << table_of(planned(), result);
+    // On any number of threads.
+    EXPECT_EQ(json_of(planned(), result), json_of(planned(), audit(planned(), 4)));
+}
+
+TEST(Audit, EveryRowCanFail)
+{
+    const auto fails = [](const Audit& result, const std::string& name) {
+        EXPECT_FALSE(row_of(result, name).kept()) << name;
+        return result.promises_kept();
+    };
+    // Promises.
+    EXPECT_FALSE(fails(spoilt([](auto& f) { move_to(f[200], {0, 0, 0.1}); }), "frames inside solid"));
+    // Both frames are free, the way between them is not.
+    EXPECT_FALSE(fails(spoilt([](auto& f) {
+                           move_to(f[0], {0, 0, 2});
+                           move_to(f[1], {0, 0, -2});
+                       }),
+                       "frames inside solid"));
+    EXPECT_FALSE(fails(spoilt([](auto& f) { f.erase(f.begin() + 300, f.begin() + 304); }), "largest step"));
+    EXPECT_FALSE(
+        fails(spoilt([](auto& f) { f[250].target = f[250].eye + unit(f[250].target - f[250].eye + 0.05 * f[250].up); }),
+              "largest turn"));
+    EXPECT_FALSE(
+        fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
+    // Quality.
+    const Field field(planned().scene, 0);
+    fails(spoilt([&](auto& f) {
+              Vector place = f[300].eye;
+              while (field.distance(place) > 0.002)
+                  place = place - 0.3 * field.distance(place) * field.uphill(place, 1e-4);
+              move_to(f[300], place);
+          }),
+          "least DE");
+    fails(spoilt([](auto& f) {
+              for (auto& frame : f) move_to(frame, unit(frame.eye) + unit(frame.eye));
+          }),
+          "frames inside the hull");
+    const auto all_turned = [](auto& f, auto turn) {
+        for (auto& frame : f) frame.target = frame.eye + turn(frame.target - frame.eye);
+    };
+    fails(spoilt([&](auto& f) { all_turned(f, [](Vector v) { return -1 * v; }); }), "frames looking more than 60");
+    fails(spoilt([&](auto& f) {
+              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
+          }),
+          "dull frames");
+    fails(spoilt([&](auto& f) {
+              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
+          }),
+          "longest time of dull");
+    fails(spoilt([](auto& f) {
+              for (std::size_t i = 0; i < f.size(); i += 10) f[i + 1] = f[i];
+          }),
+          "frames with apparent motion");
+    fails(spoilt([](auto& f) {
+              // The sky, and then the same way once more.
+              for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
+              std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
+          }),
+          "the same view again");
+    // Ten seconds need no passage; a whole film at one place has none.
+    Path long_path = planned();
+    long_path.frames.assign(7200, planned().frames[0]);
+    fails(audit(long_path, 0, 0, 300), "distinct passages");
+    fails(spoilt([](auto& f) {
+              for (std::size_t i = 0; i + 1 < f.size(); ++i) {
+                  const double angle = 1.19 * std::acos(-1.0) / 180 * static_cast<double>(i);
+                  f[i].target = f[i].eye + Vector{std::cos(angle), std::sin(angle), 0};
+                  f[i].up = {0, 0, 1};
+              }
+          }),
+          "frames at the cap");
+    EXPECT_FALSE(row_of(audit(planned(), 0, 1000, 50), "planning").kept());
+}
+
+TEST(Audit, PassagesAreCountedModuloTheSymmetry)
+{
+    const Field field(official_scene("box", 16, 9), 1);
+    const std::vector<Vector> places{{1, 2, 3},    {1, 2, 3.1}, {1, 2, 3.2}, {2, 1, -3.3},
+                                     {-3.1, 2, 1}, {3, 3, 3},   {3, 3, 2}};
+    const std::vector<double> once{1, 0.4, 0.9, 0.9, 0.9, 0.9, 0.9};
+    EXPECT_EQ(distinct_passages(field, places, once).size(), 1U);
+    const std::vector<double> mirrored{1, 0.04, 1, 1, 0.04, 1, 1};
+    EXPECT_EQ(distinct_passages(field, places, mirrored).size(), 1U);
+    const std::vector<double> twice{1, 0.04, 1, 1, 1, 0.1, 1};
+    EXPECT_EQ(distinct_passages(field, places, twice).size(), 2U);
+    const std::vector<double> shallow{1, 0.6, 1, 1, 1, 1, 1};
+    EXPECT_TRUE(distinct_passages(field, places, shallow).empty());
+}
+
+TEST(PathFile, IsReadAsItIsWritten)
+{
+    Path path = planned();
+    path.frames[3].changes.shape = {0, 4, 7.5};
+    path.frames[4].changes.brightness = 1.5;
+    path.frames[4].changes.iterations = 50;
+    path.frames[5].changes.detail = -3.5;
+    const std::string text = to_text(path);
+    EXPECT_EQ(to_text(path_from_text(text, "test")), text);
+    const Scene changed = scene_of(path, path.frames[3], 64, 36);
+    EXPECT_EQ(changed.shape[2], 7.5);
+    // A fractal that changes in flight is audited as it is in each frame.
+    EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
+}
+
+TEST(PathFile, SaysWhatIsWrong)
+{
+    const auto says = [](std::string text, const std::string& from, const std::string& to, const std::string& message) {
+        const auto at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+        try {
+            path_from_text(text, "a.json");
+            FAIL() << "accepted: " << to;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+        }
+    };
+    const std::string text = to_text(planned());
+    says(text, "mandelmarch path 1", "something", "a.json");
+    says(text, "\"mandelbulb\"", "\"mandelbub\"", "mandelbub");
+    says(text, "\"iterations\": 100", "\"iterations\": 0", "a.json: scene");
+    says(text, "\"location\": [", "\"location\": [1e99, ", "a.json: frame 0");
+    says(text, "\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
+    says(text, "\"up\"", "\"down\"", "\"up\" is missing");
+    says(text, "{\"location\"", "{{\"location\"", "a.json");
+}
+
+TEST(Views, KnowThemselvesAndTheirMirrorImages)
+{
+    const Field field(planned().scene, 0);
+    const auto views = views_of(field, planned().frames, 100);
+    ASSERT_EQ(views.size(), 4U);
+    Glimpse mirrored = views[2];
+    for (int k = 0; k < view_pixels; ++k) {
+        mirrored.depth[static_cast<std::size_t>(k)] =
+            views[2].depth[static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width)];
+    }
+    EXPECT_NEAR(likeness(views[2], mirrored), 1, 1e-9);
+    EXPECT_LT(likeness(views[0], views[3]), 0.95);
+    EXPECT_LT(median_motion(views[2], planned().frames[200], planned().frames[200]), 1e-12);
+}
+
+}  // namespace
+}  // namespace mandelmarch
