@@ -3,11 +3,11 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test fuzz intel-opencl lint k40 flythrough video video-preview kill-test install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview kill-test install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
-	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/flythrough bin/
+	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/flythrough bin/
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
 mandelbulb mandelbox: setup
@@ -17,6 +17,12 @@ mandelbulb mandelbox: setup
 # Draws both official scenes on every backend, proves that they agree and prints the times.
 demo: build
 	@bin/demo
+
+# The standard study, by three processes one after the other: some eight minutes. docs/benchmarking.md explains it.
+LAUNCHES ?= 3
+bench: build
+	@mkdir -p report/results
+	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
 
 flythrough: setup
 	@tools/build $(PRESET) flythrough

@@ -11,6 +11,7 @@
 
 #include "backends/openacc/device.h"
 #include "backends/openacc/kernels.h"
+#include "backends/openacc/peak.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
@@ -191,6 +192,16 @@ public:
         const Opened found = opened(options.device);
         if (!found.device.is_gpu) fmt::print(stderr, "backend openacc: runs on the {}\n", found.device.name);
         return std::make_unique<OpenaccRenderer>(options, found.device, found.seconds);
+    }
+
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        if (options.device >= openacc::device_count()) {
+            throw Unavailable(fmt::format("backend openacc: there is no device {}", options.device));
+        }
+        const Device device = opened(options.device).device;
+        openacc::use_device(device, options.device);
+        return openacc::multiply_add_peak(device, options.precision);
     }
 
 private:

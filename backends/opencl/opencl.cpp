@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "backends/opencl/peak.h"
 #include "backends/opencl/renderer.h"
 
 namespace mandelmarch {
@@ -26,6 +27,17 @@ public:
 
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
+        return opencl::make_renderer(device_of(options), options);
+    }
+
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return opencl::multiply_add_peak(device_of(options), options);
+    }
+
+private:
+    cl::Device device_of(const RendererOptions& options) const
+    {
         const auto devices = opencl::all_devices();
         if (devices.empty()) throw Unavailable("backend opencl: " + *unavailable());
         const auto index = static_cast<std::size_t>(options.device);
@@ -33,7 +45,7 @@ public:
             throw Unavailable(fmt::format("backend opencl: there is no device {}, only {} of them, from 0",
                                           options.device, devices.size()));
         }
-        return opencl::make_renderer(devices[index], options);
+        return devices[index];
     }
 };
 

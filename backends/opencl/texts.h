@@ -8,4 +8,7 @@ namespace mandelmarch::opencl {
 // The whole program for a fractal; empty if there is none.
 std::string_view text_of(std::string_view fractal);
 
+// The whole program of the multiply-add peak.
+std::string_view peak_text();
+
 }  // namespace mandelmarch::opencl

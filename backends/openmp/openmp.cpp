@@ -1,14 +1,19 @@
 #include "backends/openmp/openmp.h"
 
 #include <fmt/format.h>
+#include <hwy/targets.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 
+#include "backends/openmp/peak.h"
+#include "backends/openmp/pitch.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -48,24 +53,38 @@ struct ThreadMemory {
     void* at;
 };
 
-// The tiles of a band, handed out in rows from the bottom left.
+// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
 class TileQueue {
 public:
-    TileQueue(int width, const Band& band)
+    TileQueue(int width, const Band& band, int chunk)
         : columns_((width + tile_side - 1) / tile_side),
           count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
-          first_row_(band.first_row)
+          first_row_(band.first_row),
+          chunk_(chunk)
     {
     }
 
-    openmp::Tiles tiles() { return {next, this}; }
+    // One thread's tiles of the queue.
+    struct Share {
+        TileQueue& queue;
+        int at = 0, end = 0;  // tiles taken and not yet handed out
+
+        openmp::Tiles tiles() { return {next, this}; }
+    };
 
 private:
     static bool next(void* source, int& left, int& bottom)
     {
-        auto& queue = *static_cast<TileQueue*>(source);
-        const int index = queue.taken_.fetch_add(1, std::memory_order_relaxed);
-        if (index >= queue.count_) return false;
+        auto& [queue, at, end] = *static_cast<Share*>(source);
+        if (at == end) {
+            at = queue.taken_.fetch_add(queue.chunk_, std::memory_order_relaxed);
+            end = at + queue.chunk_;
+        }
+        const int index = at++;
+        if (index >= queue.count_) {
+            at = end = queue.count_;
+            return false;
+        }
         left = index % queue.columns_ * tile_side;
         bottom = queue.first_row_ + index / queue.columns_ * tile_side;
         return true;
@@ -74,6 +93,7 @@ private:
     int columns_;
     int count_;
     int first_row_;
+    int chunk_;
     std::atomic<int> taken_ = 0;
 };
 
@@ -84,7 +104,9 @@ public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
-          threads_(options.threads)
+          threads_(options.threads),
+          cones_(options.mode == Mode::fast && options.techniques.cones),
+          chunk_(std::max(1, options.chunk))
     {
     }
 
@@ -94,13 +116,18 @@ public:
         const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
         reals_.resize(std::max(reals_.size(), real_planes * pixels));
         wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
-        const openmp::Canvas<Real> canvas{band.first_row, band.first_row + band.rows,
-                                          static_cast<std::ptrdiff_t>(pixels), reals_.data(), wholes_.data()};
-        TileQueue queue(scene_.width, band);
+        const openmp::Canvas<Real> canvas{band.first_row,
+                                          band.first_row + band.rows,
+                                          static_cast<std::ptrdiff_t>(pixels),
+                                          cones_ ? openmp::pitch_of(scene_) : 0,
+                                          reals_.data(),
+                                          wholes_.data()};
+        TileQueue queue(scene_.width, band, chunk_);
 #pragma omp parallel num_threads(threads_)
         {
             const ThreadMemory memory(variant_.memory);
-            variant_.draw(&scene_, canvas, queue.tiles(), memory.at);
+            TileQueue::Share share{queue};
+            variant_.draw(&scene_, canvas, share.tiles(), memory.at);
         }
         timings.kernel += seconds_since(start);
     }
@@ -131,6 +158,8 @@ private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     int threads_;
+    bool cones_;
+    int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
 };
@@ -140,10 +169,31 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
+// MANDELMARCH_INSTRUCTIONS in the environment takes a smaller instruction set than the machine's best: SSE4, AVX2 or
+// AVX3 (AVX-512), as Highway calls them.
+void choose_instructions()
+{
+    const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
+    hwy::SetSupportedTargetsForTest(0);  // what the machine has
+    if (wanted == nullptr) return;
+    std::string known;
+    for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+        const std::int64_t target = rest & -rest;
+        if (std::string_view(hwy::TargetName(target)) == wanted) {
+            hwy::SetSupportedTargetsForTest(target);
+            return;
+        }
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", hwy::TargetName(target));
+    }
+    throw InputError(
+        fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
+}
+
 class OpenmpRenderer : public Renderer {
 public:
     explicit OpenmpRenderer(const RendererOptions& options) : options_(options)
     {
+        choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
     }
 
@@ -204,6 +254,10 @@ public:
             throw Unavailable(fmt::format("backend openmp: there is no device {}, only device 0", options.device));
         }
         return std::make_unique<OpenmpRenderer>(options);
+    }
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return openmp::multiply_add_peak(options.precision, options.threads);
     }
 };
 

@@ -8,7 +8,7 @@
 #include "core/kernel/text.h"
 
 // Rays in a pool: enough that few packs have gaps, few enough to stay in a core's cache.
-constexpr int pool_rays = 2048;
+constexpr int pool_rays = 4096;
 
 struct Pool {
     static constexpr int reals = 9;
@@ -174,37 +174,135 @@ constexpr int pack_width = rectangle_width();
 constexpr int pack_height = pack_lanes / pack_width;
 static_assert(pack_width <= tile_side && pack_height <= tile_side);
 
-// Begins the rays of the tile whose bottom left pixel is (left, bottom) of the picture.
-HWY_NOINLINE void begin_tile(const Scene& scene, int left, int bottom, const Canvas<MM_REAL>& canvas, Pool& pool)
+// A pack's coordinates and whether each lane is on the picture.
+struct Lanes {
+    MM_REAL i[pack_lanes];
+    MM_REAL j[pack_lanes];
+    MM_REAL inside[pack_lanes];
+    MM_REAL start[pack_lanes];  // no ray hits before this t
+    Int place[pack_lanes];
+    Int estimates[pack_lanes];  // made for it by cones
+    Int iterations[pack_lanes];
+};
+
+HWY_INLINE whole load_lanes(const Int* from)
 {
+    whole a;
+    for (int u = 0; u < MM_REGISTERS; ++u) a.of[u] = hn::LoadU(Wholes(), from + u * register_lanes);
+    return a;
+}
+
+HWY_INLINE real load_lanes(const MM_REAL* from)
+{
+    real a;
+    for (int u = 0; u < MM_REGISTERS; ++u) a.of[u] = hn::LoadU(Reals(), from + u * register_lanes);
+    return a;
+}
+
+// Some tiles, begun together so that their cones fill packs.
+constexpr int group_tiles = 8;
+struct Group {
+    int count;
+    int left[group_tiles];
+    int bottom[group_tiles];
+};
+
+// The blocks of side x side pixels of a group, in the order of tiles, rows and columns.
+constexpr int blocks_across(int side) { return tile_side / side; }
+constexpr int blocks_of_tile(int side) { return blocks_across(side) * blocks_across(side); }
+
+// Where a group's cones came to. What a cone cost is counted for one of its rays.
+template <int side>
+struct Cones {
+    static constexpr int most = (group_tiles * blocks_of_tile(side) + pack_lanes - 1) / pack_lanes * pack_lanes;
+    MM_REAL start[most];
+    Int estimates[most];
+    Int iterations[most];
+};
+
+// Marches one cone for every block of `side` pixels, from where the larger block's cone came to.
+template <int side, int parent_side>
+HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
+                              Cones<side>& cones)
+{
+    const int blocks = group.count * blocks_of_tile(side);
+    for (int from = 0; from < blocks; from += pack_lanes) {
+        Lanes lanes;
+        for (int lane = 0; lane < pack_lanes; ++lane) {
+            const int block = from + lane < blocks ? from + lane : blocks - 1;
+            const int tile = block / blocks_of_tile(side);
+            const int x = block % blocks_of_tile(side) % blocks_across(side) * side;
+            const int y = block % blocks_of_tile(side) / blocks_across(side) * side;
+            constexpr MM_REAL middle = MM_REAL(0.5) * (side - 1);
+            lanes.i[lane] = static_cast<MM_REAL>(group.left[tile] + x) + middle;
+            lanes.j[lane] = static_cast<MM_REAL>(group.bottom[tile] + y) + middle;
+            const int parent =
+                tile * blocks_of_tile(parent_side) + y / parent_side * blocks_across(parent_side) + x / parent_side;
+            const bool first = x % parent_side == 0 && y % parent_side == 0;
+            lanes.start[lane] = parents == nullptr ? MM_REAL(0) : parents->start[parent];
+            lanes.estimates[lane] = parents == nullptr || !first ? Int(0) : parents->estimates[parent];
+            lanes.iterations[lane] = parents == nullptr || !first ? Int(0) : parents->iterations[parent];
+        }
+        Ray ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
+        // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
+        ray.t = load_lanes(lanes.start);
+        ray.estimates = load_lanes(lanes.estimates);
+        ray.iterations = load_lanes(lanes.iterations);
+        ray = march_cone(scene, ray, pitch * (MM_REAL(0.5) * (side - 1)));
+        store_lanes(ray.t, cones.start + from);
+        store_lanes(ray.estimates, cones.estimates + from);
+        store_lanes(ray.iterations, cones.iterations + from);
+    }
+}
+
+// Begins the rays of tile number `tile` of the group, where its cones of 2 x 2 pixels came to, if there are any.
+HWY_NOINLINE void begin_tile(const Scene& scene, const Group& group, int tile, const Canvas<MM_REAL>& canvas,
+                             const Cones<2>* cones, Pool& pool)
+{
+    const int left = group.left[tile];
+    const int bottom = group.bottom[tile];
     for (int y0 = bottom; y0 < bottom + tile_side && y0 < canvas.end_row; y0 += pack_height) {
         for (int x0 = left; x0 < left + tile_side && x0 < scene.width; x0 += pack_width) {
-            MM_REAL i[pack_lanes];
-            MM_REAL j[pack_lanes];
-            Int place[pack_lanes];
-            MM_REAL inside[pack_lanes];
+            Lanes lanes;
             for (int lane = 0; lane < pack_lanes; ++lane) {
                 const int x = x0 + lane % pack_width;
                 const int y = y0 + lane / pack_width;
-                i[lane] = static_cast<MM_REAL>(x);
-                j[lane] = static_cast<MM_REAL>(y);
-                place[lane] = static_cast<Int>(y - canvas.first_row) * scene.width + x;
-                inside[lane] = x < scene.width && y < canvas.end_row ? MM_REAL(1) : MM_REAL(0);
+                lanes.i[lane] = static_cast<MM_REAL>(x);
+                lanes.j[lane] = static_cast<MM_REAL>(y);
+                lanes.place[lane] = static_cast<Int>(y - canvas.first_row) * scene.width + x;
+                lanes.inside[lane] = x < scene.width && y < canvas.end_row ? MM_REAL(1) : MM_REAL(0);
+                const int block = tile * blocks_of_tile(2) + (y - bottom) / 2 * blocks_across(2) + (x - left) / 2;
+                const bool first = x % 2 == 0 && y % 2 == 0;
+                lanes.start[lane] = cones == nullptr ? MM_REAL(0) : cones->start[block];
+                lanes.estimates[lane] = cones == nullptr || !first ? Int(0) : cones->estimates[block];
+                lanes.iterations[lane] = cones == nullptr || !first ? Int(0) : cones->iterations[block];
             }
             Traveller a;
-            real u, v, on_picture;
-            for (int r = 0; r < MM_REGISTERS; ++r) {
-                u.of[r] = hn::LoadU(Reals(), i + r * register_lanes);
-                v.of[r] = hn::LoadU(Reals(), j + r * register_lanes);
-                on_picture.of[r] = hn::LoadU(Reals(), inside + r * register_lanes);
-                a.pixel.of[r] = hn::LoadU(Wholes(), place + r * register_lanes);
-            }
-            const mask on = on_picture > 0;
-            a.ray = begin(scene, u, v);
+            a.pixel = load_lanes(lanes.place);
+            const mask on = load_lanes(lanes.inside) > 0;
+            a.ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
+            a.ray.t = larger(a.ray.t, load_lanes(lanes.start));
+            a.ray.estimates = load_lanes(lanes.estimates);
+            a.ray.iterations = load_lanes(lanes.iterations);
             const mask go = marching(scene, a.ray);
             append(pool, a, on && go);
             if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, canvas);
         }
+    }
+}
+
+// Begins a group's tiles, with cones of 8 and of 2 pixels before the rays.
+HWY_NOINLINE void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool)
+{
+    Cones<8> coarse;
+    Cones<2> fine;
+    const bool with_cones = canvas.pitch > 0;
+    if (with_cones) {
+        march_cones<8, tile_side>(scene, group, canvas.pitch, nullptr, coarse);
+        march_cones<2, 8>(scene, group, canvas.pitch, &coarse, fine);
+    }
+    for (int tile = 0; tile < group.count; ++tile) {
+        begin_tile(scene, group, tile, canvas, with_cones ? &fine : nullptr, pool);
     }
 }
 
@@ -252,11 +350,14 @@ void draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& ti
     pool.size = hits.size = ended.size = 0;
     bool more = true;
     while (more || pool.size > 0) {
-        while (more && pool.size <= pool_rays - tile_pixels) {
-            int left = 0;
-            int bottom = 0;
-            more = tiles.next(tiles.source, left, bottom);
-            if (more) begin_tile(scene, left, bottom, canvas, pool);
+        while (more && pool.size <= pool_rays - group_tiles * tile_pixels) {
+            Group group;
+            group.count = 0;
+            while (group.count < group_tiles && more) {
+                more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
+                group.count += more;
+            }
+            if (group.count > 0) begin_group(scene, group, canvas, pool);
         }
         march_pool(scene, pool, hits, ended, canvas);
         while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas);

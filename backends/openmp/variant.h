@@ -14,6 +14,7 @@ struct Canvas {
     int first_row;
     int end_row;
     std::ptrdiff_t pixels;  // of a plane
+    Real pitch;             // how far neighbouring pixels' rays are apart at distance 1, diagonally; 0: no cones
     Real* reals;
     int* wholes;
 };

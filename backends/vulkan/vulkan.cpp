@@ -1,6 +1,7 @@
 #include "backends/vulkan/vulkan.h"
 
 #include "backends/vulkan/instance.h"
+#include "backends/vulkan/peak.h"
 #include "backends/vulkan/renderer.h"
 
 namespace mandelmarch {
@@ -35,6 +36,11 @@ public:
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         return vulkan::make_renderer(options);
+    }
+
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return vulkan::multiply_add_peak(options);
     }
 };
 

@@ -5,7 +5,7 @@
 // All have ambient occlusion and a soft key light, both from a few distances along a line (Evans, "Fast approximations
 // for global illumination on dynamic scenes", SIGGRAPH 2006 course), and haze.
 
-FN real cut(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
+FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 
 // a for s = 0, b for s = 1
 FN vec3 blend(vec3 a, vec3 b, real s) { return along(times(1 - s, a), b, s); }
@@ -28,7 +28,7 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     int i = 0;
     while (i < 5) {
         Estimate there = estimate(scene, along(p, n, h), on);
-        result.share = result.share + R(0.2) * cut(quotient(2 * there.distance, h));
+        result.share = result.share + R(0.2) * saturated(quotient(2 * there.distance, h));
         result.iterations = result.iterations + there.iterations;
         h = h * R(2.2);
         i = i + 1;
@@ -39,15 +39,15 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 // Stone: light for half of it comes from where the orbit passed, cut to [0, 1] for each of three traps.
 FN vec3 albedo(Scene scene, vec3 trap)
 {
-    vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), cut(trap.z));
+    vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
     if (scene.colouring == 3) {
-        colour = blend(vec3(R(0.90), R(0.24), R(0.10)), vec3(R(0.03), R(0.38), R(0.46)), cut(R(2.5) * trap.x));
-        colour = blend(colour, vec3(R(0.95), R(0.70), R(0.30)), cut(R(0.9) - 3 * trap.y));
-        colour = blend(colour, vec3(R(0.16), R(0.04), R(0.22)), R(0.7) * cut(trap.z));
+        colour = blend(vec3(R(0.90), R(0.24), R(0.10)), vec3(R(0.03), R(0.38), R(0.46)), saturated(R(2.5) * trap.x));
+        colour = blend(colour, vec3(R(0.95), R(0.70), R(0.30)), saturated(R(0.9) - 3 * trap.y));
+        colour = blend(colour, vec3(R(0.16), R(0.04), R(0.22)), R(0.7) * saturated(trap.z));
     }
     if (scene.colouring == 4) {
-        colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), cut(trap.x));
-        colour = blend(colour, vec3(R(0.10), R(0.12), R(0.45)), cut(trap.z));
+        colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), saturated(trap.x));
+        colour = blend(colour, vec3(R(0.10), R(0.12), R(0.45)), saturated(trap.z));
     }
     return colour;
 }
@@ -70,7 +70,7 @@ FN vec3 sky(Scene scene, vec3 direction)
 FN real displayed(Scene scene, real light)
 {
     real x = R(1.2) * scene.brightness * light;
-    return root(cut(quotient(x * (1 + R(0.1) * x), 1 + R(0.45) * x)));
+    return root(saturated(quotient(x * (1 + R(0.1) * x), 1 + R(0.45) * x)));
 }
 
 struct Look {
@@ -91,8 +91,8 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     Openness around = openness(scene, p, n, t, on);
     Openness sunwards = openness(scene, p, sun, 2 * t, on);
     vec3 stone = albedo(scene, orbit_trap(scene, p, on));
-    real facing = cut(-inner(n, direction));
-    real key = cut(R(0.15) + R(0.85) * inner(n, sun)) * sunwards.share * sunwards.share;
+    real facing = saturated(-inner(n, direction));
+    real key = saturated(R(0.15) + R(0.85) * inner(n, sun)) * sunwards.share * sunwards.share;
     real shelter = around.share * (R(0.35) + R(0.65) * around.share);
     vec3 light = times(shelter * (R(0.6) + R(0.4) * n.y), vec3(R(0.42), R(0.52), R(0.66)));
     light = along(light, vec3(R(1.15), R(0.98), R(0.72)), key);
@@ -108,12 +108,12 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     Look result;
     vec3 lit_stone = scaled(stone, light);
     // A glint where the normal halves the angle between sun and eye.
-    real glint = cut(inner(n, unit(minus(sun, direction))));
+    real glint = saturated(inner(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
-    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), cut(hazed * hazed * hazed)));
+    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
     result.estimates = count(on) + count(on) + count(on) + count(on) + count(on);
     result.estimates = result.estimates + result.estimates + count(on);
     result.iterations = around.iterations + sunwards.iterations;

@@ -65,6 +65,39 @@ FN Ray advance(Scene scene, Ray ray, mask on)
     return ray;
 }
 
+// A cone of rays, at most `width` apart from its axis at distance 1, goes as far as none of them can hit: within the
+// sphere of radius DE around a point of its axis DE is at least what is left of that radius. (Fractal distance
+// estimates can change faster than the distance, so that this is for fast mode.)
+FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
+{
+    return quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
+}
+
+// A cone's step; `last_distance` becomes 0 where it ends, as a step would be short beside its own width.
+FN Ray advance_cone(Scene scene, Ray ray, scalar width, mask on)
+{
+    Estimate here = estimate(scene, point_at(scene, ray, ray.t), on);
+    real gap = cone_gap(scene, ray, here.distance, width);
+    mask goes = on && gap > width * ray.t;
+    ray.t = pick(goes, ray.t + scene.stride * gap, ray.t);
+    ray.last_distance = pick(goes, here.distance, R(0.0));
+    ray.estimates = ray.estimates + count(on);
+    ray.iterations = ray.iterations + here.iterations;
+    return ray;
+}
+
+FN Ray march_cone(Scene scene, Ray ray, scalar width)
+{
+    mask on = ray.t <= ray.end;
+    int i = 0;
+    while (i < 100 && any(on)) {
+        ray = advance_cone(scene, ray, width, on);
+        on = on && ray.last_distance > 0 && ray.t <= ray.end;
+        i = i + 1;
+    }
+    return ray;
+}
+
 // At most `steps` steps of every ray that is still marching.
 FN Ray march(Scene scene, Ray ray, int steps)
 {

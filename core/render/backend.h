@@ -32,9 +32,10 @@ struct Device {
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
     bool relaxation = true;  // fast: steps longer than the estimate
+    bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
 };
 
-// All but those named, `hull,relaxation`, say. Throws InputError with the known names.
+// All but those named, `hull,cones`, say. Throws InputError with the known names.
 Techniques techniques_without(std::string_view names);
 
 // How a renderer is made.
@@ -44,6 +45,7 @@ struct RendererOptions {
     Mode mode = Mode::exact;
     int threads = 0;  // 0: all that there are; for backends that run on the host's cores
     int pack = 0;     // pixels computed at once on a core; 0: the backend's choice
+    int chunk = 0;    // tiles that a host thread takes at once; 0: the backend's choice; for openmp
     Techniques techniques = {};
 };
 
@@ -107,6 +109,15 @@ public:
 
     // Throws Unavailable if the device is not there or cannot do what is asked.
     virtual std::unique_ptr<Renderer> create(const RendererOptions& options) const = 0;
+
+    // The multiply-add peak, in operations per second, that this backend reaches with core/kernel/peak.h on the device
+    // and in the precision of the options; nullopt where the backend has no such kernel or the device no such number.
+    // Takes about a second. Throws Error if the device fails.
+    virtual std::optional<double> multiply_add_peak(const RendererOptions& options) const
+    {
+        static_cast<void>(options);
+        return std::nullopt;
+    }
 };
 
 }  // namespace mandelmarch

@@ -41,8 +41,10 @@ Techniques techniques_without(std::string_view names)
             techniques.hull = false;
         } else if (name == "relaxation") {
             techniques.relaxation = false;
+        } else if (name == "cones") {
+            techniques.cones = false;
         } else {
-            throw InputError(fmt::format("no technique is called '{}', expected hull or relaxation", name));
+            throw InputError(fmt::format("no technique is called '{}', expected hull, relaxation or cones", name));
         }
         names.remove_prefix(std::min(comma + 1, names.size()));
     }

@@ -25,7 +25,7 @@ struct FractalConstants {
 };
 
 // What core/scene/hull.cpp needs to know of a picture.
-struct View {
+struct Sight {
     double slope;     // the least DE / t that no surface has: DE > slope t means no hit
     double distance;  // of the eye from the origin
 };
@@ -41,7 +41,7 @@ struct Fractal {
     FractalConstants (*constants)(const Scene& scene, double largest);
     // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
     // that is not proven.
-    double (*hull)(const Scene& scene, const View& view);
+    double (*hull)(const Scene& scene, const Sight& view);
 };
 
 std::span<const Fractal> fractals();

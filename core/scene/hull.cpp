@@ -12,7 +12,7 @@ namespace {
 
 // The smallest radius at which `bound`, a lower bound of DE at that distance from the origin and beyond, exceeds what a
 // hit could have there; 0 if there is none up to 100 times `radius`. A point at distance r is seen at t <= r + |eye|.
-double radius_where(const std::function<double(double)>& bound, double radius, const View& view)
+double radius_where(const std::function<double(double)>& bound, double radius, const Sight& view)
 {
     const auto free = [&](double r) { return bound(r) > view.slope * (r + view.distance); };
     double low = radius;
@@ -44,7 +44,7 @@ double least_estimate(double start, double power, double added, double one, doub
 
 }  // namespace
 
-double box_hull(const Scene& scene, const View& view)
+double box_hull(const Scene& scene, const Sight& view)
 {
     const auto [scale, inner, fixed] = scene.shape;
     const double s = std::abs(scale);
@@ -60,7 +60,7 @@ double box_hull(const Scene& scene, const View& view)
     return (share * edge + less + remainder + view.slope * view.distance) / slope;
 }
 
-double bulb_hull(const Scene& scene, const View& view)
+double bulb_hull(const Scene& scene, const Sight& view)
 {
     const double escape = scene.shape[1];
     const double power = scene.shape[2];
@@ -70,7 +70,7 @@ double bulb_hull(const Scene& scene, const View& view)
     return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
 }
 
-double julia_hull(const Scene& scene, const View& view)
+double julia_hull(const Scene& scene, const Sight& view)
 {
     const auto [a, i, j] = scene.shape;
     const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
@@ -83,7 +83,7 @@ double hull_size(const Scene& scene, double tolerance)
 {
     // A hit is DE < tolerance t with the t after the step, which goes at most twice the estimate.
     if (tolerance > 0.1) return 0;
-    const View view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
+    const Sight view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
     const double size = scene.fractal->hull(scene, view);
     // Floats: positions are off by a few units in the last place of the eye's distance.
     return size > 0 ? size * (1 + 1e-4) + 1e-5 * view.distance : 0;

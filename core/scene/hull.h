@@ -6,9 +6,9 @@
 
 namespace mandelmarch {
 
-double box_hull(const Scene& scene, const View& view);
-double bulb_hull(const Scene& scene, const View& view);
-double julia_hull(const Scene& scene, const View& view);
+double box_hull(const Scene& scene, const Sight& view);
+double bulb_hull(const Scene& scene, const Sight& view);
+double julia_hull(const Scene& scene, const Sight& view);
 
 // The hull of a scene whose surface is where DE < tolerance t, with room for the rounding of floats; 0 where none is
 // proven.

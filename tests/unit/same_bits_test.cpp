@@ -2,6 +2,9 @@
 // stored rays draw what the whole pixel draws. Each has a twin that must differ.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <set>
+
 #include "backends/all.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
@@ -19,6 +22,13 @@ protected:
     Image draw(const Scene& scene, int threads, int pack, Mode mode = Mode::exact) const
     {
         return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .pack = pack});
+    }
+
+    RenderReport draw_report() const
+    {
+        const Scene scene = official_scene("bulb", 8, 8);
+        Image image(8, 8, Image::Layers::bytes);
+        return openmp.create({.precision = GetParam()})->render(scene, image);
     }
 
     static std::vector<NamedScene> scenes()
@@ -61,6 +71,31 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
         }
     }
     EXPECT_GT(widths, 0) << "no pack width could be tried";
+}
+
+// The packs of every instruction set that this machine has, down to the smallest.
+TEST_P(SameBits, EveryInstructionSet)
+{
+    std::set<std::string> ran;
+    for (const char* name : {"SSE4", "AVX2", "AVX3"}) {
+        ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
+        for (const auto& [scene_name, scene] : scenes()) {
+            Image packed(scene.width, scene.height, Image::Layers::all);
+            try {
+                ran.insert(openmp.create({.precision = GetParam()})->render(scene, packed).instruction_set);
+            } catch (const InputError&) {
+                break;  // the machine has no such instructions
+            }
+            const Image scalar = draw(scene, 2, 1);
+            const Comparison difference = compare(scalar, packed);
+            EXPECT_TRUE(difference.same())
+                << scene_name << ", " << name << ": "
+                << describe_pixel(scalar, packed, std::max<std::int64_t>(0, difference.first));
+        }
+    }
+    unsetenv("MANDELMARCH_INSTRUCTIONS");
+    EXPECT_TRUE(ran.contains("SSE4"));
+    EXPECT_TRUE(ran.contains(draw_report().instruction_set));
 }
 
 // The twin: the comparison does see one bit.

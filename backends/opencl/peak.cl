@@ -1,0 +1,17 @@
+// The multiply-add peak: every work item runs the chains of core/kernel/peak.h on MM_LANES lanes.
+#include "core/kernel/prelude/opencl.h"
+#include "core/kernel/peak.h"
+
+union Reals {
+    real all;
+    scalar of[MM_LANES];
+};
+
+// Items begin apart, so that no two do the same; what they come to is written, so that nothing is dropped.
+__kernel void multiply_adds(__global scalar* sums, scalar a, scalar b, int rounds)
+{
+    real x = (real)((scalar)get_global_id(0)) * R(1.0e-6);
+    union Reals sum;
+    sum.all = multiply_add_chains(x, (real)(a), (real)(b), rounds);
+    sums[get_global_id(0)] = sum.of[0];
+}

@@ -1,0 +1,19 @@
+// The multiply-add peak: every invocation runs the chains of core/kernel/peak.h.
+#version 460
+#include "core/kernel/prelude/glsl.h"
+#include "core/kernel/peak.h"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) writeonly buffer Sums { real sums[]; };
+// a and b of the chains: numbers that no compiler knows.
+layout(std430, binding = 1) readonly buffer Given { real given[]; };
+
+layout(push_constant) uniform Pass { int rounds; } pass;
+
+// Invocations begin apart, so that no two do the same; what they come to is written, so that nothing is dropped.
+void main()
+{
+    int i = int(gl_GlobalInvocationID.x);
+    sums[i] = multiply_add_chains(real(i) * BY_PRECISION(1.0e-6lf, 1.0e-6f), given[0], given[1], pass.rounds);
+}

@@ -1,0 +1,170 @@
+#include "bench/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/study.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/number.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+int whole_option(const std::string& name, const std::string& text, int low, int high)
+{
+    const auto value = parse_whole(text);
+    if (!value || *value < low || *value > high) {
+        throw InputError(fmt::format("--{}: '{}' given, expected a whole number from {} to {}", name, text, low, high));
+    }
+    return static_cast<int>(*value);
+}
+
+constexpr int most_repetitions = 100'000;
+
+// Google Benchmark's flags; what would change how it measures is refused, as the harness decides that.
+void take_google_flag(const std::string& flag, CommandLine& line)
+{
+    const auto equals = flag.find('=');
+    const std::string name = flag.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "true" : flag.substr(equals + 1);
+    Options& o = line.options;
+    const auto check_format = [&]() -> const std::string& {
+        if (value != "console" && value != "json" && value != "csv") {
+            throw InputError(fmt::format("{}: '{}' given, expected console, json or csv", name, value));
+        }
+        return value;
+    };
+    if (name == "--benchmark_filter") {
+        o.filter = value;
+    } else if (name == "--benchmark_repetitions") {
+        o.repetitions = whole_option("benchmark_repetitions", value, 1, most_repetitions);
+    } else if (name == "--benchmark_format") {
+        o.format = check_format();
+    } else if (name == "--benchmark_out") {
+        o.out = value;
+    } else if (name == "--benchmark_out_format") {
+        o.out_format = check_format();
+    } else if (name == "--benchmark_list_tests") {
+        line.list_names = value != "false" && value != "0";
+    } else {
+        throw InputError(fmt::format(
+            "{}: not an option of bench, expected --benchmark_filter, _repetitions, _format, _out, _out_format or "
+            "_list_tests",
+            name));
+    }
+}
+
+std::string study_names()
+{
+    std::string names;
+    for (const Study& study : studies()) names += fmt::format("{}{}", names.empty() ? "" : ", ", study.name);
+    return names;
+}
+
+void add_options(CLI::App& app, CommandLine& line, std::string& repetitions, std::string& launches, std::string& launch,
+                 std::string& seed)
+{
+    Options& o = line.options;
+    app.add_option("--backend", o.backend, "all, or one backend's name")->capture_default_str();
+    app.add_option("--fractal", o.fractal, "all (bulb and box), or one fractal's name")->capture_default_str();
+    app.add_option("--precision", o.precision, "all, float or double")
+        ->check(CLI::IsMember({"all", "float", "double"}))
+        ->capture_default_str();
+    app.add_option("--mode", o.mode, "all, exact or fast (default: all; in sweeps exact)")
+        ->check(CLI::IsMember({"all", "exact", "fast"}));
+    app.add_option("--size", o.size, "WxH in pixels (default 540x540)");
+    app.add_option("--study", o.study, study_names())->capture_default_str();
+    app.add_option("--repetitions", repetitions, "rounds, exactly so many (default: until the intervals are narrow)");
+    app.add_option("--launches", launches, "processes that measure one after the other (default 1)");
+    app.add_option("--budget", o.budget,
+                   "seconds that the timed rounds may take without --repetitions (default: so that all ends in three "
+                   "minutes)")
+        ->check(CLI::Range(0.0, 1e6));
+    app.add_option("--seed", seed, "of the order of rows in each round (default 1)");
+    app.add_option("--json", o.json, "write everything to this file (- is standard output)");
+    app.add_option("--csv", o.csv, "write a line a row to this file (- is standard output)");
+    app.add_flag("--list", o.list, "list rows and studies, measure nothing");
+    app.add_flag("--wide", o.wide, "print everything that was measured, in long lines");
+    app.add_option("--launch", launch)->group("");
+    app.add_flag("--quiet", line.quiet)->group("");
+}
+
+// Further launches write no files of their own and start no launches.
+std::vector<std::string> inherited(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& word = arguments[i];
+        const auto is = [&](const std::string& name) { return word == name || word.starts_with(name + "="); };
+        if (is("--json") || is("--csv") || is("--launches")) {
+            if (word.find('=') == std::string::npos) ++i;
+        } else if (word != "--wide" && !is("--benchmark_format") && !is("--benchmark_out") &&
+                   !is("--benchmark_out_format")) {
+            kept.push_back(word);
+        }
+    }
+    return kept;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, char** argv)
+{
+    CommandLine line;
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word.starts_with("--benchmark_")) {
+            take_google_flag(word, line);
+        } else {
+            words.push_back(word);
+        }
+    }
+    line.arguments = inherited({argv + 1, argv + argc});
+
+    CLI::App app("bench: proves that all backends draw the same picture, then times them.");
+    std::string repetitions;
+    std::string launches;
+    std::string launch;
+    std::string seed;
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    add_options(app, line, repetitions, launches, launch, seed);
+    app.require_subcommand(0, 1);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
+    compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
+    CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
+    CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
+    portability->add_option("FILES", line.files, "result files of --json")->required();
+    portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
+    app.footer(
+        "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests work, too.\n"
+        "Exit codes: 0 fine, 1 a wrong picture, a regression or a failure, 2 wrong arguments, 77 the one backend asked "
+        "for is not available. docs/benchmarking.md explains every figure.");
+    try {
+        std::ranges::reverse(words);
+        app.parse(words);
+    } catch (const CLI::CallForHelp& help) {
+        line.command = Command::help;
+        line.exit_code = app.exit(help);
+        return line;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("bench: {} (--help lists the options)", error.what()));
+    }
+    Options& o = line.options;
+    if (!repetitions.empty()) o.repetitions = whole_option("repetitions", repetitions, 1, most_repetitions);
+    if (!launches.empty()) o.launches = whole_option("launches", launches, 1, 1000);
+    if (!launch.empty()) o.launch = whole_option("launch", launch, 0, 1000);
+    if (!seed.empty()) o.seed = static_cast<std::uint64_t>(whole_option("seed", seed, 0, 1'000'000'000));
+    if (compare->parsed()) line.command = Command::compare;
+    if (peak->parsed()) line.command = Command::peak;
+    if (portability->parsed()) line.command = Command::portability;
+    static_cast<void>(study_named(o.study));
+    static_cast<void>(fractals_of(o));
+    static_cast<void>(size_of(o));
+    return line;
+}
+
+}  // namespace mandelmarch::bench

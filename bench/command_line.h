@@ -1,0 +1,26 @@
+// The command line of `bench`. Internal to the program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/options.h"
+
+namespace mandelmarch::bench {
+
+enum class Command { run, compare, peak, portability, help };
+
+struct CommandLine {
+    Command command = Command::run;
+    Options options;
+    std::vector<std::string> files;      // of compare and portability
+    std::vector<std::string> arguments;  // of a run, without those that only the first launch obeys
+    bool quiet = false;                  // no table and no progress: a further launch
+    bool list_names = false;             // --benchmark_list_tests
+    int exit_code = 0;                   // of help
+};
+
+// Throws InputError for what is not understood.
+CommandLine parse_command_line(int argc, char** argv);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,44 @@
+// bench compare: two results, row by row.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result.h"
+#include "bench/statistics.h"
+
+namespace mandelmarch::bench {
+
+inline constexpr double margin = 0.02;        // a ratio within this of 1 is never called a difference
+inline constexpr double significance = 0.05;  // of the whole comparison
+
+enum class Verdict { faster, slower, no_difference, broken, not_compared };
+std::string_view name_of(Verdict verdict);
+
+struct Compared {
+    std::string name;
+    std::string platform;
+    Verdict verdict = Verdict::not_compared;
+    std::string why{};                 // of broken and not_compared
+    Difference difference{};           // of kernel times, new / old
+    double p = 1;                      // after Holm's correction
+    int old_units = 0, new_units = 0;  // launches, or samples where there is one launch
+};
+
+struct ComparedResults {
+    std::vector<Compared> rows;
+    std::vector<std::string> warnings;
+
+    // A row is slower, or had a speed and now fails.
+    bool regression() const;
+};
+
+// Pairs rows by name and platform. The units of the test are the medians of the launches, as samples of one process
+// share its memory layout and clock and are not independent; where either result has one launch only, its samples are
+// the units, with a warning that differences between launches are unseen. Rows of other settings or with fewer than two
+// units are not compared. Throws InputError where the results have no row in common.
+ComparedResults compare_results(const Result& old_result, const Result& new_result);
+
+std::string to_console(const ComparedResults& comparison);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,54 @@
+// What a picture costs in operations, counted by compiling the kernel text with a number that counts
+// (core/kernel/prelude/counting.h) and drawing pixels with it, apart from anything that is timed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch::bench {
+
+struct Operations {
+    std::uint64_t sums = 0, products = 0, quotients = 0, roots = 0;
+
+    std::uint64_t total() const { return sums + products + quotients + roots; }
+};
+
+Operations operator+(Operations a, Operations b);
+Operations operator-(Operations a, Operations b);
+
+// The stages of a pixel, in the text's order; `shade` is what is left of it without the normal.
+enum class Stage { begin, march, refine, normal, shade };
+inline constexpr int stage_count = 5;
+std::string_view name_of(Stage stage);  // "begin" ...
+
+struct Count {
+    std::array<Operations, stage_count> stages;
+    Work work;                 // of the pixels that were counted, by the text's own counters
+    std::uint64_t pixels = 0;  // that were counted
+    std::uint64_t hits = 0;    // of them
+    // Divergence of the march, for packs of `lanes` pixels in rectangles as square as they come: a pack goes on while
+    // any lane does. The shares of lanes that do something, 0 to 1, of the steps and of the estimator's iterations.
+    int lanes = 0;
+    double active_in_steps = 0;
+    double active_in_iterations = 0;
+    std::uint64_t march_estimates = 0, march_iterations = 0;  // of the march alone
+
+    Operations all() const;
+    double per_iteration() const;  // operations of everything, for each iteration of the estimator; 0 if there is none
+};
+
+struct CountOptions {
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    Techniques techniques = {};
+    int lanes = 16;                     // of the packs whose divergence is asked
+    std::int64_t most_pixels = 40'000;  // of larger pictures a regular part is counted
+};
+
+// Throws Unavailable if the fractal has no text.
+Count count_operations(const Scene& scene, const CountOptions& options);
+
+}  // namespace mandelmarch::bench

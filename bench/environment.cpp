@@ -1,0 +1,189 @@
+#include "bench/environment.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sched.h>
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "bench/build_info.h"
+#include "core/base/cpu.h"
+#include "core/base/memory.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path)
+{
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+// The value behind `name` and a separator in a file of such lines; empty if there is none.
+std::string value_in(const fs::path& path, const std::string& name, char separator)
+{
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with(name)) continue;
+        const auto at = line.find(separator);
+        if (at == std::string::npos) continue;
+        std::string value = line.substr(at + 1);
+        std::erase(value, '"');
+        value.erase(value.begin(), std::ranges::find_if(value, [](unsigned char c) { return std::isspace(c) == 0; }));
+        return value;
+    }
+    return {};
+}
+
+Json cpu()
+{
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    const int usable = sched_getaffinity(0, sizeof(allowed), &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
+    const fs::path frequency = "/sys/devices/system/cpu/cpu0/cpufreq";
+    Json json{{"model", cpu_name()},
+              {"vendor", cpu_vendor()},
+              {"cores", std::thread::hardware_concurrency()},
+              {"cores_usable", usable},
+              {"governor", or_null(text_of(frequency / "scaling_governor"))},
+              {"turbo_disabled", or_null(text_of("/sys/devices/system/cpu/intel_pstate/no_turbo"))},
+              {"megahertz", or_null(value_in("/proc/cpuinfo", "cpu MHz", ':'))},
+              {"microcode", or_null(value_in("/proc/cpuinfo", "microcode", ':'))}};
+    return json;
+}
+
+Json memory()
+{
+    std::istringstream total(value_in("/proc/meminfo", "MemTotal", ':'));
+    std::uint64_t kibibytes = 0;
+    total >> kibibytes;
+    return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
+}
+
+// The drivers that OpenCL's and Vulkan's loaders offer, and the file that each name leads to in the end: it carries the
+// library's version.
+Json icds()
+{
+    Json found = Json::array();
+    const auto resolved = [](const std::string& library) -> std::string {
+        std::error_code none;
+        for (const char* folder :
+             {"", "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib"}) {
+            const fs::path path = fs::path(folder) / library;
+            if (path.is_absolute() && fs::exists(path, none)) return fs::canonical(path, none).filename().string();
+        }
+        return {};
+    };
+    const auto files_in = [](const char* folder) {
+        std::set<fs::path> files;
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(folder, none)) files.insert(entry.path());
+        return files;
+    };
+    const char* vendors = std::getenv("OCL_ICD_VENDORS");
+    for (const fs::path& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
+        const std::string library = text_of(path);
+        found.push_back({{"api", "opencl"},
+                         {"file", path.filename().string()},
+                         {"library", fs::path(library).filename().string()},
+                         {"resolved", or_null(resolved(library))}});
+    }
+    for (const char* folder : {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"}) {
+        for (const fs::path& path : files_in(folder)) {
+            std::ifstream file(path);
+            const Json json = Json::parse(file, nullptr, false);
+            if (json.is_discarded() || !json.contains("ICD")) continue;
+            const std::string library = json["ICD"].value("library_path", "");
+            found.push_back({{"api", "vulkan"},
+                             {"file", path.filename().string()},
+                             {"library", fs::path(library).filename().string()},
+                             {"resolved", or_null(resolved(library))},
+                             {"api_version", json["ICD"].value("api_version", "")}});
+        }
+    }
+    for (const char* loader : {"libOpenCL.so.1", "libvulkan.so.1"}) {
+        if (const std::string file = resolved(loader); !file.empty()) {
+            found.push_back({{"api", "loader"}, {"file", loader}, {"library", loader}, {"resolved", file}});
+        }
+    }
+    return found;
+}
+
+Json backends(const Registry& registry)
+{
+    Json found = Json::array();
+    for (const auto& backend : registry.backends()) {
+        Json devices = Json::array();
+        if (!backend->unavailable()) {
+            for (const Device& device : backend->devices()) {
+                devices.push_back({{"name", device.name},
+                                   {"vendor", device.vendor},
+                                   {"driver", device.driver},
+                                   {"is_gpu", device.is_gpu}});
+            }
+        }
+        const BackendBuild build = build_of(backend->name());
+        found.push_back({{"name", backend->name()},
+                         {"unavailable", backend->unavailable() ? Json(*backend->unavailable()) : Json()},
+                         {"compiler", build.compiler},
+                         {"flags_exact", build.exact},
+                         {"flags_fast", build.fast},
+                         {"devices", devices}});
+    }
+    return found;
+}
+
+// What changes how backends run, where it is set.
+Json variables()
+{
+    Json set = Json::object();
+    for (const char* name :
+         {"OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES", "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT",
+          "ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "POCL_MAX_PTHREAD_COUNT",
+          "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS", "VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS",
+          "LP_NATIVE_VECTOR_WIDTH"}) {
+        if (const char* value = std::getenv(name)) set[name] = value;
+    }
+    return set;
+}
+
+}  // namespace
+
+Json environment(const Registry& registry)
+{
+    utsname system{};
+    uname(&system);
+    const BuildInfo build = build_info();
+    return {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
+            {"git", {{"revision", build.revision}, {"dirty", build.dirty}}},
+            {"build",
+             {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", build.version}}},
+            {"cpu", cpu()},
+            {"memory", memory()},
+            {"os",
+             {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
+              {"kernel", fmt::format("{} {}", system.sysname, system.release)},
+              {"architecture", system.machine}}},
+            {"backends", backends(registry)},
+            {"icds", icds()},
+            {"variables", variables()}};
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,129 @@
+#include "bench/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace mandelmarch::bench {
+namespace {
+
+template <class Member>
+std::vector<double> times(const Row& row, Member member)
+{
+    std::vector<double> values;
+    for (const Sample& sample : row.samples) values.push_back(sample.*member);
+    return values;
+}
+
+// The rest of a row's name must be the same for both.
+template <class Same>
+std::vector<Ratio> ratios(const Result& result, Same other_of)
+{
+    std::vector<Ratio> found;
+    for (const Row& denominator : result.rows) {
+        if (!denominator.timed()) continue;
+        for (const Row& numerator : result.rows) {
+            if (!numerator.timed() || !other_of(numerator, denominator)) continue;
+            if (numerator.backend != denominator.backend || numerator.device != denominator.device ||
+                numerator.mode != denominator.mode || numerator.point != denominator.point) {
+                continue;
+            }
+            std::map<std::pair<int, int>, double> by_round;
+            for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
+            std::vector<double> pairs;
+            for (const Sample& s : numerator.samples) {
+                const auto pair = by_round.find({s.launch, s.round});
+                if (pair != by_round.end() && pair->second > 0) pairs.push_back(s.kernel / pair->second);
+            }
+            found.push_back({&numerator, &denominator, summary(pairs)});
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string Row::name() const
+{
+    if (fractal == "all") return backend;
+    return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
+                       point.empty() ? "" : "/", point);
+}
+
+bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
+
+bool same_picture(const Setting& a, const Setting& b)
+{
+    return a.width == b.width && a.height == b.height && a.iterations == b.iterations && a.detail == b.detail &&
+           a.power == b.power && a.view == b.view;
+}
+
+std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
+
+std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }
+
+std::vector<double> launch_medians(const Row& row)
+{
+    std::map<int, std::vector<double>> launches;
+    for (const Sample& sample : row.samples) launches[sample.launch].push_back(sample.kernel);
+    std::vector<double> medians;
+    medians.reserve(launches.size());
+    for (auto& [launch, values] : launches) medians.push_back(median(std::move(values)));
+    return medians;
+}
+
+const Peak* peak_of(const Result& result, const std::string& platform, Precision precision)
+{
+    const Peak* best = nullptr;
+    for (const Peak& peak : result.peaks) {
+        if (peak.platform != platform || peak.precision != precision) continue;
+        if (best == nullptr || peak.rate > best->rate) best = &peak;
+    }
+    return best;
+}
+
+Figures figures_of(const Result& result, const Row& row)
+{
+    Figures f;
+    f.kernel = summary(kernel_times(row));
+    f.wall = summary(wall_times(row));
+    f.upload = median(times(row, &Sample::upload));
+    f.readback = median(times(row, &Sample::readback));
+    const double seconds = f.kernel.median;
+    if (seconds > 0) {
+        f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
+        f.estimate_rate = static_cast<double>(row.work.estimates) / seconds;
+        f.iteration_rate = static_cast<double>(row.work.iterations) / seconds;
+        if (row.operations > 0) f.operation_rate = row.operations / seconds;
+    }
+    if (const Peak* peak = peak_of(result, row.platform, row.precision); peak != nullptr && peak->rate > 0) {
+        f.peak = peak->rate;
+        if (row.operations > 0) f.bound = row.operations / peak->rate;
+        if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
+    }
+    for (const Row& other : result.rows) {
+        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == "reference" &&
+            other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
+            f.speed_up = median(wall_times(other)) / f.wall.median;
+        }
+    }
+    return f;
+}
+
+std::vector<Ratio> box_to_bulb(const Result& result)
+{
+    return ratios(result, [](const Row& box, const Row& bulb) {
+        return box.fractal == "mandelbox" && bulb.fractal == "mandelbulb" && box.precision == bulb.precision;
+    });
+}
+
+std::vector<Ratio> double_to_float(const Result& result)
+{
+    return ratios(result, [](const Row& in_double, const Row& in_float) {
+        return in_double.fractal == in_float.fractal && in_double.precision == Precision::f64 &&
+               in_float.precision == Precision::f32;
+    });
+}
+
+}  // namespace mandelmarch::bench

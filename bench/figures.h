@@ -1,0 +1,50 @@
+// What is derived from a result's raw samples: the figures of the tables.
+#pragma once
+
+#include <optional>
+
+#include "bench/result.h"
+#include "bench/statistics.h"
+
+namespace mandelmarch::bench {
+
+// The settings draw the same scene at the same size.
+bool same_picture(const Setting& a, const Setting& b);
+
+// The samples' kernel or wall times, in seconds; per picture.
+std::vector<double> kernel_times(const Row& row);
+std::vector<double> wall_times(const Row& row);
+// The medians of the kernel times of each launch, in the launches' order.
+std::vector<double> launch_medians(const Row& row);
+
+struct Figures {
+    Summary kernel, wall;                          // seconds
+    double upload = 0, readback = 0;               // seconds, medians
+    double pixel_rate = 0;                         // pixels per second of kernel time
+    double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
+    std::optional<double> operation_rate;          // operations per second, from counted work
+    std::optional<double> peak;                    // operations per second, of the row's platform and precision
+    std::optional<double> share;                   // operation_rate / peak
+    std::optional<double> bound;                   // seconds: the counted work at that peak
+    std::optional<double> speed_up;  // wall time of `reference`, double, exact, of the same setting / this wall time
+};
+
+// Of a row that is timed.
+Figures figures_of(const Result& result, const Row& row);
+
+// The highest rate that any backend reached on the platform; nullptr if none was measured.
+const Peak* peak_of(const Result& result, const std::string& platform, Precision precision);
+
+// A ratio of two rows' kernel times, paired by launch and round, so that what slows a whole round down cancels.
+struct Ratio {
+    const Row* numerator;
+    const Row* denominator;
+    Summary summary;  // of the pairs' ratios; count 0 where the rows share no round
+};
+
+// The two questions. Mandelbox / Mandelbulb, for every backend, device, precision and mode; double / float, for every
+// fractal, backend, device and mode. Only rows that are timed.
+std::vector<Ratio> box_to_bulb(const Result& result);
+std::vector<Ratio> double_to_float(const Result& result);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,12 @@
+// bench: proves that every backend draws the same picture, then times them.
+#include "backends/all.h"
+#include "bench/program.h"
+#include "core/base/error.h"
+
+namespace {
+
+int body(int argc, char** argv) { return mandelmarch::bench::bench_program(mandelmarch::all_backends(), argc, argv); }
+
+}  // namespace
+
+int main(int argc, char** argv) { return mandelmarch::run_program("bench", body, argc, argv); }

@@ -1,0 +1,235 @@
+#include "bench/portability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "bench/figures.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int resamplings = 1000;
+
+struct Entry {
+    const Result* result;
+    const Row* row;
+};
+
+struct Problem {
+    std::string fractal;
+    Precision precision;
+    Mode mode;
+    int width, height;
+    bool operator<(const Problem& other) const
+    {
+        return std::tie(fractal, precision, mode, width, height) <
+               std::tie(other.fractal, other.precision, other.mode, other.width, other.height);
+    }
+};
+
+struct Efficiencies {
+    double application = 0, architecture = 0;
+};
+
+// The times of each backend on each platform for one problem, and what they come to.
+class Field {
+public:
+    void add(const Result& result, const Row& row)
+    {
+        platforms_.insert(row.platform);
+        applications_.insert(row.backend);
+        if (!row.timed()) return;
+        Entry& entry = entries_[{row.backend, row.platform}];
+        const auto time = [](const Row& r) { return median(kernel_times(r)); };
+        if (entry.row == nullptr || time(row) < time(*entry.row)) entry = {&result, &row};
+    }
+
+    const std::set<std::string>& platforms() const { return platforms_; }
+    const std::set<std::string>& applications() const { return applications_; }
+
+    // Medians of the kernel times; resampled with replacement where `random` is given.
+    std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
+    {
+        std::map<std::pair<std::string, std::string>, double> found;
+        for (const auto& [key, entry] : entries_) {
+            std::vector<double> times = kernel_times(*entry.row);
+            if (random != nullptr) {
+                std::vector<double> drawn;
+                for (std::size_t i = 0; i < times.size(); ++i) drawn.push_back(times[(*random)() % times.size()]);
+                times = std::move(drawn);
+            }
+            found[key] = median(std::move(times));
+        }
+        return found;
+    }
+
+    Efficiencies efficiencies(const std::map<std::pair<std::string, std::string>, double>& seconds,
+                              const std::string& application, const std::string& platform) const
+    {
+        const auto mine = seconds.find({application, platform});
+        if (mine == seconds.end() || !(mine->second > 0)) return {};
+        double best = mine->second;
+        for (const std::string& other : applications_) {
+            const auto theirs = seconds.find({other, platform});
+            if (theirs != seconds.end()) best = std::min(best, theirs->second);
+        }
+        const Entry& entry = entries_.at({application, platform});
+        const Peak* peak = peak_of(*entry.result, platform, entry.row->precision);
+        const double rate = entry.row->operations / mine->second;
+        return {best / mine->second, peak != nullptr && peak->rate > 0 ? rate / peak->rate : 0};
+    }
+
+private:
+    std::set<std::string> platforms_, applications_;
+    std::map<std::pair<std::string, std::string>, Entry> entries_;  // by application and platform
+};
+
+Efficiencies means(const Field& field, const std::string& application,
+                   const std::map<std::pair<std::string, std::string>, double>& seconds)
+{
+    std::vector<double> by_application;
+    std::vector<double> by_architecture;
+    for (const std::string& platform : field.platforms()) {
+        const Efficiencies e = field.efficiencies(seconds, application, platform);
+        by_application.push_back(e.application);
+        by_architecture.push_back(e.architecture);
+    }
+    return {performance_portability(by_application), performance_portability(by_architecture)};
+}
+
+Interval middle_of(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    const auto tail = static_cast<std::size_t>((1 - confidence) / 2 * static_cast<double>(values.size()));
+    return {values[tail], values[values.size() - 1 - tail]};
+}
+
+std::vector<CascadeStep> cascade_of(std::vector<OnPlatform> platforms)
+{
+    std::ranges::stable_sort(platforms, std::ranges::greater(), &OnPlatform::application);
+    std::vector<CascadeStep> steps;
+    std::vector<double> so_far;
+    for (const OnPlatform& platform : platforms) {
+        so_far.push_back(platform.application);
+        steps.push_back({platform.platform, platform.application, performance_portability(so_far)});
+    }
+    return steps;
+}
+
+Portability of(const Problem& problem, const Field& field, const std::string& application)
+{
+    Portability p;
+    p.problem = fmt::format("{} {}x{}", problem.fractal, problem.width, problem.height);
+    p.fractal = problem.fractal;
+    p.precision = problem.precision;
+    p.mode = problem.mode;
+    p.application = application;
+    const auto seconds = field.seconds(nullptr);
+    for (const std::string& platform : field.platforms()) {
+        const Efficiencies e = field.efficiencies(seconds, application, platform);
+        const auto mine = seconds.find({application, platform});
+        p.platforms.push_back({platform, mine == seconds.end() ? 0 : mine->second, e.application, e.architecture});
+    }
+    const Efficiencies mean = means(field, application, seconds);
+    p.application_portability = mean.application;
+    p.architecture_portability = mean.architecture;
+    // The bootstrap's percentiles: every row's samples drawn again with replacement, everything computed from them.
+    std::mt19937_64 random(1);
+    std::vector<double> by_application;
+    std::vector<double> by_architecture;
+    for (int i = 0; i < resamplings; ++i) {
+        const Efficiencies again = means(field, application, field.seconds(&random));
+        by_application.push_back(again.application);
+        by_architecture.push_back(again.architecture);
+    }
+    p.application_interval = middle_of(std::move(by_application));
+    p.architecture_interval = middle_of(std::move(by_architecture));
+    p.cascade = cascade_of(p.platforms);
+    return p;
+}
+
+}  // namespace
+
+double performance_portability(std::span<const double> efficiencies)
+{
+    double sum = 0;
+    for (const double e : efficiencies) {
+        if (!(e > 0)) return 0;
+        sum += 1 / e;
+    }
+    return efficiencies.empty() ? 0 : static_cast<double>(efficiencies.size()) / sum;
+}
+
+std::vector<Portability> portability(std::span<const Result> results)
+{
+    std::map<Problem, Field> fields;
+    std::set<std::string> applications;
+    for (const Result& result : results) {
+        for (const Row& row : result.rows) {
+            if (!row.point.empty() || row.backend == "reference") continue;
+            applications.insert(row.backend);
+            if (row.platform.empty()) continue;  // a backend without any device
+            fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);
+        }
+    }
+    std::vector<Portability> found;
+    for (const auto& [problem, field] : fields) {
+        for (const std::string& application : applications) found.push_back(of(problem, field, application));
+    }
+    return found;
+}
+
+nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities)
+{
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const Portability& p : portabilities) {
+        Json platforms = Json::array();
+        for (const OnPlatform& on : p.platforms) {
+            platforms.push_back({{"platform", on.platform},
+                                 {"kernel_seconds", on.seconds > 0 ? Json(on.seconds) : Json()},
+                                 {"application_efficiency", on.application},
+                                 {"share_of_peak", on.architecture}});
+        }
+        Json cascade = Json::array();
+        for (const CascadeStep& step : p.cascade) {
+            cascade.push_back(
+                {{"platform", step.platform}, {"efficiency", step.efficiency}, {"portability", step.portability}});
+        }
+        list.push_back(
+            {{"problem", p.problem},
+             {"fractal", p.fractal},
+             {"precision", name_of(p.precision)},
+             {"mode", name_of(p.mode)},
+             {"application", p.application},
+             {"by_application_efficiency", p.application_portability},
+             {"by_application_efficiency_interval", {p.application_interval.low, p.application_interval.high}},
+             {"by_share_of_peak", p.architecture_portability},
+             {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
+             {"platforms", platforms},
+             {"cascade", cascade}});
+    }
+    return list;
+}
+
+std::string to_console(const std::vector<Portability>& portabilities)
+{
+    std::string text = fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7} {:<18} {:>7} {}\n", "problem", "number",
+                                   "mode", "backend", "H", "PP app", "95 %", "PP peak", "95 %");
+    for (const Portability& p : portabilities) {
+        text += fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7.3f} {:<18} {:>7.3f} {}\n", p.problem,
+                            name_of(p.precision), name_of(p.mode), p.application, p.platforms.size(),
+                            p.application_portability,
+                            fmt::format("[{:.3f}, {:.3f}]", p.application_interval.low, p.application_interval.high),
+                            p.architecture_portability,
+                            fmt::format("[{:.3f}, {:.3f}]", p.architecture_interval.low, p.architecture_interval.high));
+    }
+    return text;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,59 @@
+// Performance portability: the metric of Pennycook, Sewall and Lee ("A Metric for Performance Portability", PMBS 2016;
+// "Implications of a metric for performance portability", Future Generation Computer Systems 92, 2019).
+//
+// An application here is a backend, a platform a device, a problem a fractal at a size, in one precision and mode. Of
+// the platforms of a set H with the efficiencies e_i of one application:
+//   PP = |H| / sum of 1 / e_i   where every platform of H is supported, else 0.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/result.h"
+#include "bench/statistics.h"
+
+namespace mandelmarch::bench {
+
+// The harmonic mean of the efficiencies; 0 where one is 0 (unsupported) or there is none.
+double performance_portability(std::span<const double> efficiencies);
+
+// The application on one platform. Efficiencies are 0 where it is unsupported or its picture is wrong.
+struct OnPlatform {
+    std::string platform;
+    double seconds = 0;       // median kernel time
+    double application = 0;   // application efficiency: the best time of any backend on the platform / this time
+    double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
+};
+
+// Platforms in the order of falling application efficiency, with the portability over the first 1, 2, ... of them
+// (Sewall, Pennycook and others, "Interpreting and visualizing performance portability metrics", P3HPC 2020).
+struct CascadeStep {
+    std::string platform;
+    double efficiency = 0;
+    double portability = 0;
+};
+
+struct Portability {
+    std::string problem;  // "mandelbulb 540x540"
+    std::string fractal;
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    std::string application;  // backend
+    std::vector<OnPlatform> platforms;
+    double application_portability = 0, architecture_portability = 0;
+    Interval application_interval, architecture_interval;  // 95 %, resampled
+    std::vector<CascadeStep> cascade;
+};
+
+// Over all platforms of all results; rows of sweeps and of the reference, a yardstick and no application, are left out.
+// Where a backend runs on a platform as several devices, the fastest counts.
+std::vector<Portability> portability(std::span<const Result> results);
+
+nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities);
+
+// The table of `bench portability`.
+std::string to_console(const std::vector<Portability>& portabilities);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,146 @@
+#include "bench/profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+
+#include "backends/openmp/pitch.h"
+#include "bench/stage_kernels.h"
+#include "bench/study.h"
+#include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int usual_repetitions = 7;
+// The last one is the whole pixel without a stop, output included, as the openmp backend draws it.
+constexpr std::array<const char*, timed_stages + 1> stage_names{"begin", "march",  "refine", "normal",
+                                                                "shade", "output", in_one_go};
+
+using Seconds = std::array<double, timed_stages + 1>;
+
+double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+// Tiles of a picture, one after the other.
+struct TileList {
+    int columns, count;
+    int next = 0;
+
+    openmp::Tiles tiles()
+    {
+        next = 0;
+        return {[](void* source, int& left, int& bottom) {
+                    auto& list = *static_cast<TileList*>(source);
+                    if (list.next >= list.count) return false;
+                    left = list.next % list.columns * tile_side;
+                    bottom = list.next / list.columns * tile_side;
+                    ++list.next;
+                    return true;
+                },
+                this};
+    }
+};
+
+// A picture on its way, in one thread's memory.
+template <class Real>
+class Profiler {
+public:
+    Profiler(const StageKernel<Real>& kernel, const Scene& scene)
+        : kernel_(kernel),
+          image_(scene.width, scene.height, Image::Layers::bytes),
+          reals_(real_planes * image_.pixels()),
+          wholes_(whole_planes * image_.pixels()),
+          // aligned_alloc wants a multiple of the alignment.
+          memory_(std::aligned_alloc(64, (kernel.bytes + 63) / 64 * 64), &std::free),
+          tiles_{.columns = (scene.width + tile_side - 1) / tile_side, .count = 0}
+    {
+        if (memory_ == nullptr) throw std::bad_alloc();
+        tiles_.count = tiles_.columns * ((scene.height + tile_side - 1) / tile_side);
+    }
+
+    template <class KernelScene>
+    Seconds draw(const KernelScene& scene)
+    {
+        Seconds seconds{};
+        const openmp::Canvas<Real> canvas{.first_row = 0,
+                                          .end_row = image_.height(),
+                                          .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
+                                          .pitch = scene.canonical != 0 ? openmp::pitch_of(scene) : 0,
+                                          .reals = reals_.data(),
+                                          .wholes = wholes_.data()};
+        kernel_.profile(&scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
+        seconds.at(static_cast<std::size_t>(TimedStage::output)) += store();
+        const double start = now();
+        kernel_.draw(&scene, canvas, tiles_.tiles(), memory_.get());
+        seconds.back() = now() - start + store();
+        return seconds;
+    }
+
+private:
+    double store()
+    {
+        const double start = now();
+        const auto width = static_cast<std::size_t>(image_.width());
+        image_.store(planes_of(reals_.data(), wholes_.data(), image_.pixels(), width), 0, 0, image_.width(),
+                     image_.height());
+        return now() - start;
+    }
+
+    StageKernel<Real> kernel_;
+    Image image_;
+    std::vector<Real> reals_;
+    std::vector<int> wholes_;
+    std::unique_ptr<void, decltype(&std::free)> memory_;
+    TileList tiles_;
+};
+
+template <class Real, class KernelScene>
+void add(std::vector<StageTime>& times, const Scene& scene, Precision precision, Mode mode, int repetitions)
+{
+    const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
+    const KernelScene data = kernel_scene<KernelScene>(scene, mode);
+    Profiler<Real> profiler(kernel, scene);
+    profiler.draw(data);  // warms up
+    const std::size_t first = times.size();
+    for (const char* name : stage_names) {
+        times.push_back({std::string(scene.fractal->name), precision, mode, name, {}});
+    }
+    for (int i = 0; i < repetitions; ++i) {
+        const Seconds seconds = profiler.draw(data);
+        for (std::size_t stage = 0; stage < seconds.size(); ++stage) {
+            times[first + stage].seconds.push_back(seconds.at(stage));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<StageTime> profile(const Options& options, const Phase& phase)
+{
+    std::vector<StageTime> times;
+    const auto [width, height] = size_of(options);
+    const int repetitions = options.repetitions.value_or(usual_repetitions);
+    for (const std::string& nickname : fractals_of(options)) {
+        const Scene scene = official_scene_of(nickname, width, height);
+        for (const Precision precision : precisions_of(options)) {
+            for (const Mode mode : modes_of(options)) {
+                phase(fmt::format("profile, {}", nickname), 0);
+                if (precision == Precision::f32) {
+                    add<float, layout_f32::Scene>(times, scene, precision, mode, repetitions);
+                } else {
+                    add<double, layout_f64::Scene>(times, scene, precision, mode, repetitions);
+                }
+            }
+        }
+    }
+    return times;
+}
+
+}  // namespace mandelmarch::bench

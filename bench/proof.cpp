@@ -1,0 +1,99 @@
+#include "bench/proof.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/render/agreement.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr std::size_t most_reference_pixels = 1 << 20;
+
+struct Source {
+    std::string backend;
+    RendererOptions options;
+    std::string name;
+};
+
+Source source_for(const Case& one)
+{
+    const auto pixels = static_cast<std::size_t>(one.scene.width) * static_cast<std::size_t>(one.scene.height);
+    const bool by_reference = one.scene.fractal->name != "julia" && pixels <= most_reference_pixels;
+    if (one.options.mode == Mode::fast && by_reference) {
+        return {"reference", {.mode = Mode::fast}, "reference, double, fast"};
+    }
+    const Precision precision = one.options.mode == Mode::fast ? Precision::f64 : one.options.precision;
+    return {"openmp",
+            {.precision = precision, .mode = one.options.mode, .pack = 1},
+            fmt::format("openmp --pack 1, {}, {}", name_of(precision), name_of(one.options.mode))};
+}
+
+}  // namespace
+
+std::string yardstick_key(const Case& one)
+{
+    const Scene& s = one.scene;
+    return fmt::format("{} {}x{} n{} D{} P{} at {} {} {} {}", s.fractal->name, s.width, s.height, s.iterations,
+                       s.detail, s.shape[2], s.eye.x, s.eye.y, s.eye.z, source_for(one).name);
+}
+
+bool Yardsticks::is_yardstick(const Case& one)
+{
+    const Source source = source_for(one);
+    return one.row.backend == source.backend && one.options.mode == Mode::fast &&
+           one.options.precision == source.options.precision && one.options.pack == source.options.pack;
+}
+
+const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
+{
+    Yardstick& kept = one.options.mode == Mode::exact ? exact_ : fast_;
+    const std::string key = yardstick_key(one);
+    if (kept.key == key) return kept;
+    const Source source = source_for(one);
+    const Backend* backend = registry_.find(source.backend);
+    if (backend == nullptr || backend->unavailable()) {
+        throw Unavailable(fmt::format("nothing to compare with: this build has no backend {}", source.backend));
+    }
+    kept = {};
+    Image image(one.scene.width, one.scene.height, Image::Layers::all);
+    RenderReport report = backend->create(source.options)->render(one.scene, image);
+    kept = {key, source.name, std::move(image), std::move(report)};
+    return kept;
+}
+
+void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick)
+{
+    const Agreement found = agreement(yardstick.image, image, row.precision);
+    // The reference is a second program: its exact picture is close to the text's, not the same.
+    const Level required = row.backend == "reference" ? Level::perceptual : level_required(row.mode);
+    Proof& proof = row.proof;
+    proof.drawn = true;
+    proof.fine = found.level <= required;
+    proof.level = name_of(found.level);
+    proof.text = summary(found);
+    proof.against = yardstick.name;
+    proof.pixels = found.comparison.pixels;
+    proof.differing = found.comparison.differing;
+    proof.visibly_differing = found.comparison.visibly_differing;
+    proof.largest_ulps = found.largest_ulps;
+    proof.psnr = found.comparison.psnr;
+    if (!proof.fine) {
+        row.failure =
+            fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} required", found.comparison.differing,
+                        found.comparison.pixels, yardstick.name, name_of(required));
+        if (found.comparison.first >= 0) {
+            row.failure += "; " + describe_pixel(yardstick.image, image, found.comparison.first);
+        }
+    }
+}
+
+std::uint64_t fingerprint(const Image& image)
+{
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const std::uint8_t byte : image.bytes()) hash = (hash ^ byte) * 0x100000001b3;
+    return hash;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,47 @@
+// Proof before timing: what a row draws, compared with what it should draw.
+#pragma once
+
+#include <string>
+
+#include "bench/study.h"
+#include "core/image/image.h"
+
+namespace mandelmarch::bench {
+
+// Draws the pictures that others are compared with, and keeps the last one of each kind.
+//   exact rows: openmp's scalar text (--pack 1), in the row's precision; the same bits are required.
+//   fast rows: reference's canonical picture in double, or openmp's scalar text where reference would take minutes
+//   (more than a million pixels) or does not draw the fractal; at most 2 % of the pixels may be visibly off. reference
+//   itself in exact mode: openmp's scalar text in double; at most 2 % of the pixels visibly off.
+class Yardsticks {
+public:
+    explicit Yardsticks(const Registry& registry) : registry_(registry) {}
+
+    struct Yardstick {
+        std::string key;
+        std::string name;  // for messages
+        Image image;
+        RenderReport report;
+    };
+
+    // Throws Unavailable where this build has nothing to compare with.
+    const Yardstick& for_case(const Case& one);
+
+    // True if the row is a yardstick itself: it has nothing to be compared with.
+    static bool is_yardstick(const Case& one);
+
+private:
+    const Registry& registry_;
+    Yardstick exact_, fast_;
+};
+
+// Rows that share a yardstick have the same key; drawing cases in the order of their keys draws each yardstick once.
+std::string yardstick_key(const Case& one);
+
+// Compares the row's picture and fills the proof in.
+void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick);
+
+// A number of the picture's bytes that tells it from others (FNV-1a, 64 bits).
+std::uint64_t fingerprint(const Image& image);
+
+}  // namespace mandelmarch::bench

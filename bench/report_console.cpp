@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bench/console_studies.h"
+#include "bench/figures.h"
+#include "bench/report.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr std::size_t columns = 120;
+
+std::string nickname(const std::string& fractal)
+{
+    return fractal == "all" ? fractal : std::string(fractal_named(fractal).nickname);
+}
+
+// "[12.30, 12.45]", or why there is none.
+std::string interval(const Summary& s, double unit)
+{
+    if (!s.interval) return fmt::format("n = {}", s.count);
+    return fmt::format("[{}, {}]", digits(unit * s.interval->low), digits(unit * s.interval->high));
+}
+
+std::string percent(const std::optional<double>& share)
+{
+    return share ? fmt::format("{:.1f}%", 100 * *share) : std::string("-");
+}
+
+std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
+
+std::string head(const Row& row)
+{
+    return fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", nickname(row.fractal), name_of(row.precision),
+                       name_of(row.mode), row.backend, row.device);
+}
+
+// A sweep shows its point where other studies show the share of peak and the speed-up.
+std::string main_table(const Result& result, bool sweep)
+{
+    const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
+                          const std::string& end) {
+        const std::string whole = sweep ? fmt::format("{}{:<15} {}", start, point, rest) : start + rest + end;
+        return fmt::format("{}\n", clipped(whole, columns));
+    };
+    std::string text =
+        line(fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", "scene", "number", "mode", "backend", "dev"), "point",
+             fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", "proof", "kernel", "95 % interval", "wall ms",
+                         "Mpixel/s", "GFLOP/s"),
+             fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
+    for (const Row& row : result.rows) {
+        if (row.device_name.empty()) {
+            text += line(fmt::format("{:<5} {:<6} {:<5} {:<9}   - ", "all", "all", "all", row.backend), "",
+                         fmt::format("unavailable: {}", row.unavailable), "");
+        } else if (!row.unavailable.empty()) {
+            text += line(head(row), row.point, fmt::format("unavailable: {}", row.unavailable), "");
+        } else if (!row.timed()) {
+            const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
+            text += line(head(row), row.point, fmt::format("FAILED: {}", why), "");
+        } else {
+            const Figures f = figures_of(result, row);
+            text +=
+                line(head(row), row.point,
+                     fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
+                                 interval(f.kernel, 1e3), digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
+                                 of(f.operation_rate, 1e-9)),
+                     fmt::format(" {:>6} {:>8}", percent(f.share), of(f.speed_up, 1)));
+        }
+    }
+    return text;
+}
+
+// Everything that was measured, a row a line.
+std::string wide_table(const Result& result)
+{
+    std::string text = fmt::format(
+        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} "
+        "{:>6} "
+        "{:>8} {:>8} {:>4} {:>4} {}\n",
+        "row", "proof", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
+        "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up",
+        "thr", "pack", "set");
+    for (const Row& row : result.rows) {
+        if (!row.timed()) {
+            text += fmt::format("{:<46} {}\n", row.name(),
+                                row.unavailable.empty() ? fmt::format("FAILED: {}", row.failure)
+                                                        : fmt::format("unavailable: {}", row.unavailable));
+            continue;
+        }
+        const Figures f = figures_of(result, row);
+        text += fmt::format(
+            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} "
+            "{:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
+            row.name(), row.proof.text, row.samples.size(), digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
+            digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
+            digits(1e3 * f.upload), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
+            digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
+            row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
+            percent(f.share), of(f.bound, 1e3), of(f.speed_up, 1), row.threads, row.pack, row.instruction_set);
+    }
+    return text;
+}
+
+std::string devices(const Result& result)
+{
+    std::set<std::string> told;
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (row.device_name.empty() || !told.insert(fmt::format("{} {}", row.backend, row.device)).second) continue;
+        text += clipped(fmt::format("{} {}: {} ({})", row.backend, row.device, row.device_name, row.driver), columns) +
+                "\n";
+    }
+    for (const Peak& peak : result.peaks) {
+        const Peak* best = peak_of(result, peak.platform, peak.precision);
+        text +=
+            clipped(fmt::format("peak, {}, {} {}: {} GFLOP/s of multiply-adds{}", name_of(peak.precision), peak.backend,
+                                peak.device, digits(1e-9 * peak.rate), &peak == best ? ", the device's peak" : ""),
+                    columns) +
+            "\n";
+    }
+    return text;
+}
+
+std::string ratio_table(const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
+{
+    if (ratios.empty()) return {};
+    std::string text =
+        fmt::format("\n{}\n{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}\n", title, fractal ? "scene" : "",
+                    fractal ? "" : "number", "mode", "backend", "dev", "ratio", "95 % interval", "pairs");
+    for (const Ratio& ratio : ratios) {
+        const Row& row = *ratio.denominator;
+        text +=
+            fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}{}{}\n", fractal ? nickname(row.fractal) : "",
+                        fractal ? "" : name_of(row.precision), name_of(row.mode), row.backend, row.device,
+                        ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
+                        ratio.summary.count, row.point.empty() ? "" : " ", row.point);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string digits(double value)
+{
+    const double size = std::abs(value);
+    if (size == 0) return "0";
+    if (size >= 1e6) return fmt::format("{:.2e}", value);
+    const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4;
+    return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string clipped(const std::string& line, std::size_t most)
+{
+    return line.size() <= most ? line : fmt::format("{}...", std::string_view(line).substr(0, most - 3));
+}
+
+std::string to_console(const Result& result, bool wide)
+{
+    const Row* any = nullptr;
+    for (const Row& row : result.rows) {
+        if (any == nullptr && row.timed()) any = &row;
+    }
+    const bool sweep = std::ranges::any_of(result.rows, [](const Row& row) { return !row.point.empty(); });
+    std::string text = wide ? wide_table(result) : main_table(result, sweep);
+    text += fmt::format("\n{}", devices(result));
+    if (any != nullptr && result.study == "standard") {
+        text += fmt::format(
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: wall time of reference, exact, over the row's\n",
+            any->setting.width, any->setting.height);
+    }
+    text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's",
+                        false);
+    text += ratio_table(double_to_float(result), "Double against float: kernel time of the one over the other's", true);
+    text += study_tables(result);
+    for (const std::string& warning : result.warnings)
+        text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), columns));
+    if (!result.warnings.empty()) text += "\n";
+    return text;
+}
+
+}  // namespace mandelmarch::bench

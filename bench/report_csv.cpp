@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "bench/figures.h"
+#include "bench/report.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+std::string quoted(const std::string& text)
+{
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string made = "\"";
+    for (const char c : text) {
+        if (c == '"') made += '"';
+        made += c;
+    }
+    return made + "\"";
+}
+
+std::string or_empty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+
+}  // namespace
+
+// problem: what is solved, so that rows of one problem can be compared: fractal, number, mode, size and the point of a
+// sweep. An unsupported row has an empty fom.
+std::string to_csv(const Result& result)
+{
+    std::string text =
+        "problem,application,platform,fom,name,fractal,precision,mode,backend,device,point,width,height,iterations_"
+        "limit,"
+        "detail,threads,pack,frames,proof,proof_fine,differing_pixels,samples,kernel_s,kernel_low_s,kernel_high_s,"
+        "kernel_mad_s,wall_s,context_s,build_s,upload_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
+        "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,steps,de_calls,iterations,"
+        "unavailable,failure\n";
+    for (const Row& row : result.rows) {
+        const Setting& s = row.setting;
+        const std::string problem =
+            fmt::format("{} {} {} {}x{}{}{}", row.fractal, name_of(row.precision), name_of(row.mode), s.width, s.height,
+                        row.point.empty() ? "" : " ", row.point);
+        const Figures f = row.timed() ? figures_of(result, row) : Figures{};
+        const auto timed = [&](double value) { return row.timed() ? fmt::format("{}", value) : std::string(); };
+        const auto& interval = f.kernel.interval;
+        const std::vector<std::string> cells{quoted(problem),
+                                             row.backend,
+                                             quoted(row.platform),
+                                             timed(f.pixel_rate),
+                                             quoted(row.name()),
+                                             row.fractal,
+                                             std::string(name_of(row.precision)),
+                                             std::string(name_of(row.mode)),
+                                             row.backend,
+                                             fmt::format("{}", row.device),
+                                             quoted(row.point),
+                                             fmt::format("{}", s.width),
+                                             fmt::format("{}", s.height),
+                                             fmt::format("{}", s.iterations),
+                                             fmt::format("{}", s.detail),
+                                             fmt::format("{}", row.threads),
+                                             fmt::format("{}", row.pack),
+                                             fmt::format("{}", s.frames),
+                                             quoted(row.proof.text),
+                                             row.proof.drawn ? (row.proof.fine ? "1" : "0") : "",
+                                             row.proof.drawn ? fmt::format("{}", row.proof.differing) : "",
+                                             fmt::format("{}", row.samples.size()),
+                                             timed(f.kernel.median),
+                                             interval ? fmt::format("{}", interval->low) : "",
+                                             interval ? fmt::format("{}", interval->high) : "",
+                                             timed(f.kernel.mad),
+                                             timed(f.wall.median),
+                                             timed(row.context),
+                                             timed(row.build),
+                                             timed(f.upload),
+                                             timed(f.readback),
+                                             timed(f.pixel_rate),
+                                             timed(f.estimate_rate),
+                                             timed(f.iteration_rate),
+                                             timed(row.operations),
+                                             or_empty(f.operation_rate),
+                                             or_empty(f.peak),
+                                             or_empty(f.share),
+                                             or_empty(f.bound),
+                                             or_empty(f.speed_up),
+                                             timed(static_cast<double>(row.work.steps)),
+                                             timed(static_cast<double>(row.work.estimates)),
+                                             timed(static_cast<double>(row.work.iterations)),
+                                             quoted(row.unavailable),
+                                             quoted(row.failure)};
+        text += fmt::format("{}\n", fmt::join(cells, ","));
+    }
+    return text;
+}
+
+void write_text(const std::string& path, const std::string& text)
+{
+    if (path == "-") {
+        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+            throw Error("standard output: it cannot be written");
+        }
+        return;
+    }
+    OutputFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bench/figures.h"
+#include "bench/portability.h"
+#include "bench/report.h"
+#include "core/base/error.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value)
+{
+    return value ? Json(*value) : Json();
+}
+
+Json of(const Summary& s)
+{
+    return {{"count", s.count}, {"median", s.median},
+            {"mad", s.mad},     {"least", s.least},
+            {"most", s.most},   {"interval", s.interval ? Json{s.interval->low, s.interval->high} : Json()}};
+}
+
+Json of(const Setting& s)
+{
+    return {{"width", s.width}, {"height", s.height}, {"iterations", s.iterations}, {"detail", s.detail},
+            {"power", s.power}, {"view", s.view},     {"without", s.without},       {"threads", s.threads},
+            {"pack", s.pack},   {"chunk", s.chunk},   {"frames", s.frames}};
+}
+
+Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.estimates}, {"iterations", w.iterations}}; }
+
+Json of(const Operations& o)
+{
+    return {{"sums", o.sums}, {"products", o.products}, {"quotients", o.quotients}, {"roots", o.roots}};
+}
+
+Json of(const Proof& p)
+{
+    return {{"drawn", p.drawn},
+            {"fine", p.fine},
+            {"yardstick", p.yardstick},
+            {"level", p.level},
+            {"text", p.text},
+            {"against", p.against},
+            {"pixels", p.pixels},
+            {"differing", p.differing},
+            {"visibly_differing", p.visibly_differing},
+            {"largest_ulps", std::isfinite(p.largest_ulps) ? Json(p.largest_ulps) : Json()},
+            {"psnr_db", std::isfinite(p.psnr) ? Json(p.psnr) : Json()}};
+}
+
+Json of(const Figures& f)
+{
+    return {{"kernel_seconds", of(f.kernel)},
+            {"wall_seconds", of(f.wall)},
+            {"upload_seconds", f.upload},
+            {"readback_seconds", f.readback},
+            {"pixels_per_second", f.pixel_rate},
+            {"de_calls_per_second", f.estimate_rate},
+            {"iterations_per_second", f.iteration_rate},
+            {"operations_per_second", or_null(f.operation_rate)},
+            {"peak_operations_per_second", or_null(f.peak)},
+            {"share_of_peak", or_null(f.share)},
+            {"bound_seconds", or_null(f.bound)},
+            {"speed_up", or_null(f.speed_up)}};
+}
+
+Json of(const Result& result, const Row& row)
+{
+    Json samples = Json::array();
+    for (const Sample& s : row.samples) {
+        samples.push_back({{"launch", s.launch},
+                           {"round", s.round},
+                           {"kernel", s.kernel},
+                           {"wall", s.wall},
+                           {"upload", s.upload},
+                           {"readback", s.readback}});
+    }
+    return {{"name", row.name()},
+            {"fractal", row.fractal},
+            {"precision", name_of(row.precision)},
+            {"mode", name_of(row.mode)},
+            {"backend", row.backend},
+            {"device", row.device},
+            {"point", row.point},
+            {"setting", of(row.setting)},
+            {"unavailable", row.unavailable.empty() ? Json() : Json(row.unavailable)},
+            {"failure", row.failure.empty() ? Json() : Json(row.failure)},
+            {"platform", row.platform},
+            {"device_name", row.device_name},
+            {"vendor", row.vendor},
+            {"driver", row.driver},
+            {"is_gpu", row.is_gpu},
+            {"instruction_set", row.instruction_set},
+            {"threads", row.threads},
+            {"pack", row.pack},
+            {"proof", of(row.proof)},
+            {"context_seconds", row.context},
+            {"build_seconds", row.build},
+            {"work", of(row.work)},
+            {"operations", row.operations},
+            {"samples", samples},
+            {"figures", row.timed() ? of(figures_of(result, row)) : Json()}};
+}
+
+Json of(const Counted& c)
+{
+    Json stages = Json::object();
+    for (int i = 0; i < stage_count; ++i) {
+        stages[std::string(name_of(static_cast<Stage>(i)))] = of(c.count.stages.at(static_cast<std::size_t>(i)));
+    }
+    return {{"fractal", c.fractal},
+            {"precision", name_of(c.precision)},
+            {"mode", name_of(c.mode)},
+            {"setting", of(c.setting)},
+            {"pixels", c.count.pixels},
+            {"hits", c.count.hits},
+            {"work", of(c.count.work)},
+            {"stages", stages},
+            {"operations_per_iteration", c.count.per_iteration()},
+            {"march_de_calls", c.count.march_estimates},
+            {"march_iterations", c.count.march_iterations},
+            {"lanes", c.count.lanes},
+            {"active_in_steps", c.count.active_in_steps},
+            {"active_in_iterations", c.count.active_in_iterations}};
+}
+
+Json of(const std::vector<Ratio>& ratios)
+{
+    Json list = Json::array();
+    for (const Ratio& ratio : ratios) {
+        list.push_back({{"numerator", ratio.numerator->name()},
+                        {"denominator", ratio.denominator->name()},
+                        {"ratio", of(ratio.summary)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+Json to_json(const Result& result)
+{
+    Json json{{"schema", "mandelmarch-bench"}, {"version", schema_version},   {"study", result.study},
+              {"seed", result.seed},           {"launches", result.launches}, {"environment", result.environment},
+              {"warnings", result.warnings}};
+    json["peaks"] = Json::array();
+    for (const Peak& p : result.peaks) {
+        json["peaks"].push_back({{"platform", p.platform},
+                                 {"backend", p.backend},
+                                 {"device", p.device},
+                                 {"precision", name_of(p.precision)},
+                                 {"operations_per_second", p.rate}});
+    }
+    json["counts"] = Json::array();
+    for (const Counted& counted : result.counts) json["counts"].push_back(of(counted));
+    json["stages"] = Json::array();
+    for (const StageTime& s : result.stages) {
+        json["stages"].push_back({{"fractal", s.fractal},
+                                  {"precision", name_of(s.precision)},
+                                  {"mode", name_of(s.mode)},
+                                  {"stage", s.stage},
+                                  {"seconds", s.seconds}});
+    }
+    json["rows"] = Json::array();
+    for (const Row& row : result.rows) json["rows"].push_back(of(result, row));
+    json["questions"] = {{"mandelbox_to_mandelbulb", of(box_to_bulb(result))},
+                         {"double_to_float", of(double_to_float(result))}};
+    json["portability"] = to_json(portability({&result, 1}));
+    return json;
+}
+
+}  // namespace mandelmarch::bench

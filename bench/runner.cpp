@@ -1,0 +1,218 @@
+#include "bench/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "bench/figures.h"
+#include "bench/proof.h"
+#include "core/base/error.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Pictures faster than this are drawn once, unmeasured, before the measured one: the row before has left its own
+// threads, caches and clock behind. Seconds.
+constexpr double warmed_below = 0.1;
+
+// Keeps what Google Benchmark measured, instead of printing it.
+class Collector : public benchmark::BenchmarkReporter {
+public:
+    explicit Collector(std::map<std::string, Run>& runs) : runs_(runs) {}
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& report) override
+    {
+        for (const Run& run : report) runs_[run.run_name.function_name] = run;
+    }
+
+private:
+    std::map<std::string, Run>& runs_;
+};
+
+void draw_with_google_benchmark(benchmark::State& state, Live& row, Image& image)
+{
+    for ([[maybe_unused]] auto ignored : state) {
+        try {
+            const Sample sample = draw_sample(row, image);
+            state.SetIterationTime(sample.kernel);
+            state.counters["wall"] = sample.wall;
+            state.counters["upload"] = sample.upload;
+            state.counters["readback"] = sample.readback;
+        } catch (const std::exception& error) {
+            state.SkipWithError(error.what());
+            break;
+        }
+    }
+}
+
+bool narrow_enough(const Row& row, double half_width)
+{
+    const auto reached = summary(kernel_times(row)).half_width();
+    return reached && *reached < half_width;
+}
+
+class Rounds {
+public:
+    Rounds(std::vector<Live>& rows, const Rules& rules)
+        : rows_(rows),
+          rules_(rules),
+          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.launch))
+    {
+    }
+
+    Runs run(const std::function<void(double)>& progress)
+    {
+        const int most = rules_.repetitions.value_or(rules_.most);
+        for (int round = 0; round < most; ++round) {
+            std::vector<Live*> order = unfinished();
+            if (order.empty()) break;
+            std::shuffle(order.begin(), order.end(), random_);
+            draw(order, round, progress);
+            for (Live* row : order) row->done = row->done || finished(*row);
+        }
+        return std::move(runs_);
+    }
+
+private:
+    std::vector<Live*> unfinished()
+    {
+        std::vector<Live*> order;
+        for (Live& row : rows_) {
+            if (!row.done) order.push_back(&row);
+        }
+        return order;
+    }
+
+    void draw(const std::vector<Live*>& order, int round, const std::function<void(double)>& progress)
+    {
+        std::map<std::string, benchmark::BenchmarkReporter::Run> measured;
+        for (Live* row : order) {
+            const auto body = [this, row, &progress](benchmark::State& state) {
+                if (out_of_time() && !row->one->row.samples.empty()) {
+                    skip(state);
+                } else {
+                    draw_with_google_benchmark(state, *row, image_for(*row));
+                }
+                progress(share());
+            };
+            static_cast<void>(body);
+#ifndef __clang_analyzer__  // which takes what the library keeps for a leak
+            benchmark::RegisterBenchmark(row->one->row.name().c_str(), body)
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond)
+                ->Iterations(1);
+#endif
+        }
+        Collector collector(measured);
+        benchmark::RunSpecifiedBenchmarks(&collector, "all");
+        benchmark::ClearRegisteredBenchmarks();
+        for (Live* row : order) keep(*row, round, measured.at(row->one->row.name()));
+    }
+
+    bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
+
+    // Draws nothing; keep() knows by the counter.
+    static void skip(benchmark::State& state)
+    {
+        for ([[maybe_unused]] auto ignored : state) state.SetIterationTime(0);
+        state.counters["skipped"] = 1;
+    }
+
+    void keep(Live& live, int round, const benchmark::BenchmarkReporter::Run& run)
+    {
+        Row& row = live.one->row;
+        if (run.counters.contains("skipped")) return;
+        if (run.error_occurred) {
+            row.failure = run.error_message;
+            row.samples.clear();
+            live.done = true;
+            return;
+        }
+        row.samples.push_back({.launch = rules_.launch,
+                               .round = round,
+                               .kernel = run.real_accumulated_time,
+                               .wall = run.counters.at("wall"),
+                               .upload = run.counters.at("upload"),
+                               .readback = run.counters.at("readback")});
+        live.spent += row.samples.back().wall;
+        runs_[row.name()].push_back(run);
+    }
+
+    bool finished(const Live& live) const
+    {
+        if (rules_.repetitions) return false;
+        const Row& row = live.one->row;
+        if (out_of_time() || live.spent > rules_.row_budget) return true;
+        return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
+    }
+
+    // Of the time that the rounds may take, or of the rows, whichever is further.
+    double share() const
+    {
+        const auto done = std::ranges::count_if(rows_, &Live::done);
+        const double by_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
+        return std::min(1.0, std::max(by_rows, rules_.repetitions ? 0 : seconds_since(start_) / rules_.budget));
+    }
+
+    Image& image_for(const Live& live)
+    {
+        const Scene& scene = live.one->scene;
+        if (image_.width() != scene.width || image_.height() != scene.height) {
+            image_ = Image(scene.width, scene.height, Image::Layers::bytes);
+        }
+        return image_;
+    }
+
+    std::vector<Live>& rows_;
+    const Rules& rules_;
+    std::mt19937_64 random_;
+    Clock::time_point start_ = Clock::now();
+    Image image_;
+    Runs runs_;
+};
+
+}  // namespace
+
+Sample draw_sample(Live& row, Image& image)
+{
+    const Case& one = *row.one;
+    const int frames = one.row.setting.frames;
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    // No picture of another row may pass for this one's.
+    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
+    Sample sample;
+    const auto add = [&](const Timings& t) {
+        sample.kernel += t.kernel;
+        sample.wall += t.wall;
+        sample.upload += t.upload;
+        sample.readback += t.readback;
+    };
+    if (frames == 0) {
+        add(row.renderer->render(one.scene, image).timings);
+    } else {
+        const auto start = Clock::now();
+        const auto renderer = one.backend->create(one.options);
+        for (int frame = 0; frame < frames; ++frame) add(renderer->render(one.scene, image).timings);
+        sample.wall = seconds_since(start);
+        for (double Sample::*part : {&Sample::kernel, &Sample::wall, &Sample::upload, &Sample::readback}) {
+            sample.*part /= frames;
+        }
+    }
+    if (fingerprint(image) != row.fingerprint) {
+        throw Error("the timed picture is not the one that was proven");
+    }
+    return sample;
+}
+
+Runs run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)
+{
+    return Rounds(rows, rules).run(progress);
+}
+
+}  // namespace mandelmarch::bench

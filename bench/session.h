@@ -1,0 +1,29 @@
+// A whole study: plan, proof, counting, peaks, timed rounds.
+#pragma once
+
+#include <functional>
+
+#include "bench/options.h"
+#include "bench/result.h"
+#include "bench/runner.h"
+
+namespace mandelmarch::bench {
+
+// NOLINTNEXTLINE(bugprone-exception-escape): as in result.h
+struct Outcome {
+    Result result;
+    Runs runs;  // Google Benchmark's records
+};
+
+// Told what is being done, and the finished share of it, 0 to 1.
+using Phase = std::function<void(const std::string& what, double share)>;
+
+// Measures the study that the options name. Every row's picture is drawn and compared before anything is timed; a row
+// whose picture fails is not timed. Throws InputError where the options are wrong, Unavailable where the one backend
+// that was asked for is not there.
+Outcome measure(const Registry& registry, const Options& options, const Phase& phase);
+
+// The multiply-add peak of every device in the precisions asked for. Backends that measure none are left out.
+std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,135 @@
+// The body of every stages_*.cpp: included once per instruction set by Highway's foreach_target.h. No include guard.
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::bench {
+namespace HWY_NAMESPACE {
+namespace {
+
+using openmp::Canvas;
+using openmp::Tiles;
+
+#define MM_REGISTERS 2
+#include "backends/openmp/pool.h"
+#undef MM_REGISTERS
+
+constexpr int most_packs = pool_rays / pack_lanes + 2;
+
+struct Memory {
+    Pools pools;
+    vec3 normals[most_packs];
+    Pixel pixels[most_packs];
+};
+
+HWY_INLINE double* place(double* seconds, TimedStage stage) { return seconds + static_cast<int>(stage); }
+
+HWY_NOINLINE vec3 normal_of(const Scene& scene, const Ray& ray)
+{
+    const real t = landing(scene, ray);
+    real back = t * real(scene.tolerance);
+    if (scene.canonical == 0) back = tolerance(scene, ray);
+    return normal_at(scene, along(point_at(scene, ray, t), ray.direction, -back), has_hit(scene, ray)).direction;
+}
+
+// What shade() does beside the normal.
+HWY_NOINLINE Pixel shaded(const Scene& scene, const Ray& ray, const vec3& normal)
+{
+    Pixel pixel = missed(scene, ray);
+    const mask hit = has_hit(scene, ray);
+    pixel.colour = pick3(hit, lit(scene, ray.direction, normal), pixel.colour);
+    pixel.depth = pick(hit, landing(scene, ray), pixel.depth);
+    return pixel;
+}
+
+// shade_pool() in three passes, each timed.
+HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<MM_REAL>& canvas, bool all,
+                              double (*now)(), double* seconds)
+{
+    Pool& ended = memory.pools.ended;
+    const int packs = all ? (ended.size + pack_lanes - 1) / pack_lanes : ended.size / pack_lanes;
+    const double first = now();
+    for (int k = 0; k < packs; ++k) {
+        Traveller a = load(ended, k * pack_lanes);
+        a.ray.last_distance = pick(first_lanes(ended.size - k * pack_lanes), a.ray.last_distance, real(scene.end));
+        memory.normals[k] = normal_of(scene, a.ray);
+    }
+    const double second = now();
+    for (int k = 0; k < packs; ++k) {
+        memory.pixels[k] = shaded(scene, load(ended, k * pack_lanes).ray, memory.normals[k]);
+    }
+    const double third = now();
+    for (int k = 0; k < packs; ++k) {
+        const whole places = load(ended, k * pack_lanes).pixel;
+        store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), canvas);
+    }
+    const int done = packs * pack_lanes;
+    const int rest = ended.size > done ? ended.size - done : 0;
+    Traveller a = load(ended, done);
+    ended.size = 0;
+    append(ended, a, first_lanes(rest));
+    *place(seconds, TimedStage::normal) += second - first;
+    *place(seconds, TimedStage::shade) += third - second;
+    *place(seconds, TimedStage::output) += now() - third;
+}
+
+// draw_tiles() with a clock. Finished rays are shaded before march_pool() or refine_pool() have to, but for rare ones.
+void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*now)(),
+                   double* seconds)
+{
+    const Scene& scene = *static_cast<const Scene*>(data);
+    Memory& memory = *static_cast<Memory*>(at);
+    auto& [pool, hits, ended] = memory.pools;
+    pool.size = hits.size = ended.size = 0;
+    bool more = true;
+    double last = now();
+    const auto took = [&](TimedStage stage) {
+        const double here = now();
+        *place(seconds, stage) += here - last;
+        last = here;
+    };
+    while (more || pool.size > 0) {
+        while (more && pool.size <= pool_rays - group_tiles * tile_pixels) {
+            Group group;
+            group.count = 0;
+            while (group.count < group_tiles && more) {
+                more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
+                group.count += more ? 1 : 0;
+            }
+            if (group.count > 0) begin_group(scene, group, canvas, pool);
+        }
+        took(TimedStage::begin);
+        march_pool(scene, pool, hits, ended, canvas);
+        took(TimedStage::march);
+        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas);
+        took(TimedStage::refine);
+        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, false, now, seconds);
+        last = now();
+    }
+    while (hits.size > 0) {
+        refine_pool(scene, hits, ended, canvas);
+        took(TimedStage::refine);
+        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, false, now, seconds);
+        last = now();
+    }
+    shade_apart(scene, memory, canvas, true, now, seconds);
+}
+
+StageKernel<MM_REAL> kernel()
+{
+    return {hwy::TargetName(HWY_TARGET), pack_lanes, sizeof(Memory), profile_tiles, draw_tiles};
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::bench
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mandelmarch::bench {
+
+HWY_EXPORT(kernel);
+
+StageKernel<MM_REAL> MM_STAGES();
+StageKernel<MM_REAL> MM_STAGES() { return HWY_DYNAMIC_DISPATCH(kernel)(); }
+
+}  // namespace mandelmarch::bench
+#endif

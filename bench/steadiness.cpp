@@ -1,0 +1,128 @@
+#include "bench/steadiness.h"
+
+#include <fmt/format.h>
+#include <sys/times.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "bench/figures.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// What is worth a warning.
+constexpr double much_load = 0.3;     // running threads for each core, before the start
+constexpr double much_stolen = 0.01;  // share of the processors' time
+constexpr double much_other = 0.05;   // share of the processors' time that other processes used
+constexpr double much_drift = 0.05;   // of the clock
+constexpr double much_spread = 0.05;  // median absolute deviation, of the median
+
+std::string first_line(const std::string& path)
+{
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+double fastest_clock()
+{
+    std::ifstream file("/proc/cpuinfo");
+    double fastest = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("cpu MHz")) continue;
+        std::istringstream value(line.substr(line.find(':') + 1));
+        double megahertz = 0;
+        if (value >> megahertz) fastest = std::max(fastest, megahertz);
+    }
+    return fastest;
+}
+
+}  // namespace
+
+Steadiness::Steadiness() : start_(look()) {}
+
+Steadiness::Look Steadiness::look()
+{
+    Look now;
+    std::istringstream(first_line("/proc/loadavg")) >> now.load;
+    now.frequency = fastest_clock();
+    // cpu user nice system idle iowait irq softirq steal, in ticks since boot.
+    std::istringstream line(first_line("/proc/stat"));
+    std::string name;
+    double ticks[8] = {};
+    line >> name;
+    for (double& value : ticks) line >> value;
+    const auto per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
+    for (const double value : ticks) now.processors += value / per_second;
+    now.stolen = ticks[7] / per_second;
+    tms mine{};
+    times(&mine);
+    const double own = static_cast<double>(mine.tms_utime + mine.tms_stime + mine.tms_cutime + mine.tms_cstime);
+    now.others = (ticks[0] + ticks[1] + ticks[2] - own) / per_second;
+    return now;
+}
+
+nlohmann::ordered_json Steadiness::during() const
+{
+    const Look end = look();
+    const double processors = std::max(1e-9, end.processors - start_.processors);
+    return {{"load_at_start", start_.load},
+            {"load_at_end", end.load},
+            {"megahertz_at_start", start_.frequency},
+            {"megahertz_at_end", end.frequency},
+            {"stolen_share", (end.stolen - start_.stolen) / processors},
+            {"others_share", std::max(0.0, (end.others - start_.others) / processors)}};
+}
+
+std::vector<std::string> Steadiness::warnings(const Result& result) const
+{
+    std::vector<std::string> found;
+    const nlohmann::ordered_json now = during();
+    const double cores = std::max(1U, std::thread::hardware_concurrency());
+    if (start_.load > much_load * cores) {
+        found.push_back(
+            fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
+    }
+    if (const double others = now["others_share"]; others > much_other) {
+        found.push_back(fmt::format("load: other processes took {:.0f} % of the processors meanwhile", 100 * others));
+    }
+    if (const double stolen = now["stolen_share"]; stolen > much_stolen) {
+        found.push_back(fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
+    }
+    const double before = start_.frequency;
+    const double after = now["megahertz_at_end"];
+    if (before > 0 && std::abs(after - before) > much_drift * before) {
+        found.push_back(fmt::format("frequency: the clock went from {:.0f} to {:.0f} MHz", before, after));
+    }
+    const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    if (!governor.empty() && governor != "performance") {
+        found.push_back(fmt::format("frequency: the governor is {}, not performance", governor));
+    }
+    int spread = 0;
+    const Row* worst = nullptr;
+    double most = much_spread;
+    for (const Row& row : result.rows) {
+        if (!row.timed() || row.samples.size() < 3) continue;
+        const Summary s = summary(kernel_times(row));
+        if (s.mad <= much_spread * s.median) continue;
+        ++spread;
+        if (s.mad > most * s.median) {
+            most = s.mad / s.median;
+            worst = &row;
+        }
+    }
+    if (worst != nullptr) {
+        found.push_back(
+            fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %", spread,
+                        result.rows.size(), 100 * much_spread, worst->name(), 100 * most));
+    }
+    return found;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,301 @@
+#include "bench/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <thread>
+#include <tuple>
+
+#include "bench/official_scenes.h"
+#include "core/base/cpu.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/number.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int usual_side = 540;   // pixels
+constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
+
+constexpr std::array<Study, 11> all_studies{{
+    {"standard", "", "every fractal, precision, mode, backend and device at one size"},
+    {"resolution", "pixels", "pictures from 270 x 270 to 4096 x 2160"},
+    {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
+    {"iterations", "iterations", "the distance estimator's limit of iterations"},
+    {"detail", "detail", "the detail level D"},
+    {"tiles", "chunk", "tiles that a thread takes at once (openmp)"},
+    {"threads", "threads", "threads on the host (openmp)"},
+    {"packs", "pack", "pixels at once on a core (openmp, opencl)"},
+    {"techniques", "without", "what makes a picture cheaper, switched off one by one and together"},
+    {"profile", "", "where a picture's time goes: begin, march, refine, normal, shade, output"},
+    {"box-vs-bulb", "scene",
+     "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
+}};
+
+// A point of a sweep, applied to a case.
+struct Point {
+    std::string name;
+    Setting change;  // only what differs from 0
+};
+
+std::vector<Point> points_of(std::string_view study, std::string_view nickname)
+{
+    const auto points = [](std::string_view name, int Setting::*member, std::initializer_list<int> values) {
+        std::vector<Point> made;
+        for (const int value : values) {
+            made.push_back({fmt::format("{}={}", name, value), {}});
+            made.back().change.*member = value;
+        }
+        return made;
+    };
+    if (study == "resolution") {
+        std::vector<Point> made;
+        for (const auto& [width, height] :
+             {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {4096, 2160}}) {
+            made.push_back({fmt::format("size={}x{}", width, height), {.width = width, .height = height}});
+        }
+        return made;
+    }
+    if (study == "frames") return points("frames", &Setting::frames, {1, 2, 5, 10, 30, 100});
+    if (study == "iterations") {
+        return nickname == "box" ? points("iterations", &Setting::iterations, {4, 8, 12, 18, 30, 60})
+                                 : points("iterations", &Setting::iterations, {2, 4, 8, 16, 32, 64, 100});
+    }
+    if (study == "detail") {
+        std::vector<Point> made;
+        for (const double detail : {-2.0, -2.5, -3.0, -3.5, -4.0, -4.5}) {
+            made.push_back({fmt::format("detail={}", detail), {.detail = detail}});
+        }
+        return made;
+    }
+    if (study == "tiles") return points("chunk", &Setting::chunk, {1, 2, 4, 8, 16, 32, 64});
+    if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 32, 64});
+    if (study == "techniques") {
+        std::vector<Point> made{{"without=none", {}}};
+        for (const auto& [name, techniques] : {std::pair("hull", "hull"),
+                                               {"relax", "relaxation"},
+                                               {"cones", "cones"},
+                                               {"all", "hull,relaxation,cones"}}) {
+            made.push_back({fmt::format("without={}", name), {.without = techniques}});
+        }
+        return made;
+    }
+    if (study == "threads") {
+        std::vector<Point> made;
+        const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+        for (int threads = 1; threads < cores; threads *= 2) {
+            made.push_back({fmt::format("threads={}", threads), {.threads = threads}});
+        }
+        for (const int threads : {cores, 2 * cores}) {
+            made.push_back({fmt::format("threads={}", threads), {.threads = threads}});
+        }
+        return made;
+    }
+    if (study == "box-vs-bulb") {
+        std::vector<Point> made;
+        for (const View& view : views_of(nickname, 1, 1)) {
+            made.push_back({fmt::format("scene={}", view.name), {.view = std::string(view.name)}});
+        }
+        return made;
+    }
+    return {{"", {}}};
+}
+
+// Only these backends have what the study varies.
+bool takes_part(std::string_view study, std::string_view backend)
+{
+    if (study == "tiles" || study == "threads" || study == "profile") return backend == "openmp";
+    if (study == "packs") return backend == "openmp" || backend == "opencl";
+    // Sweeps ask how a row changes, not how it compares with the reference, which would take minutes.
+    if (study != "standard") return backend != "reference";
+    return true;
+}
+
+Case case_of(const std::string& nickname, const Point& point, std::pair<int, int> size)
+{
+    Case made;
+    for (const View& view : views_of(nickname, size.first, size.second)) {
+        if (view.name == point.change.view) made.scene = view.scene;
+    }
+    Setting& setting = made.row.setting;
+    setting = point.change;
+    if (setting.width != 0) {
+        made.scene.width = setting.width;
+        made.scene.height = setting.height;
+    }
+    if (setting.iterations != 0) made.scene.iterations = setting.iterations;
+    if (setting.detail != 0) made.scene.detail = setting.detail;
+    setting.width = made.scene.width;
+    setting.height = made.scene.height;
+    setting.iterations = made.scene.iterations;
+    setting.detail = made.scene.detail;
+    setting.power = made.scene.shape[2];
+    made.row.fractal = made.scene.fractal->name;
+    made.row.point = point.name;
+    return made;
+}
+
+// The row of a backend without a device.
+Case missing(const Backend& backend, std::string why)
+{
+    Case made;
+    made.row.fractal = "all";
+    made.row.backend = backend.name();
+    made.row.unavailable = std::move(why);
+    return made;
+}
+
+// As Google Benchmark reads its filter.
+bool chosen(const std::string& filter, const std::string& name)
+{
+    if (filter.empty() || filter == "all") return true;
+    const bool others = filter.front() == '-';
+    try {
+        return std::regex_search(name, std::regex(others ? filter.substr(1) : filter, std::regex::extended)) != others;
+    } catch (const std::regex_error&) {
+        throw InputError(fmt::format("--benchmark_filter: '{}' given, expected a regular expression", filter));
+    }
+}
+
+}  // namespace
+
+std::span<const Study> studies() { return all_studies; }
+
+const Study& study_named(std::string_view name)
+{
+    std::string known;
+    for (const Study& study : all_studies) {
+        if (study.name == name) return study;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
+    }
+    throw InputError(fmt::format("--study: '{}' given, expected one of {}", name, known));
+}
+
+Scene official_scene_of(std::string_view nickname, int width, int height)
+{
+    Scene scene = parse_parameters(official_parameters(nickname), std::string(nickname), fractal_named(nickname)).scene;
+    scene.width = width;
+    scene.height = height;
+    return scene;
+}
+
+std::vector<View> views_of(std::string_view nickname, int width, int height)
+{
+    const Scene official = official_scene_of(nickname, width, height);
+    std::vector<View> views{{"official", official}, {"near", official}, {"far", official}, {"coarse", official}};
+    views[1].scene.eye = 0.75 * official.eye;
+    views[2].scene.eye = 3.0 * official.eye;
+    views[3].scene.detail = -2;
+    if (nickname == "bulb") {
+        // A power that is not whole is raised through angles; the picture is all but the official one.
+        views.push_back({"angles", official});
+        views.back().scene.shape[2] += 1e-5;
+    }
+    return views;
+}
+
+std::vector<std::string> fractals_of(const Options& options)
+{
+    if (options.fractal == "all") return {"bulb", "box"};
+    return {std::string(fractal_named(options.fractal).nickname)};
+}
+
+std::vector<Precision> precisions_of(const Options& options)
+{
+    if (options.precision == "float") return {Precision::f32};
+    if (options.precision == "double") return {Precision::f64};
+    return {Precision::f64, Precision::f32};
+}
+
+std::vector<Mode> modes_of(const Options& options)
+{
+    const std::string& mode = options.mode;
+    if (mode == "fast") return {Mode::fast};
+    // Relaxation is fast mode's.
+    if (mode.empty() && options.study == "techniques") return {Mode::fast};
+    if (mode == "exact" || (mode.empty() && !study_named(options.study).varies.empty())) return {Mode::exact};
+    return {Mode::exact, Mode::fast};
+}
+
+std::pair<int, int> size_of(const Options& options)
+{
+    if (options.size.empty()) {
+        const int side = options.study == "frames" ? frames_side : usual_side;
+        return {side, side};
+    }
+    const auto cross = options.size.find('x');
+    const auto width = parse_whole(options.size.substr(0, cross));
+    const auto height = parse_whole(cross == std::string::npos ? "" : options.size.substr(cross + 1));
+    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side ||
+        height.value_or(0) > max_side) {
+        throw InputError(
+            fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", options.size, max_side));
+    }
+    return {static_cast<int>(width.value_or(0)), static_cast<int>(height.value_or(0))};
+}
+
+std::string platform_of(const Device& device) { return device.is_gpu ? device.name : cpu_name(); }
+
+std::vector<Case> cases_of(const Registry& registry, const Options& options)
+{
+    std::vector<Case> cases;
+    const auto size = size_of(options);
+    if (options.backend != "all" && registry.find(options.backend) == nullptr) {
+        throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
+    }
+    for (const auto& backend : registry.backends()) {
+        // Speed-ups need the reference.
+        const bool yardstick = options.study == "standard" && backend->name() == "reference";
+        const bool asked = options.backend == "all" || options.backend == backend->name();
+        if ((!asked && !yardstick) || !takes_part(options.study, backend->name())) continue;
+        if (const auto why = backend->unavailable()) {
+            if (asked) cases.push_back(missing(*backend, *why));
+            continue;
+        }
+        const std::vector<Device> devices = backend->devices();
+        for (const std::string& nickname : fractals_of(options)) {
+            for (const Point& point : points_of(options.study, nickname)) {
+                for (const Precision precision : precisions_of(options)) {
+                    for (const Mode mode : modes_of(options)) {
+                        if (!asked && (mode == Mode::fast || precision == Precision::f32)) continue;
+                        for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
+                            Case made = case_of(nickname, point, size);
+                            const Setting& setting = made.row.setting;
+                            made.options = {.device = device,
+                                            .precision = precision,
+                                            .mode = mode,
+                                            .threads = setting.threads,
+                                            .pack = setting.pack,
+                                            .chunk = setting.chunk,
+                                            .techniques = techniques_without(setting.without)};
+                            made.backend = backend.get();
+                            const Device& described = devices[static_cast<std::size_t>(device)];
+                            made.row.precision = precision;
+                            made.row.mode = mode;
+                            made.row.backend = backend->name();
+                            made.row.device = device;
+                            made.row.device_name = described.name;
+                            made.row.vendor = described.vendor;
+                            made.row.driver = described.driver;
+                            made.row.is_gpu = described.is_gpu;
+                            made.row.platform = platform_of(described);
+                            if (chosen(options.filter, made.row.name())) cases.push_back(std::move(made));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    // As the table shows them: every backend's row for one picture together, then those that are not there.
+    std::ranges::stable_sort(cases, {}, [](const Case& one) {
+        const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
+        return std::tuple(fractal - fractals().data(), one.row.precision, one.row.mode);
+    });
+    return cases;
+}
+
+}  // namespace mandelmarch::bench

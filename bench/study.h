@@ -1,0 +1,61 @@
+// The named studies: which rows there are.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bench/options.h"
+#include "bench/result.h"
+#include "core/render/registry.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch::bench {
+
+struct Study {
+    std::string_view name;
+    std::string_view varies;  // what is drawn on the x axis; empty where nothing varies
+    std::string_view about;
+};
+
+std::span<const Study> studies();
+
+// Throws InputError with the known names.
+const Study& study_named(std::string_view name);
+
+// A row that is to be measured, and how it is drawn.
+struct Case {
+    Row row;
+    Scene scene;
+    RendererOptions options;
+    const Backend* backend = nullptr;  // nullptr in a row that is unavailable
+};
+
+// Every row of the study that the options choose, unavailable ones included: a backend without any device is one row.
+// Throws InputError for an unknown name or a bad size.
+std::vector<Case> cases_of(const Registry& registry, const Options& options);
+
+// The official scene of a fractal at a size in pixels, as the repository's parameter file has it.
+Scene official_scene_of(std::string_view nickname, int width, int height);
+
+// Other views of the Mandelbulb and the Mandelbox, for the study box-vs-bulb: both fractals under the same name of
+// scene.
+struct View {
+    std::string_view name;
+    Scene scene;
+};
+std::vector<View> views_of(std::string_view nickname, int width, int height);
+
+// The fractals that the options choose, by nickname.
+std::vector<std::string> fractals_of(const Options& options);
+std::vector<Precision> precisions_of(const Options& options);
+std::vector<Mode> modes_of(const Options& options);
+
+// Width and height, in pixels, of the option or else of the study. Throws InputError.
+std::pair<int, int> size_of(const Options& options);
+
+// The name of the platform that a device is: a GPU's own, or the CPU's for all devices that run on it.
+std::string platform_of(const Device& device);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,57 @@
+// Kernel text of its own, beside the picture's: multiply-adds and nothing else, to measure what a device can reach.
+// Ten chains that do not depend on each other hide the latency of a core's two multiply-add units (4 to 5 cycles each),
+// and fit the 16 registers of AVX2 together with a and b. They begin apart, so that no compiler can see two equal ones.
+
+struct Chains {
+    real c0;
+    real c1;
+    real c2;
+    real c3;
+    real c4;
+    real c5;
+    real c6;
+    real c7;
+    real c8;
+    real c9;
+};
+
+FN Chains multiplied_and_added(Chains c, real a, real b)
+{
+    c.c0 = c.c0 * a + b;
+    c.c1 = c.c1 * a + b;
+    c.c2 = c.c2 * a + b;
+    c.c3 = c.c3 * a + b;
+    c.c4 = c.c4 * a + b;
+    c.c5 = c.c5 * a + b;
+    c.c6 = c.c6 * a + b;
+    c.c7 = c.c7 * a + b;
+    c.c8 = c.c8 * a + b;
+    c.c9 = c.c9 * a + b;
+    return c;
+}
+
+// `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h counts them). With
+// a = 0.5 and b = 1 every chain goes to 2: no number becomes subnormal or infinite.
+FN real multiply_add_chains(real x, real a, real b, int rounds)
+{
+    Chains c;
+    c.c0 = x;
+    c.c1 = x + 1;
+    c.c2 = x + 2;
+    c.c3 = x + 3;
+    c.c4 = x + 4;
+    c.c5 = x + 5;
+    c.c6 = x + 6;
+    c.c7 = x + 7;
+    c.c8 = x + 8;
+    c.c9 = x + 9;
+    int i = 0;
+    while (i < rounds) {
+        c = multiplied_and_added(c, a, b);
+        c = multiplied_and_added(c, a, b);
+        c = multiplied_and_added(c, a, b);
+        c = multiplied_and_added(c, a, b);
+        i = i + 1;
+    }
+    return c.c0 + c.c1 + c.c2 + c.c3 + c.c4 + c.c5 + c.c6 + c.c7 + c.c8 + c.c9;
+}

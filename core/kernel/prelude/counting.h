@@ -1,0 +1,94 @@
+// Prelude: the words of the kernel text as C++ on a number that counts what is done with it, one lane at a time. Define
+// MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for the object whose members `sums`, `products`,
+// `quotients` and `roots` count, and include it inside a namespace, before the text; undefine.h takes the words away
+// again.
+//
+// One operation: a + b, a - b, a * b, quotient(a, b), root(a) of two numbers that differ from lane to lane, or one such
+// and a number of the scene. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to whole
+// numbers, exponents, whole numbers, and what is the same for all lanes. A multiply-add is two operations.
+
+#define FN inline
+#define FN_CALLED inline
+#define vec3(a, b, c) make_vec3(a, b, c)
+#define pick(on, a, b) ((on) ? (a) : (b))
+#define any(on) (on)
+#define count(on) ((on) ? 1 : 0)
+#define R(x) MM_REAL(x)
+#if MM_REAL_IS_FLOAT
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
+#else
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
+#endif
+
+typedef MM_REAL scalar;
+typedef int whole;
+typedef bool mask;
+
+struct real {
+    scalar value;
+
+    real() = default;
+    real(scalar v) : value(v) {}
+};
+
+#define MM_COUNTED(name, kind, expression)  \
+    inline real name(real left, real right) \
+    {                                       \
+        ++MM_OPERATIONS.kind;               \
+        const scalar a = left.value;        \
+        const scalar b = right.value;       \
+        return expression;                  \
+    }
+MM_COUNTED(operator+, sums, a + b)
+MM_COUNTED(operator-, sums, a - b)
+MM_COUNTED(operator*, products, a* b)
+MM_COUNTED(quotient, quotients, a / b)
+MM_COUNTED(quick_quotient, quotients, a / b)
+#undef MM_COUNTED
+
+inline real operator-(real a) { return -a.value; }
+inline mask operator<(real a, real b) { return a.value < b.value; }
+inline mask operator<=(real a, real b) { return a.value <= b.value; }
+inline mask operator>(real a, real b) { return a.value > b.value; }
+inline mask operator>=(real a, real b) { return a.value >= b.value; }
+inline mask operator==(real a, real b) { return a.value == b.value; }
+
+struct vec3 {
+    real x, y, z;
+};
+
+struct alignas(4 * sizeof(scalar)) triple {
+    scalar x, y, z;
+};
+
+inline vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
+
+#if MM_REAL_IS_FLOAT
+inline real root(real a)
+{
+    ++MM_OPERATIONS.roots;
+    return __builtin_sqrtf(a.value);
+}
+inline real magnitude(real a) { return __builtin_fabsf(a.value); }
+inline real nearest(real a) { return __builtin_rintf(a.value); }
+inline real exponent_of(real a)
+{
+    return static_cast<float>((__builtin_bit_cast(unsigned, a.value) >> 23) & 0xff) - 127.0F;
+}
+inline real two_to(real n) { return __builtin_bit_cast(float, (static_cast<int>(n.value) + 127) << 23); }
+#else
+inline real root(real a)
+{
+    ++MM_OPERATIONS.roots;
+    return __builtin_sqrt(a.value);
+}
+inline real magnitude(real a) { return __builtin_fabs(a.value); }
+inline real nearest(real a) { return __builtin_rint(a.value); }
+inline real exponent_of(real a)
+{
+    return static_cast<double>((__builtin_bit_cast(unsigned long long, a.value) >> 52) & 0x7ff) - 1023.0;
+}
+inline real two_to(real n) { return __builtin_bit_cast(double, (static_cast<long long>(n.value) + 1023) << 52); }
+#endif
+
+inline real quick_root(real a) { return root(a); }

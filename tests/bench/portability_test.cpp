@@ -1,0 +1,129 @@
+// Pennycook's metric on worked examples.
+#include "bench/portability.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "bench/figures.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// From "Implications of a metric for performance portability": an application with the efficiencies 100 %, 80 %, 50 %,
+// 100 % and 20 % on five platforms; one that does not run on the fourth.
+TEST(Portability, TheMetricOfThePapers)
+{
+    EXPECT_NEAR(performance_portability(std::vector{1.0, 0.8, 0.5, 1.0, 0.2}), 5 / (1 + 1.25 + 2 + 1 + 5), 1e-12);
+    EXPECT_NEAR(performance_portability(std::vector{1.0, 0.8, 0.5, 1.0, 0.2}), 0.4878, 5e-5);
+    EXPECT_EQ(performance_portability(std::vector{1.0, 0.8, 0.5, 0.0, 0.2}), 0);
+    EXPECT_EQ(performance_portability(std::vector{1.0, 1.0, 1.0}), 1);
+    EXPECT_EQ(performance_portability({}), 0);
+    // The harmonic mean never lies above the arithmetic one.
+    EXPECT_LT(performance_portability(std::vector{0.9, 0.1}), 0.5);
+}
+
+Row row_of(const std::string& backend, const std::string& platform, double seconds, double operations = 0)
+{
+    Row row;
+    row.fractal = "mandelbox";
+    row.backend = backend;
+    row.platform = platform;
+    row.device_name = platform;
+    row.setting.width = row.setting.height = 100;
+    row.operations = operations;
+    row.proof.drawn = row.proof.fine = true;
+    for (int i = 0; i < 9; ++i) row.samples.push_back({.round = i, .kernel = seconds, .wall = seconds});
+    return row;
+}
+
+// The same example, from times: the other application is the best known on every platform.
+std::vector<Result> example()
+{
+    const std::map<std::string, std::pair<double, double>> times{
+        {"A", {25, 25}}, {"B", {12.5, 10}}, {"C", {25, 12.5}}, {"D", {5, 5}}, {"E", {5, 1}}};
+    std::vector<Result> results;
+    for (const auto& [platform, seconds] : times) {
+        Result result;
+        result.rows.push_back(row_of("latest", platform, seconds.first));
+        result.rows.push_back(row_of("best", platform, seconds.second));
+        if (platform != "D") result.rows.push_back(row_of("dummy", platform, seconds.first));
+        results.push_back(result);
+    }
+    return results;
+}
+
+std::map<std::string, Portability> by_application(const std::vector<Portability>& list)
+{
+    std::map<std::string, Portability> found;
+    for (const Portability& p : list) found[p.application] = p;
+    return found;
+}
+
+TEST(Portability, OverSeveralResultFiles)
+{
+    auto found = by_application(portability(example()));
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_NEAR(found["latest"].application_portability, 0.4878, 5e-5);
+    EXPECT_NEAR(found["latest"].application_interval.low, 0.4878, 5e-5) << "samples without spread";
+    EXPECT_EQ(found["best"].application_portability, 1);
+    EXPECT_EQ(found["dummy"].application_portability, 0) << "one platform is unsupported";
+    EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
+}
+
+TEST(Portability, TheCascadeFalls)
+{
+    auto found = by_application(portability(example()));
+    const auto& cascade = found["latest"].cascade;
+    ASSERT_EQ(cascade.size(), 5U);
+    EXPECT_EQ(cascade[0].efficiency, 1);
+    EXPECT_EQ(cascade[2].platform, "B");
+    EXPECT_NEAR(cascade[2].portability, 3 / (1 + 1 + 1.25), 1e-12);
+    EXPECT_EQ(cascade[4].platform, "E");
+    EXPECT_NEAR(cascade[4].portability, 0.4878, 5e-5);
+    const auto& dummy = found["dummy"].cascade;
+    EXPECT_GT(dummy[3].portability, 0);
+    EXPECT_EQ(dummy[4].portability, 0);
+    EXPECT_EQ(dummy[4].platform, "D");
+}
+
+TEST(Portability, ShareOfTheMeasuredPeak)
+{
+    Result result;
+    result.rows.push_back(row_of("openmp", "A", 1, 25e9));
+    result.rows.push_back(row_of("opencl", "A", 2, 25e9));
+    result.peaks.push_back({"A", "openmp", 0, Precision::f64, 80e9});
+    result.peaks.push_back({"A", "opencl", 0, Precision::f64, 100e9});
+    auto found = by_application(portability({&result, 1}));
+    EXPECT_NEAR(found["openmp"].architecture_portability, 0.25, 1e-12) << "the platform's peak is the highest";
+    EXPECT_NEAR(found["opencl"].architecture_portability, 0.125, 1e-12);
+    EXPECT_NEAR(found["opencl"].application_portability, 0.5, 1e-12);
+}
+
+// A row whose picture is wrong counts as unsupported, however fast it was.
+TEST(Portability, AWrongPictureCountsNothing)
+{
+    std::vector<Result> results = example();
+    for (Row& row : results[1].rows) {
+        if (row.backend == "latest") row.proof.fine = false;
+    }
+    auto found = by_application(portability(results));
+    EXPECT_EQ(found["latest"].application_portability, 0);
+}
+
+TEST(Portability, TheIntervalHoldsTheValue)
+{
+    std::vector<Result> results = example();
+    int i = 0;
+    for (Result& result : results) {
+        for (Row& row : result.rows) {
+            for (Sample& sample : row.samples) sample.kernel *= 1 + 0.01 * (i++ % 5 - 2);
+        }
+    }
+    const auto found = by_application(portability(results)).at("latest");
+    EXPECT_LT(found.application_interval.low, found.application_portability);
+    EXPECT_GT(found.application_interval.high, found.application_portability);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

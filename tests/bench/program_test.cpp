@@ -1,0 +1,272 @@
+// The program on backends that are broken on purpose: no speed for a wrong picture, and exit code 1. The same backend
+// without a defect passes, so that it is the defect that is found.
+#include "bench/program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
+#include "bench/report.h"
+#include "core/base/error.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+enum class Defect { none, one_byte, not_a_number, upside_down, wrong_later, stale, dies_later, refuses, hidden };
+
+// openmp, with a defect.
+class BrokenRenderer : public Renderer {
+public:
+    BrokenRenderer(std::unique_ptr<Renderer> inner, Defect defect) : inner_(std::move(inner)), defect_(defect) {}
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        const bool first = pictures_++ == 0;
+        if (defect_ == Defect::stale && !first) return report_;
+        if (defect_ == Defect::dies_later && !first) throw Error("the device is lost");
+        report_ = inner_->render(scene, image, progress);
+        report_.backend = "broken";
+        if (defect_ == Defect::one_byte || (defect_ == Defect::wrong_later && !first)) {
+            image.bytes()[100] ^= 1;
+            if (image.has_values()) image.values()[33].green += 1 / 255.0;
+        }
+        if (defect_ == Defect::not_a_number && image.has_values()) {
+            image.values()[33].green = std::numeric_limits<double>::quiet_NaN();
+        }
+        if (defect_ == Defect::upside_down) {
+            std::ranges::reverse(image.bytes());
+            std::ranges::reverse(image.values());
+        }
+        return report_;
+    }
+
+private:
+    std::unique_ptr<Renderer> inner_;
+    Defect defect_;
+    RenderReport report_;
+    int pictures_ = 0;
+};
+
+class BrokenBackend : public Backend {
+public:
+    explicit BrokenBackend(Defect defect) : inner_(make_openmp_backend()), defect_(defect) {}
+    std::string_view name() const override { return "broken"; }
+    std::optional<std::string> unavailable() const override
+    {
+        if (defect_ == Defect::hidden) return "hidden on purpose";
+        return std::nullopt;
+    }
+    std::vector<Device> devices() const override
+    {
+        return defect_ == Defect::hidden ? std::vector<Device>{} : inner_->devices();
+    }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        if (defect_ == Defect::refuses && options.precision == Precision::f64) throw Unavailable("it has no double");
+        return std::make_unique<BrokenRenderer>(inner_->create(options), defect_);
+    }
+
+private:
+    std::unique_ptr<Backend> inner_;
+    Defect defect_;
+};
+
+struct Ran {
+    int code = 0;
+    std::string out, err;
+    nlohmann::ordered_json json;
+};
+
+// Runs the program in this process, as main() would.
+Ran run(Defect defect, std::vector<std::string> arguments)
+{
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_reference_backend());
+    backends.push_back(make_openmp_backend());
+    backends.push_back(std::make_unique<BrokenBackend>(defect));
+    const Registry registry(std::move(backends));
+    const std::string file = testing::TempDir() + "bench_program_test.json";
+    std::remove(file.c_str());
+    arguments.insert(arguments.begin(), "bench");
+    arguments.insert(arguments.end(), {"--json", file});
+    std::vector<char*> argv;
+    for (std::string& word : arguments) argv.push_back(word.data());
+    Ran ran;
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    try {
+        ran.code = bench_program(registry, static_cast<int>(argv.size()), argv.data());
+    } catch (const InputError& error) {
+        ran.code = exit_usage;
+        ran.err = error.what();
+    } catch (const Unavailable& error) {
+        ran.code = exit_unavailable;
+        ran.err = error.what();
+    }
+    ran.out = testing::internal::GetCapturedStdout();
+    ran.err += testing::internal::GetCapturedStderr();
+    if (std::ifstream json(file); json) ran.json = nlohmann::ordered_json::parse(json);
+    return ran;
+}
+
+std::vector<std::string> small(const std::string& mode)
+{
+    return {"--size", "48x40", "--fractal", "box", "--precision", "float", "--mode", mode, "--repetitions", "2"};
+}
+
+nlohmann::ordered_json row_of(const Ran& ran, const std::string& backend)
+{
+    for (const auto& row : ran.json["rows"]) {
+        if (row["backend"] == backend) return row;
+    }
+    return {};
+}
+
+TEST(BenchProgram, WithoutADefectEveryRowHasASpeed)
+{
+    for (const char* mode : {"exact", "fast"}) {
+        const Ran ran = run(Defect::none, small(mode));
+        EXPECT_EQ(ran.code, exit_fine) << ran.err;
+        const auto row = row_of(ran, "broken");
+        EXPECT_TRUE(row["proof"]["fine"]);
+        EXPECT_EQ(row["samples"].size(), 2U);
+        EXPECT_FALSE(row["figures"].is_null());
+        EXPECT_EQ(ran.out.find("FAILED"), std::string::npos);
+    }
+}
+
+class BrokenPicture : public testing::TestWithParam<Defect> {};
+
+TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
+{
+    const Ran ran = run(GetParam(), small("exact"));
+    EXPECT_EQ(ran.code, exit_failure);
+    const auto row = row_of(ran, "broken");
+    EXPECT_FALSE(row["failure"].is_null());
+    EXPECT_TRUE(row["samples"].empty());
+    EXPECT_TRUE(row["figures"].is_null());
+    EXPECT_NE(ran.out.find("FAILED"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.err.find("mandelbox/float/exact/broken/0"), std::string::npos) << ran.err;
+    // The others are timed all the same.
+    EXPECT_EQ(row_of(ran, "openmp")["samples"].size(), 2U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
+                         testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
+                                         Defect::wrong_later, Defect::stale, Defect::dies_later));
+
+TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
+{
+    EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_fine);
+    EXPECT_EQ(run(Defect::upside_down, small("fast")).code, exit_failure);
+    EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
+}
+
+TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
+{
+    const Ran ran = run(Defect::hidden, small("exact"));
+    EXPECT_EQ(ran.code, exit_fine);
+    EXPECT_NE(ran.out.find("unavailable: hidden on purpose"), std::string::npos) << ran.out;
+    EXPECT_EQ(row_of(ran, "broken")["unavailable"], "hidden on purpose");
+    std::vector<std::string> one = small("exact");
+    one.insert(one.end(), {"--backend", "broken"});
+    const Ran alone = run(Defect::hidden, one);
+    EXPECT_EQ(alone.code, exit_unavailable);
+    EXPECT_NE(alone.err.find("hidden on purpose"), std::string::npos);
+}
+
+TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
+{
+    const Ran ran =
+        run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
+    EXPECT_EQ(ran.code, exit_fine);
+    EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
+}
+
+TEST(BenchProgram, WrongArgumentsExitTwo)
+{
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--backend", "nosuch"},
+                                               {"--fractal", "nosuch"},
+                                               {"--precision", "half"},
+                                               {"--size", "0x10"},
+                                               {"--size", "70000x10"},
+                                               {"--repetitions", "0"},
+                                               {"--study", "nosuch"},
+                                               {"--nosuch"},
+                                               {"--benchmark_min_time=1"},
+                                               {"--benchmark_filter=("},
+                                               {"--benchmark_filter=nosuch"},
+                                               {"compare", "one.json"}}) {
+        EXPECT_EQ(run(Defect::none, arguments).code, exit_usage) << arguments.front();
+    }
+}
+
+TEST(BenchProgram, LinesAreAtMost120Characters)
+{
+    for (const Defect defect : {Defect::none, Defect::upside_down, Defect::hidden}) {
+        std::istringstream out(run(defect, small("exact")).out);
+        for (std::string line; std::getline(out, line);) EXPECT_LE(line.size(), 120U) << line;
+    }
+    std::istringstream out(
+        run(Defect::none, {"--size", "32x32", "--study", "threads", "--fractal", "box", "--repetitions", "1"}).out);
+    for (std::string line; std::getline(out, line);) EXPECT_LE(line.size(), 120U) << line;
+}
+
+TEST(BenchProgram, AResultIsReadAsItWasWritten)
+{
+    const Ran ran = run(Defect::upside_down, small("exact"));
+    const Result result = from_json(ran.json, "file");
+    EXPECT_EQ(to_json(result), ran.json);
+    auto other = ran.json;
+    other["version"] = schema_version + 1;
+    EXPECT_THROW(from_json(other, "file"), InputError);
+    other = ran.json;
+    other["rows"][0].erase("samples");
+    EXPECT_THROW(from_json(other, "file"), InputError);
+    EXPECT_THROW(from_json(nlohmann::ordered_json::array(), "file"), InputError);
+}
+
+TEST(BenchProgram, TheCsvHasTheColumnsOfP3Analysis)
+{
+    const Ran ran = run(Defect::hidden, small("exact"));
+    std::istringstream csv(to_csv(from_json(ran.json, "file")));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_TRUE(line.starts_with("problem,application,platform,fom,")) << line;
+    const auto columns = std::ranges::count(line, ',');
+    int rows = 0;
+    for (; std::getline(csv, line); ++rows) {
+        // No cell of these rows has a comma of its own.
+        EXPECT_EQ(std::ranges::count(line, ','), columns) << line;
+    }
+    EXPECT_EQ(rows, static_cast<int>(ran.json["rows"].size()));
+}
+
+TEST(BenchProgram, GoogleBenchmarksFlags)
+{
+    std::vector<std::string> arguments = small("exact");
+    arguments.resize(arguments.size() - 2);  // without --repetitions
+    arguments.insert(arguments.end(),
+                     {"--benchmark_filter=box/.*/openmp", "--benchmark_repetitions=3", "--benchmark_format=json"});
+    const Ran ran = run(Defect::none, arguments);
+    EXPECT_EQ(ran.code, exit_fine) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    ASSERT_EQ(json["benchmarks"].size(), 4U) << "three repetitions and their median";
+    EXPECT_EQ(json["benchmarks"][0]["run_type"], "iteration");
+    EXPECT_EQ(json["benchmarks"][2]["repetition_index"], 2);
+    EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
+    EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
+    EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
+    // A filter with a minus takes all others.
+    arguments = small("exact");
+    arguments.emplace_back("--benchmark_filter=-openmp");
+    EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

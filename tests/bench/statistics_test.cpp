@@ -1,0 +1,120 @@
+// The statistics on numbers whose answer is known.
+#include "bench/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace mandelmarch::bench {
+namespace {
+
+std::vector<double> upto(int n)
+{
+    std::vector<double> values(static_cast<std::size_t>(n));
+    std::iota(values.begin(), values.end(), 1.0);
+    return values;
+}
+
+TEST(Statistics, MedianAndDeviation)
+{
+    EXPECT_EQ(median({3, 1, 2}), 2);
+    EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
+    EXPECT_EQ(median({}), 0);
+    const std::vector<double> values{1, 1, 2, 2, 4, 6, 9};
+    const Summary s = summary(values);
+    EXPECT_EQ(s.median, 2);
+    EXPECT_EQ(s.mad, 1);
+    EXPECT_EQ(s.least, 1);
+    EXPECT_EQ(s.most, 9);
+    EXPECT_EQ(s.count, 7);
+}
+
+// The ranks of the usual table of the sign test's interval (Conover, table A3): n, and the smallest rank.
+TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
+{
+    for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {
+        const auto interval = median_interval(upto(n));
+        ASSERT_TRUE(interval) << n;
+        EXPECT_EQ(interval->low, rank) << n;
+        EXPECT_EQ(interval->high, n + 1 - rank) << n;
+    }
+    EXPECT_FALSE(median_interval(upto(5)));
+    EXPECT_FALSE(median_interval({}));
+}
+
+// How often an interval holds the true median of a skewed distribution, whose median is 1.
+template <class Interval>
+double coverage(int n, Interval interval)
+{
+    std::mt19937_64 random(11);
+    std::lognormal_distribution<double> times(0, 0.7);
+    int held = 0;
+    constexpr int studies = 4000;
+    for (int i = 0; i < studies; ++i) {
+        std::vector<double> values(static_cast<std::size_t>(n));
+        for (double& value : values) value = times(random);
+        const auto found = interval(values);
+        held += found.low <= 1 && 1 <= found.high ? 1 : 0;
+    }
+    return static_cast<double>(held) / studies;
+}
+
+TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
+{
+    for (const int n : {6, 9, 17, 30}) {
+        EXPECT_GT(coverage(n, [](const auto& values) { return *median_interval(values); }), 0.945) << n;
+    }
+}
+
+// The twin: an interval that is one rank too narrow on either side is found out by the same check.
+TEST(Statistics, ATooNarrowIntervalDoesNot)
+{
+    const auto narrow = [](std::vector<double> values) {
+        std::sort(values.begin(), values.end());
+        return Interval{values[2], values[values.size() - 3]};
+    };
+    EXPECT_LT(coverage(9, narrow), 0.945);
+}
+
+// Holm's own kind of example: 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
+TEST(Statistics, Holm)
+{
+    const std::vector<double> p{0.01, 0.04, 0.03, 0.005};
+    const auto adjusted = holm(p);
+    ASSERT_EQ(adjusted.size(), 4U);
+    EXPECT_NEAR(adjusted[0], 0.03, 1e-12);
+    EXPECT_NEAR(adjusted[1], 0.06, 1e-12);
+    EXPECT_NEAR(adjusted[2], 0.06, 1e-12);
+    EXPECT_NEAR(adjusted[3], 0.02, 1e-12);
+    EXPECT_TRUE(holm({}).empty());
+    EXPECT_EQ(holm(std::vector<double>{0.9, 0.8})[0], 1);
+}
+
+// Logarithms -1, 0, 1 and 1, 2, 3: the shift is 2, the variance of each mean 1/3, so t = 2 / sqrt(2/3) = 2.449 with 4
+// degrees of freedom, and p = 0.0705 two-sided without a margin (tables of Student's t).
+TEST(Statistics, WelchByHand)
+{
+    const std::vector<double> a{std::exp(-1.0), 1, std::exp(1.0)};
+    const std::vector<double> b{std::exp(1.0), std::exp(2.0), std::exp(3.0)};
+    const Difference d = difference(a, b, 0);
+    EXPECT_NEAR(d.ratio, std::exp(2.0), 1e-9);
+    EXPECT_NEAR(d.degrees, 4, 1e-9);
+    EXPECT_NEAR(d.p, 0.0705, 1e-4);
+    // 2.776 is the 97.5th percentile of t with 4 degrees of freedom.
+    EXPECT_NEAR(std::log(d.interval.high), 2 + 2.7764 * std::sqrt(2.0 / 3), 1e-3);
+    EXPECT_GT(difference(a, b, 0.5).p, d.p) << "a margin makes a difference less sure";
+    EXPECT_EQ(difference(a, a, 0.02).p, 1);
+}
+
+TEST(Statistics, EqualNumbersDifferOrNot)
+{
+    const std::vector<double> a{2, 2, 2};
+    const std::vector<double> b{3, 3, 3};
+    EXPECT_EQ(difference(a, b, 0.02).p, 0);
+    EXPECT_EQ(difference(a, a, 0.02).p, 1);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
