@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"bulb", 6, "99"}, BadLine{"bulb", 7, "0 -4 8"}, BadLine{"bulb", 7, "0 0 8"},
                     BadLine{"bulb", 7, "0 4 0"}, BadLine{"bulb", 7, "0 4 -8"}, BadLine{"bulb", 7, "4 8"},
                     BadLine{"bulb", 7, "0 4 1e-60"}, BadLine{"bulb", 8, "0 0"}, BadLine{"bulb", 8, "1000000000 0"},
-                    BadLine{"bulb", 8, "1.5 0"}, BadLine{"bulb", 9, "2"}, BadLine{"bulb", 9, "-1"},
+                    BadLine{"bulb", 8, "1.5 0"}, BadLine{"bulb", 9, "5"}, BadLine{"bulb", 9, "-1"},
                     BadLine{"bulb", 9, "red"}, BadLine{"bulb", 10, "-1"}, BadLine{"bulb", 10, "nan"},
                     BadLine{"box", 7, "0 0.5 1"}, BadLine{"box", 7, "1 0.5 1"}, BadLine{"box", 7, "2 0 1"},
                     BadLine{"box", 7, "2 0.5 0"}, BadLine{"box", 8, "18 0"}, BadLine{"box", 8, "18 -1"},
