@@ -52,6 +52,8 @@ def check_assembled(ptx, fractals):
     if len(results) != 8 * len(fractals):
         found.append(f"{len(results)} kernels assembled")
     for name, (registers, _, _) in results.items():
+        if k40.PEAK.match(name + "$_omp_fn$0"):
+            continue
         kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
         if registers > MOST_REGISTERS[kind, precision]:
             found.append(f"{name}: {registers} registers, {MOST_REGISTERS[kind, precision]} expected at most")
