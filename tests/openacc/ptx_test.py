@@ -49,8 +49,8 @@ def spills(results):
 def check_assembled(ptx, fractals):
     results = k40.assemble(ptx, k40.pinned_ptxas(), "sm_35")
     found = spills(results)
-    if len(results) != 8 * len(fractals):
-        found.append(f"{len(results)} kernels assembled")
+    if len(results) != 8 * len(fractals) + 2:
+        found.append(f"{len(results)} kernels assembled, the two of the peak included")
     for name, (registers, _, _) in results.items():
         if k40.PEAK.match(name + "$_omp_fn$0"):
             continue
