@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
-# build.sh PRESET: configures and builds the preset.
+# build.sh PRESET [TARGET...]: configures and builds the preset, all of it where no target is named.
 set -euo pipefail
-cmake --preset "$1" >/dev/null
-cmake --build --preset "$1"
+preset=$1
+shift
+[ $# -gt 0 ] || set -- all
+cmake --preset "$preset" >/dev/null
+cmake --build --preset "$preset" --target "$@"
