@@ -55,8 +55,6 @@ public:
     Profiler(const StageKernel<Real>& kernel, const Scene& scene)
         : kernel_(kernel),
           image_(scene.width, scene.height, Image::Layers::bytes),
-          reals_(real_planes * image_.pixels()),
-          wholes_(whole_planes * image_.pixels()),
           // aligned_alloc wants a multiple of the alignment.
           memory_(std::aligned_alloc(64, (kernel.bytes + 63) / 64 * 64), &std::free),
           tiles_{.columns = (scene.width + tile_side - 1) / tile_side, .count = 0}
@@ -73,30 +71,19 @@ public:
                                           .end_row = image_.height(),
                                           .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
                                           .pitch = scene.canonical != 0 ? openmp::pitch_of(scene) : 0,
-                                          .reals = reals_.data(),
-                                          .wholes = wholes_.data()};
+                                          .reals = nullptr,
+                                          .wholes = nullptr,
+                                          .bytes = image_.bytes().data()};
         kernel_.profile(&scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
-        seconds.at(static_cast<std::size_t>(TimedStage::output)) += store();
         const double start = now();
         kernel_.draw(&scene, canvas, tiles_.tiles(), memory_.get());
-        seconds.back() = now() - start + store();
+        seconds.back() = now() - start;
         return seconds;
     }
 
 private:
-    double store()
-    {
-        const double start = now();
-        const auto width = static_cast<std::size_t>(image_.width());
-        image_.store(planes_of(reals_.data(), wholes_.data(), image_.pixels(), width), 0, 0, image_.width(),
-                     image_.height());
-        return now() - start;
-    }
-
     StageKernel<Real> kernel_;
     Image image_;
-    std::vector<Real> reals_;
-    std::vector<int> wholes_;
     std::unique_ptr<void, decltype(&std::free)> memory_;
     TileList tiles_;
 };

@@ -6,9 +6,10 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using openmp::Canvas;
+using openmp::Spent;
 using openmp::Tiles;
 
-#define MM_REGISTERS 2
+#define MM_REGISTERS 4
 #include "backends/openmp/pool.h"
 #undef MM_REGISTERS
 
@@ -41,7 +42,7 @@ HWY_NOINLINE Pixel shaded(const Scene& scene, const Ray& ray, const vec3& normal
 }
 
 // shade_pool() in three passes, each timed.
-HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<MM_REAL>& canvas, bool all,
+HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<MM_REAL>& canvas, Spent& spent, bool all,
                               double (*now)(), double* seconds)
 {
     Pool& ended = memory.pools.ended;
@@ -59,7 +60,7 @@ HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<M
     const double third = now();
     for (int k = 0; k < packs; ++k) {
         const whole places = load(ended, k * pack_lanes).pixel;
-        store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), canvas);
+        store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), canvas, spent);
     }
     const int done = packs * pack_lanes;
     const int rest = ended.size > done ? ended.size - done : 0;
@@ -79,6 +80,7 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
     Memory& memory = *static_cast<Memory*>(at);
     auto& [pool, hits, ended] = memory.pools;
     pool.size = hits.size = ended.size = 0;
+    Spent spent{0, 0, 0};
     bool more = true;
     double last = now();
     const auto took = [&](TimedStage stage) {
@@ -94,23 +96,23 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
                 more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
                 group.count += more ? 1 : 0;
             }
-            if (group.count > 0) begin_group(scene, group, canvas, pool);
+            if (group.count > 0) begin_group(scene, group, canvas, pool, spent);
         }
         took(TimedStage::begin);
-        march_pool(scene, pool, hits, ended, canvas);
+        march_pool(scene, pool, hits, ended, canvas, spent);
         took(TimedStage::march);
-        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas);
+        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas, spent);
         took(TimedStage::refine);
-        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, false, now, seconds);
+        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, spent, false, now, seconds);
         last = now();
     }
     while (hits.size > 0) {
-        refine_pool(scene, hits, ended, canvas);
+        refine_pool(scene, hits, ended, canvas, spent);
         took(TimedStage::refine);
-        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, false, now, seconds);
+        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, spent, false, now, seconds);
         last = now();
     }
-    shade_apart(scene, memory, canvas, true, now, seconds);
+    shade_apart(scene, memory, canvas, spent, true, now, seconds);
 }
 
 StageKernel<MM_REAL> kernel()

@@ -5,6 +5,13 @@ file(GLOB fractal_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/core/ke
     ${PROJECT_SOURCE_DIR}/core/kernel/fractals/*.h)
 list(TRANSFORM fractal_files REPLACE "\\.h$" "" OUTPUT_VARIABLE MANDELMARCH_FRACTALS)
 
+# GCC takes structures of packs apart, into registers, only up to a size that they are beyond by far.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000)
+endif()
+set(MANDELMARCH_OPTIONS_packs ${MANDELMARCH_PACKS})
+set(MANDELMARCH_OPTIONS_stages ${MANDELMARCH_PACKS})
+
 # mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
 # to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode, is_fast and file.
 function(mandelmarch_kernel_variants target)
@@ -18,7 +25,7 @@ function(mandelmarch_kernel_variants target)
                     configure_file(${template}.cpp.in ${file} @ONLY)
                     target_sources(${target} PRIVATE ${file})
                     set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS
-                        "${MANDELMARCH_FP_${mode}};${MANDELMARCH_SANITIZER_${template}}")
+                        "${MANDELMARCH_FP_${mode}};${MANDELMARCH_OPTIONS_${template}};${MANDELMARCH_SANITIZER_${template}}")
                 endforeach()
             endforeach()
         endforeach()

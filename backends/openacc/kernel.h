@@ -15,7 +15,7 @@ constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
-constexpr int differences = !MM_REAL_IS_FLOAT;
+constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
 using Job = mandelmarch::openacc::Job<Scene, MM_REAL>;
 

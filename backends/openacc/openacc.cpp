@@ -59,7 +59,7 @@ public:
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (kernel.h).
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
-            job_.scene.differences != std::is_same_v<Real, double>) {
+            job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>)) {
             throw Unavailable("backend openacc: its kernels are not made for this scene's hit or normal");
         }
         job_.reals = static_cast<Real*>(reals_on_device_.address());

@@ -101,9 +101,10 @@ private:
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant)
+    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
+          image_(image),
           threads_(options.threads),
           cones_(options.mode == Mode::fast && options.techniques.cones),
           chunk_(std::max(1, options.chunk))
@@ -114,21 +115,31 @@ public:
     {
         const Clock::time_point start = Clock::now();
         const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
-        reals_.resize(std::max(reals_.size(), real_planes * pixels));
-        wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
+        unsigned char* bytes = nullptr;
+        if (image_.has_values()) {
+            reals_.resize(std::max(reals_.size(), real_planes * pixels));
+            wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
+        } else {
+            bytes = image_.bytes().data() +
+                    3 * static_cast<std::size_t>(band.first_row) * static_cast<std::size_t>(scene_.width);
+        }
         const openmp::Canvas<Real> canvas{band.first_row,
                                           band.first_row + band.rows,
                                           static_cast<std::ptrdiff_t>(pixels),
                                           cones_ ? openmp::pitch_of(scene_) : 0,
                                           reals_.data(),
-                                          wholes_.data()};
+                                          wholes_.data(),
+                                          bytes};
         TileQueue queue(scene_.width, band, chunk_);
-#pragma omp parallel num_threads(threads_)
+        Work band_work;
+#pragma omp parallel num_threads(threads_) reduction(sum : band_work)
         {
             const ThreadMemory memory(variant_.memory);
             TileQueue::Share share{queue};
-            variant_.draw(&scene_, canvas, share.tiles(), memory.at);
+            const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory.at);
+            add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
         }
+        add_to(work, band_work);
         timings.kernel += seconds_since(start);
     }
 
@@ -139,15 +150,13 @@ public:
         const Clock::time_point start = Clock::now();
         const auto width = static_cast<std::size_t>(scene_.width);
         const std::size_t pixels = static_cast<std::size_t>(band.rows) * width;
-        Work band_work;
-#pragma omp parallel for num_threads(threads_) schedule(dynamic) reduction(sum : band_work)
+        if (!image.has_values()) return;  // its bytes are there
+#pragma omp parallel for num_threads(threads_) schedule(dynamic)
         for (int row = 0; row < band.rows; ++row) {
             const std::size_t from = static_cast<std::size_t>(row) * width;
             const auto planes = planes_of(reals_.data() + from, wholes_.data() + from, pixels, width);
             image.store(planes, 0, band.first_row + row, scene_.width, 1);
-            add_work(band_work, planes, scene_.width, 1);
         }
-        add_to(work, band_work);
         timings.readback += seconds_since(start);
     }
 
@@ -157,6 +166,7 @@ public:
 private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
+    Image& image_;
     int threads_;
     bool cones_;
     int chunk_;
@@ -209,7 +219,7 @@ private:
     {
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene);
-        BandExecutor<Real> executor(scene, options_, variant);
+        BandExecutor<Real> executor(scene, options_, variant, image);
         // Large bands: at the end of each the threads run out of rays to fill their lanes with.
         run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
                      image, progress);

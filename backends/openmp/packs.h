@@ -5,8 +5,8 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
-#define MM_REGISTERS 2
-namespace registers_2 {
+#define MM_REGISTERS 4
+namespace registers_4 {
 #include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
@@ -18,18 +18,21 @@ namespace registers_1 {
 #undef MM_REGISTERS
 #endif
 
-// The best last: two registers hide most of the latency and leave room for the rest of the state.
+#define MM_VARIANT(pack)                                                                     \
+    {                                                                                        \
+        hwy::TargetName(HWY_TARGET), pack::pack_lanes, pack::draw_tiles, sizeof(pack::Pools) \
+    }
+
+// The best last: four independent registers hide the arithmetic's latency, at the price of some spilled values.
 VariantList<MM_REAL> list()
 {
-    const char* name = hwy::TargetName(HWY_TARGET);
 #if MANDELMARCH_ALL_PACKS
-    return {{{name, registers_1::pack_lanes, registers_1::draw_tiles, sizeof(registers_1::Pools)},
-             {name, registers_2::pack_lanes, registers_2::draw_tiles, sizeof(registers_2::Pools)}},
-            2};
+    return {{MM_VARIANT(registers_1), MM_VARIANT(registers_4)}, 2};
 #else
-    return {{{name, registers_2::pack_lanes, registers_2::draw_tiles, sizeof(registers_2::Pools)}}, 1};
+    return {{MM_VARIANT(registers_4)}, 1};
 #endif
 }
+#undef MM_VARIANT
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

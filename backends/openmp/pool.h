@@ -7,126 +7,98 @@
 #include "core/kernel/prelude/pack.h"
 #include "core/kernel/text.h"
 
-// Rays in a pool: enough that few packs have gaps, few enough to stay in a core's cache.
-constexpr int pool_rays = 4096;
+// In fast mode the compiler fuses multiplications and additions as it sees fit; a ray must come to the same values
+// whichever pack takes its step, so that there is one copy of each step.
+#undef MM_CALLED
+#undef MM_ONE_COPY_LOOP
+#if defined(__clang__)
+#define MM_CALLED __attribute__((noinline))
+#define MM_ONE_COPY_LOOP _Pragma("clang loop unroll(disable)")
+#else
+#define MM_CALLED __attribute__((noinline, noclone))
+#define MM_ONE_COPY_LOOP _Pragma("GCC unroll 1")
+#endif
 
-struct Pool {
-    static constexpr int reals = 9;
-    static constexpr int wholes = 4;
-    MM_REAL real_fields[reals][pool_rays + 2 * pack_lanes];
-    Int whole_fields[wholes][pool_rays + 2 * pack_lanes];
-    int size;
-};
+#include "backends/openmp/rays.h"
 
-// A ray with the place of its pixel in the canvas.
-struct Traveller {
-    Ray ray;
-    whole pixel;
-};
+constexpr int steps_at_once = 16;
 
-// Calls f(field, register's values) for each field of register u.
-template <class OnReal, class OnWhole>
-HWY_INLINE void each_field(Traveller& a, int u, OnReal on_real, OnWhole on_whole)
+// The lanes that are on, without gaps.
+HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
-    on_real(0, a.ray.direction.x.of[u]);
-    on_real(1, a.ray.direction.y.of[u]);
-    on_real(2, a.ray.direction.z.of[u]);
-    on_real(3, a.ray.end.of[u]);
-    on_real(4, a.ray.t.of[u]);
-    on_real(5, a.ray.last_t.of[u]);
-    on_real(6, a.ray.last_distance.of[u]);
-    on_real(7, a.ray.before_t.of[u]);
-    on_real(8, a.ray.before_distance.of[u]);
-    on_whole(0, a.ray.steps.of[u]);
-    on_whole(1, a.ray.estimates.of[u]);
-    on_whole(2, a.ray.iterations.of[u]);
-    on_whole(3, a.pixel.of[u]);
+    EACH_REGISTER(hn::StoreU(hn::Compress(from.of[u], hn::RebindMask(Wholes(), on.of[u])), Wholes(), to);
+                  to += hn::CountTrue(Reals(), on.of[u]);)
 }
 
-HWY_NOINLINE Traveller load(const Pool& pool, int from)
+HWY_INLINE void store_compact(const real& from, const mask& on, MM_REAL* to)
 {
-    Traveller a;
-    for (int u = 0; u < MM_REGISTERS; ++u) {
-        const int at = from + u * register_lanes;
-        each_field(
-            a, u, [&](int f, auto& v) HWY_ATTR { v = hn::LoadU(Reals(), pool.real_fields[f] + at); },
-            [&](int f, auto& v) HWY_ATTR { v = hn::LoadU(Wholes(), pool.whole_fields[f] + at); });
-    }
+    EACH_REGISTER(hn::StoreU(hn::Compress(from.of[u], on.of[u]), Reals(), to); to += hn::CountTrue(Reals(), on.of[u]);)
+}
+
+// trunc(255 c), c cut to [0, 1]; 0 where it is not a number.
+HWY_INLINE whole byte_of(const real& c)
+{
+    const real scaled = 255 * smaller(larger(c, 0), 1);
+    whole a;
+    EACH_REGISTER(a.of[u] = hn::ConvertTo(Wholes(), scaled.of[u]);)
     return a;
 }
 
-// Appends the lanes that are on. The pool has room for a pack more than it holds.
-HWY_NOINLINE void append(Pool& pool, Traveller& a, const mask& on)
+// A pixel's three bytes in one number, red lowest.
+HWY_INLINE whole bytes_of(const vec3& colour)
 {
-    for (int u = 0; u < MM_REGISTERS; ++u) {
-        const auto lanes = on.of[u];
-        const auto whole_lanes = hn::RebindMask(Wholes(), lanes);
-        const int count_on = static_cast<int>(hn::CountTrue(Reals(), lanes));
-        if (count_on == 0) continue;
-        const int at = pool.size;
-        if (count_on == register_lanes) {
-            each_field(
-                a, u, [&](int f, auto& v) HWY_ATTR { hn::StoreU(v, Reals(), pool.real_fields[f] + at); },
-                [&](int f, auto& v) HWY_ATTR { hn::StoreU(v, Wholes(), pool.whole_fields[f] + at); });
-        } else {
-            each_field(
-                a, u,
-                [&](int f, auto& v) HWY_ATTR { hn::StoreU(hn::Compress(v, lanes), Reals(), pool.real_fields[f] + at); },
-                [&](int f, auto& v)
-                    HWY_ATTR { hn::StoreU(hn::Compress(v, whole_lanes), Wholes(), pool.whole_fields[f] + at); });
-        }
-        pool.size += count_on;
-    }
-}
-
-// The first `lanes` lanes.
-HWY_INLINE mask first_lanes(int lanes)
-{
-    mask on;
-    for (int u = 0; u < MM_REGISTERS; ++u) {
-        const int rest = lanes - u * register_lanes;
-        on.of[u] = hn::FirstN(Reals(), static_cast<std::size_t>(rest < 0 ? 0 : rest));
-    }
-    return on;
-}
-
-HWY_INLINE void store_lanes(const real& from, MM_REAL* to)
-{
-    for (int u = 0; u < MM_REGISTERS; ++u) hn::StoreU(from.of[u], Reals(), to + u * register_lanes);
-}
-
-HWY_INLINE void store_lanes(const whole& from, Int* to)
-{
-    for (int u = 0; u < MM_REGISTERS; ++u) hn::StoreU(from.of[u], Wholes(), to + u * register_lanes);
+    const whole red = byte_of(colour.x);
+    const whole green = byte_of(colour.y);
+    const whole blue = byte_of(colour.z);
+    whole a;
+    EACH_REGISTER(a.of[u] = hn::Or(red.of[u], hn::Or(hn::ShiftLeft<8>(green.of[u]), hn::ShiftLeft<16>(blue.of[u])));)
+    return a;
 }
 
 // Finished pixels to their places on the canvas.
-HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
+MM_CALLED void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
+                            Spent& spent)
 {
-    MM_REAL reals[4][pack_lanes];
-    Int wholes[4][pack_lanes];
-    Int live[pack_lanes];
-    store_lanes(pixel.colour.x, reals[0]);
-    store_lanes(pixel.colour.y, reals[1]);
-    store_lanes(pixel.colour.z, reals[2]);
-    store_lanes(pixel.depth, reals[3]);
-    store_lanes(pixel.steps, wholes[0]);
-    store_lanes(pixel.estimates, wholes[1]);
-    store_lanes(pixel.iterations, wholes[2]);
-    store_lanes(places, wholes[3]);
-    store_lanes(count(on), live);
-    for (int lane = 0; lane < pack_lanes; ++lane) {
-        if (live[lane] == 0) continue;
-        const Int at = wholes[3][lane];
-        for (int plane = 0; plane < 4; ++plane) canvas.reals[plane * canvas.pixels + at] = reals[plane][lane];
-        for (int plane = 0; plane < 3; ++plane) {
-            canvas.wholes[plane * canvas.pixels + at] = static_cast<int>(wholes[plane][lane]);
+    const int lanes = lanes_on(on);
+    constexpr int room = pack_lanes + register_lanes;
+    Int at[room];
+    Int work[whole_planes][room];
+    store_compact(places, on, at);
+    store_compact(pixel.steps, on, work[0]);
+    store_compact(pixel.estimates, on, work[1]);
+    store_compact(pixel.iterations, on, work[2]);
+    for (int i = 0; i < lanes; ++i) {
+        spent.steps += static_cast<std::uint64_t>(work[0][i]);
+        spent.estimates += static_cast<std::uint64_t>(work[1][i]);
+        spent.iterations += static_cast<std::uint64_t>(work[2][i]);
+    }
+    if (canvas.bytes != nullptr) {
+        Int bytes[room];
+        store_compact(bytes_of(pixel.colour), on, bytes);
+        for (int i = 0; i < lanes; ++i) {
+            unsigned char* to = canvas.bytes + 3 * static_cast<std::ptrdiff_t>(at[i]);
+            to[0] = static_cast<unsigned char>(bytes[i]);
+            to[1] = static_cast<unsigned char>(bytes[i] >> 8);
+            to[2] = static_cast<unsigned char>(bytes[i] >> 16);
+        }
+        return;
+    }
+    MM_REAL values[real_planes][room];
+    store_compact(pixel.colour.x, on, values[0]);
+    store_compact(pixel.colour.y, on, values[1]);
+    store_compact(pixel.colour.z, on, values[2]);
+    store_compact(pixel.depth, on, values[3]);
+    for (int i = 0; i < lanes; ++i) {
+        for (int plane = 0; plane < real_planes; ++plane)
+            canvas.reals[plane * canvas.pixels + at[i]] = values[plane][i];
+        for (int plane = 0; plane < whole_planes; ++plane) {
+            canvas.wholes[plane * canvas.pixels + at[i]] = static_cast<int>(work[plane][i]);
         }
     }
 }
 
 // Shades all rays of the pool but an incomplete last pack; that one too if `all`.
-HWY_NOINLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, bool all)
+MM_CALLED void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent, bool all)
 {
     int done = 0;
     while (ended.size - done >= pack_lanes || (all && ended.size > done)) {
@@ -134,7 +106,7 @@ HWY_NOINLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_RE
         const mask on = first_lanes(ended.size - done);
         // Lanes beyond the last ray hit nothing.
         a.ray.last_distance = pick(on, a.ray.last_distance, scene.end);
-        store_pixels(shade(scene, a.ray), a.pixel, on, canvas);
+        store_pixels(shade(scene, a.ray), a.pixel, on, canvas, spent);
         done += pack_lanes;
     }
     if (done == 0) return;
@@ -146,7 +118,7 @@ HWY_NOINLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_RE
 }
 
 // One step of refinement for every ray of the pool; those that need no more go to `ended`.
-HWY_NOINLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas)
+MM_CALLED void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -159,7 +131,7 @@ HWY_NOINLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const
         const mask stays = on && !go;
         if (!any(stays)) continue;
         append(ended, a, stays);
-        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
+        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, spent, false);
     }
 }
 
@@ -170,34 +142,19 @@ constexpr int rectangle_width()
     while (width * width < pack_lanes) width *= 2;
     return width;
 }
+constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 constexpr int pack_width = rectangle_width();
 constexpr int pack_height = pack_lanes / pack_width;
 static_assert(pack_width <= tile_side && pack_height <= tile_side);
 
-// A pack's coordinates and whether each lane is on the picture.
+// A pack's values, lane by lane.
 struct Lanes {
     MM_REAL i[pack_lanes];
     MM_REAL j[pack_lanes];
-    MM_REAL inside[pack_lanes];
     MM_REAL start[pack_lanes];  // no ray hits before this t
-    Int place[pack_lanes];
     Int estimates[pack_lanes];  // made for it by cones
     Int iterations[pack_lanes];
 };
-
-HWY_INLINE whole load_lanes(const Int* from)
-{
-    whole a;
-    for (int u = 0; u < MM_REGISTERS; ++u) a.of[u] = hn::LoadU(Wholes(), from + u * register_lanes);
-    return a;
-}
-
-HWY_INLINE real load_lanes(const MM_REAL* from)
-{
-    real a;
-    for (int u = 0; u < MM_REGISTERS; ++u) a.of[u] = hn::LoadU(Reals(), from + u * register_lanes);
-    return a;
-}
 
 // Some tiles, begun together so that their cones fill packs.
 constexpr int group_tiles = 8;
@@ -222,8 +179,8 @@ struct Cones {
 
 // Marches one cone for every block of `side` pixels, from where the larger block's cone came to.
 template <int side, int parent_side>
-HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
-                              Cones<side>& cones)
+MM_CALLED void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
+                           Cones<side>& cones)
 {
     const int blocks = group.count * blocks_of_tile(side);
     for (int from = 0; from < blocks; from += pack_lanes) {
@@ -256,43 +213,53 @@ HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pit
 }
 
 // Begins the rays of tile number `tile` of the group, where its cones of 2 x 2 pixels came to, if there are any.
-HWY_NOINLINE void begin_tile(const Scene& scene, const Group& group, int tile, const Canvas<MM_REAL>& canvas,
-                             const Cones<2>* cones, Pool& pool)
+MM_CALLED void begin_tile(const Scene& scene, const Group& group, int tile, const Canvas<MM_REAL>& canvas,
+                          const Cones<2>* cones, Pool& pool, Spent& spent)
 {
     const int left = group.left[tile];
     const int bottom = group.bottom[tile];
+    const whole lane = lane_numbers();
+    whole across;
+    whole up;
+    Int places[pack_lanes];
+    for (int n = 0; n < pack_lanes; ++n) places[n] = static_cast<Int>(n / pack_width) * scene.width + n % pack_width;
+    EACH_REGISTER(across.of[u] = hn::And(lane.of[u], hn::Set(Wholes(), pack_width - 1));
+                  up.of[u] = hn::ShiftRight<log2_of(pack_width)>(lane.of[u]);)
     for (int y0 = bottom; y0 < bottom + tile_side && y0 < canvas.end_row; y0 += pack_height) {
         for (int x0 = left; x0 < left + tile_side && x0 < scene.width; x0 += pack_width) {
-            Lanes lanes;
-            for (int lane = 0; lane < pack_lanes; ++lane) {
-                const int x = x0 + lane % pack_width;
-                const int y = y0 + lane / pack_width;
-                lanes.i[lane] = static_cast<MM_REAL>(x);
-                lanes.j[lane] = static_cast<MM_REAL>(y);
-                lanes.place[lane] = static_cast<Int>(y - canvas.first_row) * scene.width + x;
-                lanes.inside[lane] = x < scene.width && y < canvas.end_row ? MM_REAL(1) : MM_REAL(0);
-                const int block = tile * blocks_of_tile(2) + (y - bottom) / 2 * blocks_across(2) + (x - left) / 2;
-                const bool first = x % 2 == 0 && y % 2 == 0;
-                lanes.start[lane] = cones == nullptr ? MM_REAL(0) : cones->start[block];
-                lanes.estimates[lane] = cones == nullptr || !first ? Int(0) : cones->estimates[block];
-                lanes.iterations[lane] = cones == nullptr || !first ? Int(0) : cones->iterations[block];
-            }
+            const whole x = across + whole(static_cast<Int>(x0));
+            const whole y = up + whole(static_cast<Int>(y0));
+            const real i = real_of(x);
+            const real j = real_of(y);
             Traveller a;
-            a.pixel = load_lanes(lanes.place);
-            const mask on = load_lanes(lanes.inside) > 0;
-            a.ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
-            a.ray.t = larger(a.ray.t, load_lanes(lanes.start));
-            a.ray.estimates = load_lanes(lanes.estimates);
-            a.ray.iterations = load_lanes(lanes.iterations);
+            a.pixel = load_lanes(places) + whole(static_cast<Int>(y0 - canvas.first_row) * scene.width + x0);
+            const mask on = i < scene.width && j < canvas.end_row;
+            a.ray = begin(scene, i, j);
+            if (cones != nullptr) {
+                Lanes lanes;
+                for (int n = 0; n < pack_lanes; ++n) {
+                    const int dx = x0 - left + n % pack_width;
+                    const int dy = y0 - bottom + n / pack_width;
+                    const int block = tile * blocks_of_tile(2) + dy / 2 * blocks_across(2) + dx / 2;
+                    const bool first = dx % 2 == 0 && dy % 2 == 0;
+                    lanes.start[n] = cones->start[block];
+                    lanes.estimates[n] = first ? cones->estimates[block] : Int(0);
+                    lanes.iterations[n] = first ? cones->iterations[block] : Int(0);
+                }
+                a.ray.t = larger(a.ray.t, load_lanes(lanes.start));
+                a.ray.estimates = load_lanes(lanes.estimates);
+                a.ray.iterations = load_lanes(lanes.iterations);
+            }
             const mask go = marching(scene, a.ray);
             append(pool, a, on && go);
-            if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, canvas);
+            if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, canvas, spent);
         }
     }
 }
 
 // Begins a group's tiles, with cones of 8 and of 2 pixels before the rays.
-HWY_NOINLINE void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool)
+MM_CALLED void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool,
+                           Spent& spent)
 {
     Cones<8> coarse;
     Cones<2> fine;
@@ -302,36 +269,44 @@ HWY_NOINLINE void begin_group(const Scene& scene, const Group& group, const Canv
         march_cones<2, 8>(scene, group, canvas.pitch, &coarse, fine);
     }
     for (int tile = 0; tile < group.count; ++tile) {
-        begin_tile(scene, group, tile, canvas, with_cones ? &fine : nullptr, pool);
+        begin_tile(scene, group, tile, canvas, with_cones ? &fine : nullptr, pool, spent);
     }
 }
 
 // One step of marching for every ray of the pool; hits go on to be refined, or to be shaded where none is.
-HWY_NOINLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas)
+MM_CALLED void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas,
+                          Spent& spent)
 {
     const int size = pool.size;
     pool.size = 0;
     for (int from = 0; from < size; from += pack_lanes) {
         Traveller a = load(pool, from);
         const mask on = first_lanes(size - from);
-        a.ray = advance(scene, a.ray, on);
-        const mask go = marching(scene, a.ray);
-        append(pool, a, on && go);
+        // Some steps before the rays are stored again, while few lanes have ended.
+        const int enough = lanes_on(on) * 3 / 4;
+        mask go = on;
+        int step = 0;
+        MM_ONE_COPY_LOOP
+        do {
+            a.ray = advance(scene, a.ray, go);
+            go = go && marching(scene, a.ray);
+        } while (++step < steps_at_once && lanes_on(go) > enough);
+        append(pool, a, go);
         const mask stays = on && !go;
         if (!any(stays)) continue;
         const mask hit = stays && has_hit(scene, a.ray);
         const mask gone = stays && !hit;
-        if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, canvas);
+        if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, canvas, spent);
         if (scene.canonical != 0) {
             a.ray = refine_begin(scene, a.ray);
             const mask coarse = hit && refining(scene, a.ray);
             append(hits, a, coarse);
             append(ended, a, hit && !coarse);
-            while (hits.size > pool_rays - pack_lanes) refine_pool(scene, hits, ended, canvas);
+            while (hits.size > pool_rays - pack_lanes) refine_pool(scene, hits, ended, canvas, spent);
         } else {
             append(ended, a, hit);
         }
-        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, false);
+        if (ended.size > pool_rays - pack_lanes) shade_pool(scene, ended, canvas, spent, false);
     }
 }
 
@@ -343,8 +318,9 @@ struct Pools {
 };
 
 // Draws tiles until there are no more.
-void draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
+    Spent spent{0, 0, 0};
     const Scene& scene = *static_cast<const Scene*>(data);
     auto& [pool, hits, ended] = *static_cast<Pools*>(memory);
     pool.size = hits.size = ended.size = 0;
@@ -357,13 +333,14 @@ void draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& ti
                 more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
                 group.count += more;
             }
-            if (group.count > 0) begin_group(scene, group, canvas, pool);
+            if (group.count > 0) begin_group(scene, group, canvas, pool, spent);
         }
-        march_pool(scene, pool, hits, ended, canvas);
-        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas);
+        march_pool(scene, pool, hits, ended, canvas, spent);
+        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas, spent);
     }
-    while (hits.size > 0) refine_pool(scene, hits, ended, canvas);
-    shade_pool(scene, ended, canvas, true);
+    while (hits.size > 0) refine_pool(scene, hits, ended, canvas, spent);
+    shade_pool(scene, ended, canvas, spent, true);
+    return spent;
 }
 #include "core/kernel/prelude/undefine.h"
 #undef EACH_REGISTER

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/image/tile.h"
 
 namespace mandelmarch::openmp {
 
-// Where finished pixels go: planes as core/image/image.h lays them out, for rows [first_row, end_row) of the picture.
+// Where finished pixels of rows [first_row, end_row) of the picture go: to `bytes`, three a pixel, or, where that is
+// null, to planes as core/image/image.h lays them out.
 template <class Real>
 struct Canvas {
     int first_row;
@@ -17,6 +19,14 @@ struct Canvas {
     Real pitch;             // how far neighbouring pixels' rays are apart at distance 1, diagonally; 0: no cones
     Real* reals;
     int* wholes;
+    unsigned char* bytes;
+};
+
+// The work of all rays drawn.
+struct Spent {
+    std::uint64_t steps;
+    std::uint64_t estimates;
+    std::uint64_t iterations;
 };
 
 // Hands out tiles, each once, to whichever thread asks: (left, bottom) is a tile's first pixel in the picture.
@@ -28,7 +38,7 @@ struct Tiles {
 // Draws tiles until there are no more. `scene` is the kernel text's Scene in Real's layout; `memory` belongs to the
 // thread.
 template <class Real>
-using DrawTiles = void (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
+using DrawTiles = Spent (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
 
 template <class Real>
 struct Variant {

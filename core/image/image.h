@@ -35,10 +35,7 @@ template <class Real>
 Planes<Real> planes_of(const Tile<Real>& tile);
 
 // The layout of a device's buffers: the planes red, green, blue and depth one after another in `reals`, the planes
-// steps, estimates and iterations in `wholes`, each of `pixels` values.
-inline constexpr int real_planes = 4;
-inline constexpr int whole_planes = 3;
-
+// steps, estimates and iterations in `wholes`, each of `pixels` values (real_planes and whole_planes of them).
 template <class Real>
 Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride);
 

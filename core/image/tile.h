@@ -7,6 +7,9 @@ namespace mandelmarch {
 inline constexpr int tile_side = 16;  // pixels
 inline constexpr int tile_pixels = tile_side * tile_side;
 
+inline constexpr int real_planes = 4;   // of a canvas: red, green, blue, depth
+inline constexpr int whole_planes = 3;  // steps, estimates, iterations
+
 // Real is the kernel's number type. Pixel (x, y) of the tile stands at y * tile_side + x; y grows upwards.
 template <class Real>
 struct Tile {

@@ -11,7 +11,7 @@ FN Span sphere_span(scalar radius, vec3 origin, vec3 direction)
     real middle = -inner(origin, direction);
     vec3 nearest_point = along(origin, direction, middle);
     real rest = radius * radius - inner(nearest_point, nearest_point);
-    real half_length = root(larger(rest, 0));
+    real half_length = quick_root(larger(rest, BY_PRECISION(1.0e-290, 1.0e-30)));
     Span span;
     span.first = pick(rest > 0, middle - half_length, R(1.0));
     span.last = pick(rest > 0, middle + half_length, R(-1.0));
@@ -23,8 +23,8 @@ FN Span slab_span(scalar size, real origin, real direction)
 {
     // A ray along the planes is given a slope that no picture shows.
     real slope = pick(magnitude(direction) > R(1.0e-12), direction, R(1.0e-12));
-    real a = quotient(-size - origin, slope);
-    real b = quotient(size - origin, slope);
+    real a = quick_quotient(-size - origin, slope);
+    real b = quick_quotient(size - origin, slope);
     Span span;
     span.first = smaller(a, b);
     span.last = larger(a, b);

@@ -134,10 +134,10 @@ FN Ray refine_begin(Scene scene, Ray ray)
     return ray;
 }
 
-// A root is good where f is a thousandth of the tolerance: one more secant then brings it closer still.
+// A root is good where f is a small share of the tolerance: one more secant then brings it closer still.
 FN mask refining(Scene scene, Ray ray)
 {
-    real narrow = R(0.001) * scene.tolerance * ray.last_t;
+    real narrow = root_share() * scene.tolerance * ray.last_t;
     real f = pick(ray.end == tried_above(), ray.before_distance, ray.last_distance);
     return ray.end > no_root() && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
 }

@@ -11,8 +11,11 @@ FN real natural_log(real x)
     mask high = m > R(1.4142135623730951);
     m = pick(high, m * R(0.5), m);
     e = pick(high, e + 1, e);
-    real s = quotient(m - 1, m + 1);
+    real s = quick_quotient(m - 1, m + 1);
     real q = s * s;
+#if MM_REAL_IS_FLOAT
+    real series = R(0.1111111111111111);  // 1/9
+#else
     real series = R(0.043478260869565216);          // 1/23
     series = series * q + R(0.047619047619047616);  // 1/21
     series = series * q + R(0.052631578947368418);  // 1/19
@@ -21,9 +24,10 @@ FN real natural_log(real x)
     series = series * q + R(0.076923076923076927);  // 1/13
     series = series * q + R(0.090909090909090912);  // 1/11
     series = series * q + R(0.1111111111111111);    // 1/9
-    series = series * q + R(0.14285714285714285);   // 1/7
-    series = series * q + R(0.2);                   // 1/5
-    series = series * q + R(0.33333333333333331);   // 1/3
+#endif
+    series = series * q + R(0.14285714285714285);  // 1/7
+    series = series * q + R(0.2);                  // 1/5
+    series = series * q + R(0.33333333333333331);  // 1/3
     real twice = s + s;
     real ln_m = twice + twice * (q * series);
     real ln_x = e * BY_PRECISION(0.69314718036912382, 0.693359375) +

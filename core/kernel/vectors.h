@@ -13,8 +13,8 @@ FN vec3 times(real s, vec3 a) { return vec3(s * a.x, s * a.y, s * a.z); }
 
 FN vec3 unit(vec3 a)
 {
-    real length = norm(a);
-    return vec3(quotient(a.x, length), quotient(a.y, length), quotient(a.z, length));
+    real length = quick_root(inner(a, a));
+    return vec3(quick_quotient(a.x, length), quick_quotient(a.y, length), quick_quotient(a.z, length));
 }
 
 FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on, a.y, b.y), pick(on, a.z, b.z)); }
@@ -29,8 +29,20 @@ FN real larger(real a, real b) { return pick(a > b, a, b); }
 FN real smaller(real a, real b) { return pick(a < b, a, b); }
 #endif
 
-// x cut to [low, high]
-FN real cut(real x, real low, real high) { return smaller(larger(x, low), high); }
+// x cut to [-1, 1]
+#ifndef MM_HAS_CLIPPED
+FN real clipped(real x) { return smaller(larger(x, -1), 1); }
+#endif
+
+// |a|, which may be 0.
+FN real quick_norm(vec3 a) { return quick_root(larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30))); }
+
+// 1 / root(a), and the sum of a counter and the lanes that are on.
+#ifndef MM_HAS_TALLY
+FN real quick_inverse_root(real a) { return quick_quotient(1, quick_root(a)); }
+
+FN whole tally(whole a, mask on) { return a + count(on); }
+#endif
 
 struct Complex {
     real re;
@@ -71,6 +83,7 @@ FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 // n >= 1.
 FN Complex raised(Complex a, int n)
 {
+    if (n == 8) return squared(squared(squared(a)));
     Complex result = raised_by_bit(a, a, n, 256);
     result = raised_by_bit(result, a, n, 128);
     result = raised_by_bit(result, a, n, 64);
@@ -95,6 +108,7 @@ FN real raised_real_by_bit(real result, real a, int n, int bit)
 FN real raised_real(real a, int n)
 {
     real result = a;
+    if (n == 7) return a * a * a * (a * a * a) * a;
     if (n == 0) result = 1;
     result = raised_real_by_bit(result, a, n, 256);
     result = raised_real_by_bit(result, a, n, 128);

@@ -27,7 +27,7 @@ constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(KernelScene::tolerance);
     return offsetof(KernelScene, tolerance) == 32 && offsetof(KernelScene, fractal) == 32 + 8 * real &&
-           offsetof(KernelScene, eye) == 32 + 16 * real && sizeof(KernelScene) == 32 + 32 * real;
+           offsetof(KernelScene, eye) == 32 + 20 * real && sizeof(KernelScene) == 32 + 36 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -67,7 +67,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     k.exponent = constants.exponent;
     k.colouring = scene.colouring;
     k.canonical = mode == Mode::fast;
-    k.differences = !is_float<KernelScene>;
+    k.differences = mode == Mode::exact && !is_float<KernelScene>;
     k.tolerance = real(std::pow(10.0, scene.detail));
     k.stride = real(stride);
     k.end = real(end);

@@ -62,10 +62,10 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
         static_cast<int>(std::clamp<std::int64_t>(limits.loops_per_invocation / loops_per_step - 1, 1, max_steps));
 
     if (limits.loops_per_invocation > 0 && shading * loops_per_step > limits.loops_per_invocation) {
-        throw Unavailable(
-            fmt::format("colouring type {} with {} iterations loops more often than this device survives, expected fewer "
-                        "iterations or the types 0 and 1",
-                        scene.colouring, scene.iterations));
+        throw Unavailable(fmt::format(
+            "colouring type {} with {} iterations loops more often than this device survives, expected fewer "
+            "iterations or the types 0 and 1",
+            scene.colouring, scene.iterations));
     }
 
     const int rows = rows_per_band(scene, limits);

@@ -35,9 +35,9 @@ FractalConstants bulb_constants(const Scene& scene, double largest)
 FractalConstants box_constants(const Scene& scene, double)
 {
     const auto [scale, inner, fixed] = scene.shape;
-    const double growth = std::abs(scale);
-    return {.values = {scale, growth, inner * inner, fixed * fixed, (fixed * fixed) / (inner * inner),
-                       scene.escape * scene.escape, std::abs(scale - 1), std::pow(growth, 1 - scene.iterations)}};
+    return {.values = {scale, std::copysign(1, scale), inner * inner, fixed * fixed, scale * (fixed * fixed),
+                       scale * ((fixed * fixed) / (inner * inner)), scene.escape * scene.escape, std::abs(scale - 1),
+                       std::pow(std::abs(scale), 1 - scene.iterations)}};
 }
 
 // c = shape + escape k. Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.

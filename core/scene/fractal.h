@@ -20,7 +20,7 @@ struct Meaning {
 
 // What the kernel text of a fractal needs that is the same for all pixels, computed in double.
 struct FractalConstants {
-    std::array<double, 8> values{};
+    std::array<double, 12> values{};
     int exponent = 0;  // see Scene::exponent in core/kernel/scene.h
 };
 

@@ -5,7 +5,7 @@
 #undef MM_REGISTERS
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
-#define MM_REGISTERS 2
+#define MM_REGISTERS 4
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::field {

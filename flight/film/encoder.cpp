@@ -14,7 +14,8 @@
 namespace mandelmarch {
 namespace {
 
-// Before the output's name. Bitexact leaves out what changes from run to run; four threads whatever the machine.
+// Before the output's name. Bitexact leaves out what changes from run to run; four threads whatever the machine. A
+// lookahead in a thread of its own sometimes decides otherwise at the end of a clip when the machine is busy.
 std::vector<std::string> encoding()
 {
     return {"-c:v",
@@ -25,6 +26,8 @@ std::vector<std::string> encoding()
             "18",
             "-threads",
             "4",
+            "-x264-params",
+            "sync-lookahead=0",
             "-pix_fmt",
             "yuv420p",
             "-g",

@@ -5,6 +5,7 @@ import re
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
            "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t"}
 COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # true where a number is not one: not the opposite
 INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
 SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid"}
 LINE = re.compile(r"(?:@\s*(!?)\s*(%\w+)\s+)?([a-z][\w.]*)\s*(.*?);$")
@@ -77,6 +78,8 @@ class Kernel:
             if suffixes[0] == "rzi":
                 return f"{suffixes[1]}_of({a})"
             return f"({C_TYPES[suffixes[-2]]}){a}"
+        if word == "setp" and suffixes[0] in UNORDERED:
+            return f"!({self.value(rest[0], kind)} {UNORDERED[suffixes[0]]} {self.value(rest[1], kind)})"
         if word == "setp":
             return f"{self.value(rest[0], kind)} {COMPARISONS[suffixes[0]]} {self.value(rest[1], kind)}"
         if word == "selp":

@@ -42,13 +42,42 @@ protected:
 
 TEST_P(SameBits, OneThreadAndMany)
 {
-    for (const auto& [name, scene] : scenes()) {
-        const Image one = draw(scene, 1, 0);
-        const Image many = draw(scene, 7, 0);
-        const Comparison difference = compare(one, many);
-        EXPECT_TRUE(difference.same()) << name << ": "
-                                       << describe_pixel(one, many, std::max<std::int64_t>(0, difference.first));
+    for (const Mode mode : {Mode::exact, Mode::fast}) {
+        for (const auto& [name, scene] : scenes()) {
+            const Image one = draw(scene, 1, 0, mode);
+            const Image many = draw(scene, 7, 0, mode);
+            const Comparison difference = compare(one, many);
+            EXPECT_TRUE(difference.same()) << name << " " << name_of(mode) << ": "
+                                           << describe_pixel(one, many, std::max<std::int64_t>(0, difference.first));
+        }
     }
+}
+
+// A picture of bytes alone has them from another place than one that keeps all values.
+TEST_P(SameBits, BytesAlone)
+{
+    for (const int pack : {0, 1}) {
+        for (const auto& [name, scene] : scenes()) {
+            const RendererOptions options{.precision = GetParam(), .mode = Mode::fast, .pack = pack};
+            Image bytes(scene.width, scene.height, Image::Layers::bytes);
+            Image all(scene.width, scene.height, Image::Layers::all);
+            const Work work = openmp.create(options)->render(scene, bytes).work;
+            const Work whole = openmp.create(options)->render(scene, all).work;
+            EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", pack " << pack;
+            EXPECT_GE(work.estimates, bytes.pixels() / 100);
+            EXPECT_EQ(work.steps, whole.steps);
+            EXPECT_EQ(work.estimates, whole.estimates);
+            EXPECT_EQ(work.iterations, whole.iterations);
+        }
+    }
+    // The comparison sees a single byte.
+    Scene other = official_scene("bulb", 64, 64);
+    Image image(64, 64, Image::Layers::bytes);
+    openmp.create({.precision = GetParam()})->render(other, image);
+    other.brightness *= 1.01;
+    Image brighter(64, 64, Image::Layers::bytes);
+    openmp.create({.precision = GetParam()})->render(other, brighter);
+    EXPECT_NE(image.bytes(), brighter.bytes());
 }
 
 TEST_P(SameBits, ScalarAndEveryPackWidth)

@@ -3,33 +3,34 @@
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // s
-FN scalar box_growth(Scene scene) { return scene.fractal[1]; }         // |s|
+FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
 FN scalar box_fixed_radius2(Scene scene) { return scene.fractal[3]; }  // rFixed^2
-FN scalar box_inner_factor(Scene scene) { return scene.fractal[4]; }   // rFixed^2 / rMin^2
-FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }        // escape radius^2
-FN scalar box_offset(Scene scene) { return scene.fractal[6]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }      // |s|^(1 - n)
+FN scalar box_shell_scale(Scene scene) { return scene.fractal[4]; }    // s rFixed^2
+FN scalar box_inner_scale(Scene scene) { return scene.fractal[5]; }    // s rFixed^2 / rMin^2
+FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
+FN scalar box_offset(Scene scene) { return scene.fractal[7]; }         // |s - 1|
+FN scalar box_remainder(Scene scene) { return scene.fractal[8]; }      // |s|^(1 - n)
 
 // c > 1: 2 - c; c < -1: -2 - c; else c.
-FN real folded(real c)
-{
-    real edge = cut(c, -1, 1);
-    return edge + edge - c;
-}
+FN real folded(real c) { return 2 * clipped(c) - c; }
 
 FN vec3 box_fold(vec3 z) { return vec3(folded(z.x), folded(z.y), folded(z.z)); }
 
-// The factor of the sphere fold at squared radius r2.
+// s times the factor of the sphere fold at squared radius r2.
 FN real sphere_fold(Scene scene, real r2)
 {
     // Zero or not a number only where the shell is not picked.
-    real shell = quick_quotient(box_fixed_radius2(scene), r2);
-    return pick(r2 < box_inner_radius2(scene), box_inner_factor(scene), pick(r2 < box_fixed_radius2(scene), shell, 1));
+    real shell = quick_quotient(box_shell_scale(scene), r2);
+    return pick(r2 < box_inner_radius2(scene), box_inner_scale(scene),
+                pick(r2 < box_fixed_radius2(scene), shell, box_scale(scene)));
 }
 
 // Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
+
+// A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures change.
+FN real root_share() { return R(0.001); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
@@ -38,17 +39,18 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     whole iterations = 0;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        vec3 f = box_fold(z);
+        vec3 f = pick3(on, box_fold(z), z);
         real r2 = inner(f, f);
         real factor = sphere_fold(scene, r2);
-        z = pick3(on, along(p, times(factor, f), box_scale(scene)), z);
-        k = pick(on, k * factor * box_growth(scene) + 1, k);
-        iterations = iterations + count(on);
+        z = pick3(on, along(p, f, factor), f);
+        k = pick(on, k * magnitude(factor) + 1, k);
+        iterations = tally(iterations, on);
         on = on && r2 < box_escape2(scene);
         i = i + 1;
     }
     Estimate result;
-    result.distance = quotient(norm(z) - box_offset(scene), k) - box_remainder(scene);
+    result.distance = quick_quotient(quick_norm(z) - box_offset(scene), smaller(k, BY_PRECISION(1.0e300, 1.0e30))) -
+                      box_remainder(scene);
     result.iterations = iterations;
     return result;
 }
@@ -59,15 +61,29 @@ struct BoxTangent {
     real k;
 };
 
-// One iteration of a tangent. The box fold turns its components (turn: -1 where folded, else 1); the sphere fold f has
-// the slope df = -2 f/r2 (z . dz) in the shell and 0 elsewhere, given here as slope = -2 f/r2 or 0.
-FN BoxTangent box_advance(Scene scene, BoxTangent v, vec3 axis, vec3 turn, vec3 f, real factor, real slope, real k)
+// What an iteration is to every tangent.
+struct BoxStep {
+    mask on;
+    mask folded_x;  // components that the box fold turns
+    mask folded_y;
+    mask folded_z;
+    vec3 f;       // the folded point
+    real factor;  // c of the sphere fold, s included
+    real growth;  // |c|
+    real slope;   // -2 c/r2 in the shell, else 0
+    real k;       // with the sign of s
+};
+
+// One iteration of a tangent: c has the slope -2 c/r2 (f . d) in the shell and 0 elsewhere. A lane that is off keeps
+// its values: masked instructions hold them without further ones.
+FN BoxTangent box_advance(BoxTangent v, vec3 axis, BoxStep turn)
 {
-    vec3 d = vec3(v.z.x * turn.x, v.z.y * turn.y, v.z.z * turn.z);
-    real d_factor = slope * inner(f, d);
+    vec3 d = vec3(pick(turn.folded_x, -v.z.x, v.z.x), pick(turn.folded_y, -v.z.y, v.z.y),
+                  pick(turn.folded_z, -v.z.z, v.z.z));
+    real d_factor = turn.slope * inner(turn.f, d);
     BoxTangent next;
-    next.z = along(axis, along(times(factor, d), f, d_factor), box_scale(scene));
-    next.k = (v.k * factor + k * d_factor) * box_growth(scene);
+    next.z = pick3(turn.on, along(along(axis, turn.f, d_factor), d, turn.factor), d);
+    next.k = pick(turn.on, v.k * turn.growth + turn.k * d_factor, v.k);
     return next;
 }
 
@@ -79,18 +95,10 @@ FN BoxTangent box_tangent(vec3 axis)
     return v;
 }
 
-FN BoxTangent box_pick(mask on, BoxTangent a, BoxTangent b)
-{
-    BoxTangent v;
-    v.z = pick3(on, a.z, b.z);
-    v.k = pick(on, a.k, b.k);
-    return v;
-}
-
 // The derivative of DE, times k > 0.
 FN real box_slope(Scene scene, vec3 z, real length, real k, BoxTangent v)
 {
-    return quotient(quotient(inner(z, v.z), length), k) - quotient(length - box_offset(scene), k) * quotient(v.k, k);
+    return quotient(quotient(inner(z, v.z), length) - quotient(length - box_offset(scene), k) * v.k, k);
 }
 
 // The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
@@ -103,18 +111,23 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     BoxTangent w = box_tangent(vec3(0, 0, 1));
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        vec3 f = box_fold(z);
-        vec3 turn = vec3(pick(magnitude(z.x) > 1, R(-1.0), R(1.0)), pick(magnitude(z.y) > 1, R(-1.0), R(1.0)),
-                         pick(magnitude(z.z) > 1, R(-1.0), R(1.0)));
-        real r2 = inner(f, f);
-        real factor = sphere_fold(scene, r2);
+        BoxStep turn;
+        turn.on = on;
+        turn.folded_x = on && magnitude(z.x) > 1;
+        turn.folded_y = on && magnitude(z.y) > 1;
+        turn.folded_z = on && magnitude(z.z) > 1;
+        turn.f = pick3(on, box_fold(z), z);
+        real r2 = inner(turn.f, turn.f);
+        turn.factor = sphere_fold(scene, r2);
+        turn.growth = magnitude(turn.factor);
         mask shell = r2 >= box_inner_radius2(scene) && r2 < box_fixed_radius2(scene);
-        real slope = pick(shell, -2 * quotient(factor, r2), R(0.0));
-        x = box_pick(on, box_advance(scene, x, vec3(1, 0, 0), turn, f, factor, slope, k), x);
-        y = box_pick(on, box_advance(scene, y, vec3(0, 1, 0), turn, f, factor, slope, k), y);
-        w = box_pick(on, box_advance(scene, w, vec3(0, 0, 1), turn, f, factor, slope, k), w);
-        z = pick3(on, along(p, times(factor, f), box_scale(scene)), z);
-        k = pick(on, k * factor * box_growth(scene) + 1, k);
+        turn.slope = pick(shell, -2 * quick_quotient(turn.factor, r2), 0);
+        turn.k = k * box_sign(scene);
+        x = box_advance(x, vec3(1, 0, 0), turn);
+        y = box_advance(y, vec3(0, 1, 0), turn);
+        w = box_advance(w, vec3(0, 0, 1), turn);
+        z = pick3(on, along(p, turn.f, turn.factor), turn.f);
+        k = pick(on, k * turn.growth + 1, k);
         on = on && r2 < box_escape2(scene);
         i = i + 1;
     }
@@ -138,7 +151,7 @@ FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
         real r2 = inner(f, f);
         vec3 near = vec3(smaller(trap.x, magnitude(f.x)), smaller(trap.y, magnitude(f.x - f.y)), smaller(trap.z, r2));
         trap = pick3(on, near, trap);
-        z = pick3(on, along(p, times(sphere_fold(scene, r2), f), box_scale(scene)), z);
+        z = pick3(on, along(p, f, sphere_fold(scene, r2)), z);
         on = on && r2 < box_escape2(scene);
         i = i + 1;
     }

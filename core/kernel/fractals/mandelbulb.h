@@ -6,25 +6,25 @@ FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }  // P
 
 // z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
-    real rho;         // sqrt(x^2 + y^2), 0 on the axis
+    real rho;         // sqrt(x^2 + y^2)
     real r_less;      // r^(P-1)
     Complex polar;    // r^P (cos P0 + i sin P0)
     Complex azimuth;  // cos P1 + i sin P1
 };
 
-// The azimuth of a point on the z axis is 0. A squared distance from the axis below AXIS counts as on it: above it no
-// term that matters can be subnormal, so that devices that flush subnormal numbers to zero draw the same picture.
+// A point nearer to the z axis than this counts as being that far from it: no term that matters can then be subnormal,
+// so that devices that flush subnormal numbers to zero draw the same picture. Its azimuth does not matter.
+FN real axis_radius2() { return BY_PRECISION(1.0e-290, 1.0e-30); }
+
 FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
 {
-    real rho2 = z.x * z.x + z.y * z.y;
-    mask off_axis = rho2 > BY_PRECISION(1.0e-290, 1.0e-30);
+    real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
     BulbPower power;
-    power.rho = pick(off_axis, quick_root(pick(off_axis, rho2, R(1.0))), R(0.0));
+    power.rho = quick_root(rho2);
     if (scene.exponent > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
-        real inverse = quick_quotient(R(1.0), pick(off_axis, power.rho, R(1.0)));
-        Complex direction =
-            complex_number(pick(off_axis, z.x * inverse, R(1.0)), pick(off_axis, z.y * inverse, R(0.0)));
+        real inverse = quick_inverse_root(rho2);
+        Complex direction = complex_number(z.x * inverse, z.y * inverse);
         power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
         power.azimuth = raised(direction, scene.exponent);
         power.r_less = raised_real(r, scene.exponent - 1);
@@ -32,7 +32,7 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
         real ln_r = natural_log(r);
         real r_power = exponential(bulb_power(scene) * ln_r);
         Complex turned = cosine_and_sine(bulb_power(scene) * angle_of(power.rho, z.z));
-        real azimuth = pick(off_axis, angle_of(z.y, z.x), R(0.0));
+        real azimuth = angle_of(z.y, z.x);
         power.polar = complex_number(r_power * turned.re, r_power * turned.im);
         power.azimuth = cosine_and_sine(bulb_power(scene) * azimuth);
         power.r_less = exponential((bulb_power(scene) - 1) * ln_r);
@@ -50,26 +50,30 @@ FN vec3 plus(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
+// A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures change.
+FN real root_share() { return R(0.01); }
+
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real dr = 1;
-    real r = norm(z);
+    real r = quick_norm(z);
     whole iterations = 0;
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
         BulbPower power = bulb_raised(scene, z, r);
         dr = pick(on, power.r_less * bulb_power(scene) * dr + 1, dr);
-        z = pick3(on, plus(bulb_point(power), p), z);
-        iterations = iterations + count(on);
+        // Where a lane is off, z does not matter any more.
+        z = plus(bulb_point(power), p);
+        iterations = tally(iterations, on);
         i = i + 1;
         // The radius after the last iteration is not taken: the original leaves with the one before.
-        if (i < scene.max_iterations) r = pick(on, norm(z), r);
+        if (i < scene.max_iterations) r = pick(on, quick_norm(z), r);
         on = on && r <= bulb_bailout(scene);
     }
     Estimate result;
-    result.distance = quotient(R(0.5) * natural_log(r) * r, dr);
+    result.distance = quick_quotient(R(0.5) * natural_log(r) * r, smaller(dr, BY_PRECISION(1.0e300, 1.0e30)));
     result.iterations = iterations;
     return result;
 }
@@ -94,13 +98,13 @@ FN BulbTangent bulb_tangent(vec3 axis, real r_slope)
 // azimuth stands still.
 FN BulbTangent bulb_advance(Scene scene, BulbTangent v, vec3 axis, vec3 z, real r, real dr, BulbPower power)
 {
-    mask off_axis = power.rho > 0;
-    real rho = pick(off_axis, power.rho, R(1.0));
+    real rho = power.rho;
+    mask off_axis = rho * rho > 2 * axis_radius2();
     real r2 = r * r;
-    real d_rho = pick(off_axis, quotient(z.x * v.z.x + z.y * v.z.y, rho), v.z.x);
-    real d_polar = quotient(z.z * d_rho - power.rho * v.z.z, r2);
-    real d_azimuth = pick(off_axis, quotient(quotient(z.x * v.z.y - z.y * v.z.x, rho), rho), R(0.0));
-    real d_ln_r = quotient(inner(z, v.z), r2);
+    real d_rho = pick(off_axis, quick_quotient(z.x * v.z.x + z.y * v.z.y, rho), v.z.x);
+    real d_polar = quick_quotient(z.z * d_rho - power.rho * v.z.z, r2);
+    real d_azimuth = pick(off_axis, quick_quotient(quick_quotient(z.x * v.z.y - z.y * v.z.x, rho), rho), R(0.0));
+    real d_ln_r = quick_quotient(inner(z, v.z), r2);
     // Slopes of polar and azimuth, both without the factor P.
     Complex polar = complex_number(power.polar.re * d_ln_r - power.polar.im * d_polar,
                                    power.polar.im * d_ln_r + power.polar.re * d_polar);
@@ -134,10 +138,10 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real dr = 1;
-    real r = norm(z);
-    BulbTangent x = bulb_tangent(vec3(1, 0, 0), quotient(z.x, r));
-    BulbTangent y = bulb_tangent(vec3(0, 1, 0), quotient(z.y, r));
-    BulbTangent w = bulb_tangent(vec3(0, 0, 1), quotient(z.z, r));
+    real r = quick_norm(z);
+    BulbTangent x = bulb_tangent(vec3(1, 0, 0), quick_quotient(z.x, r));
+    BulbTangent y = bulb_tangent(vec3(0, 1, 0), quick_quotient(z.y, r));
+    BulbTangent w = bulb_tangent(vec3(0, 0, 1), quick_quotient(z.z, r));
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
@@ -150,10 +154,10 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         i = i + 1;
         // The slope of the radius, like the radius, is not taken after the last iteration.
         if (i < scene.max_iterations) {
-            r = pick(on, norm(z), r);
-            next_x.r = quotient(inner(z, next_x.z), r);
-            next_y.r = quotient(inner(z, next_y.z), r);
-            next_w.r = quotient(inner(z, next_w.z), r);
+            r = pick(on, quick_norm(z), r);
+            next_x.r = quick_quotient(inner(z, next_x.z), r);
+            next_y.r = quick_quotient(inner(z, next_y.z), r);
+            next_w.r = quick_quotient(inner(z, next_w.z), r);
         } else {
             next_x.r = x.r;
             next_y.r = y.r;

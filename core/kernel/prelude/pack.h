@@ -6,7 +6,32 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #define FN HWY_API
 #define FN_CALLED HWY_NOINLINE HWY_MAYBE_UNUSED
-#define EACH_REGISTER _Pragma("GCC unroll 8") for (int u = 0; u < MM_REGISTERS; ++u)
+// Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
+#if MM_REGISTERS == 1
+#define EACH_REGISTER(...)   \
+    {                        \
+        constexpr int u = 0; \
+        __VA_ARGS__          \
+    }
+#elif MM_REGISTERS == 4
+#define EACH_REGISTER(...)   \
+    {                        \
+        constexpr int u = 0; \
+        __VA_ARGS__          \
+    }                        \
+    {                        \
+        constexpr int u = 1; \
+        __VA_ARGS__          \
+    }                        \
+    {                        \
+        constexpr int u = 2; \
+        __VA_ARGS__          \
+    }                        \
+    {                        \
+        constexpr int u = 3; \
+        __VA_ARGS__          \
+    }
+#endif
 #define vec3(a, b, c) make_vec3(a, b, c)
 #define R(x) MM_REAL(x)
 #if MM_REAL_IS_FLOAT
@@ -32,7 +57,7 @@ struct whole {
     hn::Vec<Wholes> of[MM_REGISTERS];
 
     HWY_INLINE whole() = default;
-    HWY_INLINE whole(Int value) { EACH_REGISTER of[u] = hn::Set(Wholes(), value); }
+    HWY_INLINE whole(Int value) { EACH_REGISTER(of[u] = hn::Set(Wholes(), value);) }
 };
 
 // One real number per lane.
@@ -40,22 +65,22 @@ struct real {
     hn::Vec<Reals> of[MM_REGISTERS];
 
     HWY_INLINE real() = default;
-    HWY_INLINE real(scalar value) { EACH_REGISTER of[u] = hn::Set(Reals(), value); }
+    HWY_INLINE real(scalar value) { EACH_REGISTER(of[u] = hn::Set(Reals(), value);) }
 };
 
-#define LANEWISE(type, result, name, operation)                  \
-    FN result name(const type& a, const type& b)                 \
-    {                                                            \
-        result c;                                                \
-        EACH_REGISTER c.of[u] = hn::operation(a.of[u], b.of[u]); \
-        return c;                                                \
+#define LANEWISE(type, result, name, operation)                   \
+    FN result name(const type& a, const type& b)                  \
+    {                                                             \
+        result c;                                                 \
+        EACH_REGISTER(c.of[u] = hn::operation(a.of[u], b.of[u]);) \
+        return c;                                                 \
     }
-#define LANEWISE_MASK(type, name, operation)                                              \
-    FN mask name(const type& a, const type& b)                                            \
-    {                                                                                     \
-        mask c;                                                                           \
-        EACH_REGISTER c.of[u] = hn::RebindMask(Reals(), hn::operation(a.of[u], b.of[u])); \
-        return c;                                                                         \
+#define LANEWISE_MASK(type, name, operation)                                               \
+    FN mask name(const type& a, const type& b)                                             \
+    {                                                                                      \
+        mask c;                                                                            \
+        EACH_REGISTER(c.of[u] = hn::RebindMask(Reals(), hn::operation(a.of[u], b.of[u]));) \
+        return c;                                                                          \
     }
 LANEWISE(real, real, operator+, Add)
 LANEWISE(real, real, operator-, Sub)
@@ -75,27 +100,27 @@ LANEWISE(mask, mask, operator||, Or)
 
 FN mask operator!(mask a)
 {
-    EACH_REGISTER a.of[u] = hn::Not(a.of[u]);
+    EACH_REGISTER(a.of[u] = hn::Not(a.of[u]);)
     return a;
 }
 
 FN real operator-(real a)
 {
-    EACH_REGISTER a.of[u] = hn::Neg(a.of[u]);
+    EACH_REGISTER(a.of[u] = hn::Neg(a.of[u]);)
     return a;
 }
 
 FN bool any(const mask& on)
 {
     hn::Mask<Reals> all = on.of[0];
-    EACH_REGISTER all = hn::Or(all, on.of[u]);
+    EACH_REGISTER(all = hn::Or(all, on.of[u]);)
     return !hn::AllFalse(Reals(), all);
 }
 
 FN real pick(const mask& on, const real& a, const real& b)
 {
     real c;
-    EACH_REGISTER c.of[u] = hn::IfThenElse(on.of[u], a.of[u], b.of[u]);
+    EACH_REGISTER(c.of[u] = hn::IfThenElse(on.of[u], a.of[u], b.of[u]);)
     return c;
 }
 
@@ -105,14 +130,14 @@ FN real pick(const mask& on, const real& a, const real& b)
 FN real larger(const real& a, const real& b)
 {
     real c;
-    EACH_REGISTER c.of[u] = hn::Max(a.of[u], b.of[u]);
+    EACH_REGISTER(c.of[u] = hn::Max(a.of[u], b.of[u]);)
     return c;
 }
 
 FN real smaller(const real& a, const real& b)
 {
     real c;
-    EACH_REGISTER c.of[u] = hn::Min(a.of[u], b.of[u]);
+    EACH_REGISTER(c.of[u] = hn::Min(a.of[u], b.of[u]);)
     return c;
 }
 #endif
@@ -121,15 +146,38 @@ FN real smaller(const real& a, const real& b)
 FN whole count(const mask& on)
 {
     whole c;
-    EACH_REGISTER c.of[u] = hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), hn::Set(Wholes(), 1));
+    EACH_REGISTER(c.of[u] = hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), hn::Set(Wholes(), 1));)
     return c;
 }
 
 FN real root(real a)
 {
-    EACH_REGISTER a.of[u] = hn::Sqrt(a.of[u]);
+    EACH_REGISTER(a.of[u] = hn::Sqrt(a.of[u]);)
     return a;
 }
+
+#define MM_HAS_TALLY
+FN whole tally(whole a, const mask& on)
+{
+    EACH_REGISTER(
+        a.of[u] = hn::IfThenElse(hn::RebindMask(Wholes(), on.of[u]), hn::Add(a.of[u], hn::Set(Wholes(), 1)), a.of[u]);)
+    return a;
+}
+
+#if HWY_TARGET <= HWY_AVX3
+#define MM_HAS_CLIPPED
+// VRANGEPS with 2: the smaller magnitude, with the sign of the first.
+FN real clipped(real a)
+{
+    const auto one = hn::Set(Reals(), MM_REAL(1));
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(a.of[u].raw = _mm512_range_ps(a.of[u].raw, one.raw, 2);)
+#else
+    EACH_REGISTER(a.of[u].raw = _mm512_range_pd(a.of[u].raw, one.raw, 2);)
+#endif
+    return a;
+}
+#endif
 
 #if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
 // From the hardware's 12 or 14 bits by Newton's steps: a third of the time that division and root take.
@@ -160,34 +208,66 @@ FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a)
 
 FN real quick_quotient(real a, const real& b)
 {
-    EACH_REGISTER a.of[u] = hn::Mul(a.of[u], reciprocal(b.of[u]));
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal(b.of[u]));)
     return a;
 }
 
 FN real quick_root(real a)
 {
-    EACH_REGISTER a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u]));
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u]));)
+    return a;
+}
+
+FN real quick_inverse_root(real a)
+{
+    EACH_REGISTER(a.of[u] = reciprocal_root(a.of[u]);)
     return a;
 }
 #else
 FN real quick_quotient(const real& a, const real& b) { return quotient(a, b); }
 
 FN real quick_root(const real& a) { return root(a); }
+
+FN real quick_inverse_root(const real& a) { return quotient(1, root(a)); }
 #endif
 
 FN real magnitude(real a)
 {
-    EACH_REGISTER a.of[u] = hn::Abs(a.of[u]);
+    EACH_REGISTER(a.of[u] = hn::Abs(a.of[u]);)
     return a;
 }
 
 // The nearest whole number, ties to even.
 FN real nearest(real a)
 {
-    EACH_REGISTER a.of[u] = hn::Round(a.of[u]);
+    EACH_REGISTER(a.of[u] = hn::Round(a.of[u]);)
     return a;
 }
 
+#if HWY_TARGET <= HWY_AVX3
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a)
+{
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(a.of[u].raw = _mm512_getexp_ps(a.of[u].raw);)
+#else
+    EACH_REGISTER(a.of[u].raw = _mm512_getexp_pd(a.of[u].raw);)
+#endif
+    return a;
+}
+
+// 2^n of a whole number n of the normal range.
+FN real two_to(real n)
+{
+    const auto one = hn::Set(Reals(), MM_REAL(1));
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(n.of[u].raw = _mm512_scalef_ps(one.raw, n.of[u].raw);)
+#else
+    EACH_REGISTER(n.of[u].raw = _mm512_scalef_pd(one.raw, n.of[u].raw);)
+#endif
+    return n;
+}
+#else
 #if MM_REAL_IS_FLOAT
 constexpr int mantissa_bits = 23;
 constexpr Int exponent_mask = 0xff;
@@ -201,25 +281,20 @@ constexpr Int exponent_bias = 1023;
 // floor(log2 |a|) of a normal number.
 FN real exponent_of(real a)
 {
-    EACH_REGISTER
-    {
-        auto bits = hn::ShiftRight<mantissa_bits>(hn::BitCast(Wholes(), a.of[u]));
-        auto field = hn::And(bits, hn::Set(Wholes(), exponent_mask));
-        a.of[u] = hn::ConvertTo(Reals(), hn::Sub(field, hn::Set(Wholes(), exponent_bias)));
-    }
+    EACH_REGISTER(auto bits = hn::ShiftRight<mantissa_bits>(hn::BitCast(Wholes(), a.of[u]));
+                  auto field = hn::And(bits, hn::Set(Wholes(), exponent_mask));
+                  a.of[u] = hn::ConvertTo(Reals(), hn::Sub(field, hn::Set(Wholes(), exponent_bias)));)
     return a;
 }
 
 // 2^n of a whole number n of the normal range.
 FN real two_to(real n)
 {
-    EACH_REGISTER
-    {
-        auto field = hn::Add(hn::ConvertTo(Wholes(), n.of[u]), hn::Set(Wholes(), exponent_bias));
-        n.of[u] = hn::BitCast(Reals(), hn::ShiftLeft<mantissa_bits>(field));
-    }
+    EACH_REGISTER(auto field = hn::Add(hn::ConvertTo(Wholes(), n.of[u]), hn::Set(Wholes(), exponent_bias));
+                  n.of[u] = hn::BitCast(Reals(), hn::ShiftLeft<mantissa_bits>(field));)
     return n;
 }
+#endif
 
 struct vec3 {
     real x, y, z;

@@ -8,4 +8,6 @@
 #undef R
 #undef BY_PRECISION
 #undef MM_HAS_LARGER
+#undef MM_HAS_TALLY
+#undef MM_HAS_CLIPPED
 #undef MM_NEAREST

@@ -1,0 +1,124 @@
+// Rays that wait for a step, structure of arrays. Included by pool.h, in its namespace; no guard.
+
+// Rays in a pool: enough that few packs have gaps, few enough to stay in a core's cache.
+constexpr int pool_rays = 4096;
+
+struct Pool {
+    static constexpr int reals = 9;
+    static constexpr int wholes = 4;
+    MM_REAL real_fields[reals][pool_rays + 2 * pack_lanes];
+    Int whole_fields[wholes][pool_rays + 2 * pack_lanes];
+    int size;
+};
+
+// A ray with the place of its pixel in the canvas.
+struct Traveller {
+    Ray ray;
+    whole pixel;
+};
+
+// Calls f(number of the field, its pack) for each field.
+template <class OnReal, class OnWhole>
+HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
+{
+    on_real(0, a.ray.direction.x);
+    on_real(1, a.ray.direction.y);
+    on_real(2, a.ray.direction.z);
+    on_real(3, a.ray.end);
+    on_real(4, a.ray.t);
+    on_real(5, a.ray.last_t);
+    on_real(6, a.ray.last_distance);
+    on_real(7, a.ray.before_t);
+    on_real(8, a.ray.before_distance);
+    on_whole(0, a.ray.steps);
+    on_whole(1, a.ray.estimates);
+    on_whole(2, a.ray.iterations);
+    on_whole(3, a.pixel);
+}
+
+HWY_INLINE real load_lanes(const MM_REAL* from)
+{
+    real a;
+    EACH_REGISTER(a.of[u] = hn::LoadU(Reals(), from + u * register_lanes);)
+    return a;
+}
+
+HWY_INLINE whole load_lanes(const Int* from)
+{
+    whole a;
+    EACH_REGISTER(a.of[u] = hn::LoadU(Wholes(), from + u * register_lanes);)
+    return a;
+}
+
+HWY_INLINE void store_lanes(const real& from, MM_REAL* to)
+{
+    EACH_REGISTER(hn::StoreU(from.of[u], Reals(), to + u * register_lanes);)
+}
+
+HWY_INLINE void store_lanes(const whole& from, Int* to)
+{
+    EACH_REGISTER(hn::StoreU(from.of[u], Wholes(), to + u * register_lanes);)
+}
+
+HWY_INLINE Traveller load(const Pool& pool, int from)
+{
+    Traveller a;
+    each_field(
+        a, [&](int f, real& v) HWY_ATTR { v = load_lanes(pool.real_fields[f] + from); },
+        [&](int f, whole& v) HWY_ATTR { v = load_lanes(pool.whole_fields[f] + from); });
+    return a;
+}
+
+HWY_INLINE int lanes_on(const mask& on)
+{
+    int lanes = 0;
+    EACH_REGISTER(lanes += static_cast<int>(hn::CountTrue(Reals(), on.of[u]));)
+    return lanes;
+}
+
+// Appends the lanes that are on. The pool has room for a pack more than it holds.
+HWY_INLINE void append(Pool& pool, Traveller& a, const mask& on)
+{
+    const int lanes = lanes_on(on);
+    const int at = pool.size;
+    pool.size = at + lanes;
+    if (lanes == pack_lanes) {
+        each_field(
+            a, [&](int f, real& v) HWY_ATTR { store_lanes(v, pool.real_fields[f] + at); },
+            [&](int f, whole& v) HWY_ATTR { store_lanes(v, pool.whole_fields[f] + at); });
+    } else if (lanes > 0) {
+        int to = at;
+        EACH_REGISTER(const auto keep = on.of[u]; const auto keep_wholes = hn::RebindMask(Wholes(), keep); each_field(
+                          a,
+                          [&](int f, real& v)
+                              HWY_ATTR { hn::StoreU(hn::Compress(v.of[u], keep), Reals(), pool.real_fields[f] + to); },
+                          [&](int f, whole& v) HWY_ATTR {
+                              hn::StoreU(hn::Compress(v.of[u], keep_wholes), Wholes(), pool.whole_fields[f] + to);
+                          });
+                      to += static_cast<int>(hn::CountTrue(Reals(), keep));)
+    }
+}
+
+// The first `lanes` lanes.
+HWY_INLINE mask first_lanes(int lanes)
+{
+    mask on;
+    EACH_REGISTER(const int rest = lanes - u * register_lanes;
+                  on.of[u] = hn::FirstN(Reals(), static_cast<std::size_t>(rest < 0 ? 0 : rest));)
+    return on;
+}
+
+HWY_INLINE real real_of(const whole& a)
+{
+    real c;
+    EACH_REGISTER(c.of[u] = hn::ConvertTo(Reals(), a.of[u]);)
+    return c;
+}
+
+// 0, 1, 2, ...
+HWY_INLINE whole lane_numbers()
+{
+    whole a;
+    EACH_REGISTER(a.of[u] = hn::Iota(Wholes(), static_cast<Int>(u * register_lanes));)
+    return a;
+}
