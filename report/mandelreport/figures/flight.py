@@ -32,7 +32,7 @@ def ground(flight: FlightMap) -> Figure:
         # Balls lie over each other: the far ones first, and all of them pale.
         near = sorted(balls, key=lambda ball: ball[axis_of[along]])
         axis.add_collection(PatchCollection([Circle((ball[a], ball[b]), flight.data["safety"] * ball[3]) for ball in near],
-                                            facecolor=style.SKY, edgecolor="#336688", linewidth=0.15, alpha=0.12))
+                                            facecolor=style.SKY, edgecolor="#336688", linewidth=0.15, alpha=0.12, rasterized=True))
         shape = (Circle((0, 0), hull, fill=False, linestyle="--", linewidth=0.8) if flight.data["hull"]["shape"] == "sphere"
                  else Rectangle((-hull, -hull), 2 * hull, 2 * hull, fill=False, linestyle="--", linewidth=0.8))
         axis.add_patch(shape)
@@ -46,7 +46,7 @@ def ground(flight: FlightMap) -> Figure:
                   color=style.YELLOW, markeredgecolor="black", markeredgewidth=0.6, label=f"{len(passages)} passages")
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="begin")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
-        reach = 1.05 * max(hull, 1.15 * hull)
+        reach = 1.2 * hull
         axis.set(aspect="equal", xlabel=right, ylabel=up, title=f"seen along {along}", xlim=(-reach, reach),
                  ylim=(-reach, reach))
         axis.grid(visible=False)
@@ -72,8 +72,7 @@ def over_time(flight: FlightMap) -> Figure:
              ("step /\nclearance", seconds[1:], steps, False), ("turn\n[degrees / frame]", seconds, turn, False)]
     for number, (title, x, y, logarithmic) in enumerate(plots):
         axis = axes[number][0]
-        # A curve of thousands of points is a picture of its own; what paper shows is kept.
-        axis.plot(x, y, color=style.COLOURS[0], linewidth=0.7, rasterized=False)
+        axis.plot(x, y, color=style.COLOURS[0], linewidth=0.7)
         axis.set_ylabel(title)
         if logarithmic:
             axis.set_yscale("log")

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import io
+import re
 
 import matplotlib
 
@@ -16,7 +17,7 @@ from ..blocks import Figure, data_uri  # noqa: E402
 BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, RED, PURPLE = (
     "#000000", "#E69F00", "#56B4E9", "#009E73", "#F0E442", "#0072B2", "#D55E00", "#CC79A7")
 COLOURS = [BLUE, ORANGE, GREEN, RED, SKY, PURPLE, YELLOW, BLACK]
-HATCHES = ["", "///", "...", "xx", "\\\\\\", "++", "oo", "--"]
+HATCHES = ["", "///", "..", "xx", "\\\\\\", "++", "--", "||"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2)), (0, (3, 3))]
 BACKENDS = ["openmp", "openacc", "opencl", "vulkan", "reference"]
@@ -31,7 +32,7 @@ SETTINGS = {
 
 def look(number: int) -> dict[str, object]:
     """Colour, hatch and edge of the bars of series `number`."""
-    return {"color": COLOURS[number % 8], "hatch": HATCHES[number % 8], "edgecolor": "black", "linewidth": 0.6}
+    return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[number % 8], "edgecolor": "black", "linewidth": 0.6}
 
 
 def line(number: int) -> dict[str, object]:
@@ -59,7 +60,9 @@ def panels(rows: int, columns: int, width: float, height: float, **options: obje
 
 def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
     """The drawn figure as SVG with the same bytes for the same data."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    buffer = io.StringIO()
+    figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
     plt.close(figure)
-    return Figure(data_uri("image/svg+xml", buffer.getvalue()), alt, caption, wide)
+    # A hundredth of a point is more than a printer shows; hatches have thousands of numbers.
+    short = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), buffer.getvalue())
+    return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)
