@@ -29,9 +29,10 @@ std::string list(const Items& items, Text text_of)
     return fmt::format("[{}]", text);
 }
 
-// Centre and clearance of the widest.
-std::string places(std::vector<Ball> balls, std::size_t most)
+// Centre and clearance of the widest inside the hull.
+std::string places(const Hull& hull, std::vector<Ball> balls, std::size_t most)
 {
+    std::erase_if(balls, [&](const Ball& ball) { return !hull.contains(ball.centre); });
     std::ranges::stable_sort(balls, std::greater{}, &Ball::clearance);
     if (balls.size() > most) balls.resize(most);
     return list(balls, [](const Ball& ball) {
@@ -58,9 +59,10 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
         "\"passages\": {},\n\"x\": {},\n\"y\": {},\n\"z\": {},\n\"clearance\": {},\n\"turn\": {}\n}}\n",
         format_name, path.scene.fractal->name, path.seed, frames_per_second,
         field.hull().shape == Hull::Shape::cube ? "cube" : "sphere", number(field.hull().size), number(field.safety()),
-        balls.size(), gates.size(), places(balls, most_balls), places(gates, most_gates), list(passages, whole),
-        list(at, [](Vector v) { return number(v.x); }), list(at, [](Vector v) { return number(v.y); }),
-        list(at, [](Vector v) { return number(v.z); }), list(clearances, number), list(turns_of(path), number));
+        balls.size(), gates.size(), places(field.hull(), balls, most_balls), places(field.hull(), gates, most_gates),
+        list(passages, whole), list(at, [](Vector v) { return number(v.x); }),
+        list(at, [](Vector v) { return number(v.y); }), list(at, [](Vector v) { return number(v.z); }),
+        list(clearances, number), list(turns_of(path), number));
 }
 
 }  // namespace mandelmarch

@@ -76,6 +76,7 @@ class Bench:
     """A whole result file. `name` is its path below the results, for people."""
 
     name: str
+    path: Path
     data: dict[str, Any]
 
     @property
@@ -107,16 +108,30 @@ class Bench:
 
 
 @functools.cache
-def _validator() -> jsonschema.Draft202012Validator:
-    return jsonschema.Draft202012Validator(json.loads(SCHEMA_FILE.read_text(encoding="utf-8")))
+def _validator(part: str = "") -> jsonschema.Draft202012Validator:
+    """For a whole result, or for a list of one of the schema's definitions."""
+    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
+    if part:
+        schema = {"$defs": schema["$defs"], "type": "array", "items": {"$ref": f"#/$defs/{part}"}}
+    return jsonschema.Draft202012Validator(schema)
 
 
-def read_bench(name: str, data: dict[str, Any]) -> Bench:
-    """Checks a result against its schema; raises InputError with one line."""
-    if data.get("version") != VERSION:
-        raise InputError(f"{name}: version {data.get('version')} of a result of bench, expected {VERSION}; run bench again")
-    error = next(iter(sorted(_validator().iter_errors(data), key=lambda e: [str(part) for part in e.path])), None)
+def _check(name: str, data: Any, part: str = "") -> None:
+    error = next(iter(sorted(_validator(part).iter_errors(data), key=lambda e: [str(step) for step in e.path])), None)
     if error is not None:
         place = "/".join(map(str, error.absolute_path)) or "its top level"
         raise InputError(f"{name}: no result of bench, version {VERSION}: {place}: {error.message[:160]}")
-    return Bench(name, data)
+
+
+def read_portability(name: str, data: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """What `bench portability --json` writes: the metric over the platforms of several results."""
+    _check(name, data, "portability")
+    return data
+
+
+def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
+    """Checks a result against its schema; raises InputError with one line."""
+    if data.get("version") != VERSION:
+        raise InputError(f"{name}: version {data.get('version')} of a result of bench, expected {VERSION}; run bench again")
+    _check(name, data)
+    return Bench(name, path, data)

@@ -66,7 +66,7 @@ class Film:
 
 
 def read_map(name: str, data: dict[str, Any]) -> FlightMap:
-    missing = [key for key in ("fractal", "seed", "hull", "frames_per_second", "balls", "gates", "passages", *SERIES)
+    missing = [key for key in ("fractal", "seed", "hull", "frames_per_second", "balls", "gates", "ball_count", "gate_count", "passages", *SERIES)
                if key not in data]
     if missing:
         raise InputError(f"{name}: a flight's map without {', '.join(missing)}")

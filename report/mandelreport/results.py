@@ -5,8 +5,9 @@ import json
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
-from .bench import SCHEMA, Bench, read_bench
+from .bench import SCHEMA, Bench, read_bench, read_portability
 from .errors import InputError
 from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
 
@@ -20,20 +21,24 @@ class Results:
     audits: list[Audit] = field(default_factory=list)
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
+    portability: list[dict[str, Any]] | None = None  # bench portability --json
     k40: str | None = None  # tools/k40.py's table
 
     def study(self, name: str) -> list[Bench]:
         return [bench for bench in self.benches if bench.study == name]
 
 
-def _add_json(results: Results, name: str, text: str) -> None:
+def _add_json(results: Results, name: str, path: Path, text: str) -> None:
     try:
         data = json.loads(text)
     except ValueError as error:
         raise InputError(f"{name}: no JSON: {error}") from None
     kind = data if isinstance(data, dict) else {}
+    if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
+        results.portability = read_portability(name, data)
+        return
     if kind.get("schema") == SCHEMA:
-        results.benches.append(read_bench(name, data))
+        results.benches.append(read_bench(name, path, data))
     elif kind.get("format") == MAP_FORMAT:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:
@@ -61,7 +66,7 @@ def read_results(folder: Path) -> Results:
         kind = path.suffix.lower()
         try:
             if kind == ".json":
-                _add_json(results, name, path.read_text(encoding="utf-8"))
+                _add_json(results, name, path, path.read_text(encoding="utf-8"))
             elif kind in (".txt", ".log"):
                 _add_text(results, name, path.read_text(encoding="utf-8", errors="replace"))
             elif kind in (".jpg", ".jpeg", ".png"):

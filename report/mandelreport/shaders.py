@@ -1,6 +1,7 @@
 """The viewer's shaders: the kernel text as GLSL ES 3.00, through glslang and spirv-cross."""
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -10,7 +11,8 @@ from .pictures import ROOT
 
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 FLATTEN = ROOT / "report" / "viewer" / "flatten.cmake"
-FRACTALS = sorted(path.stem for path in (ROOT / "core" / "kernel" / "fractals").glob("*.h"))
+KERNEL = ROOT / "core" / "kernel"
+FRACTALS = sorted(path.stem for path in (KERNEL / "fractals").glob("*.h"))
 
 
 def missing_tools() -> list[str]:
@@ -33,6 +35,14 @@ def shader(fractal: str, work: Path) -> str:
     _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
     # Indentation is a fifth of the text and says nothing to a browser.
     return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
+
+
+def constants(fractal: str) -> dict[str, int]:
+    """Where the kernel text has a fractal's own constants: by their accessors' names, or by number where it has none."""
+    text = (KERNEL / "fractals" / f"{fractal}.h").read_text(encoding="utf-8")
+    named = {name: int(at) for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)}
+    numbers = {int(at) for at in re.findall(r"scene\.fractal\[(\d+)\]", text)} - set(named.values())
+    return named | {str(at): at for at in sorted(numbers)}
 
 
 def shaders(work: Path) -> dict[str, str]:

@@ -38,45 +38,63 @@ class Camera {
     }
 }
 
-// The fractal's own constants and the whole power (0: none), as core/scene/fractal.cpp orders them.
+// The fractal's own constants by the names of the kernel text's accessors, as core/scene/fractal.cpp computes them; the
+// page's data says which name stands where. power: P. 0 to 3: those that the Julia set's text takes without a name.
 const FRACTALS = {
     mandelbulb: {
         sliders: { "shape.2": ["power", 2, 16, 0.1], "shape.1": ["bailout", 1.5, 16, 0.5] },
-        constants: (s) => {
-            const power = s.shape[2];
-            return [[Math.min(s.shape[1], Math.pow(1e37, 1 / power)), power], Number.isInteger(power) ? power : 0];
-        },
+        power: (s) => s.shape[2],
+        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 1 / s.shape[2])), bulb_power: s.shape[2] }),
     },
     mandelbox: {
         sliders: { "shape.0": ["scale", -3, 4, 0.05], "shape.1": ["rMin", 0.05, 1, 0.05], "shape.2": ["rFixed", 0.2, 2, 0.05] },
+        power: () => 0,
         constants: (s) => {
             const [scale, inner, fixed] = s.shape;
-            const growth = Math.abs(scale);
-            return [[scale, growth, inner * inner, fixed * fixed, (fixed * fixed) / (inner * inner), s.escape * s.escape,
-                Math.abs(scale - 1), Math.pow(growth, 1 - s.iterations)], 0];
+            const growth = Math.abs(scale), factor = (fixed * fixed) / (inner * inner);
+            return { box_scale: scale, box_growth: growth, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
+                box_fixed_radius2: fixed * fixed, box_inner_factor: factor, box_shell_scale: scale * (fixed * fixed),
+                box_inner_scale: scale * factor, box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
+                box_remainder: Math.pow(growth, 1 - s.iterations) };
         },
     },
     julia: {
         sliders: { "shape.0": ["c, real part", -1, 1, 0.005], "shape.1": ["c, i", -1, 1, 0.005], "shape.2": ["c, j", -1, 1, 0.005],
             "escape": ["c, k", -1, 1, 0.005] },
-        constants: (s) => [[s.shape[0], s.shape[1], s.shape[2], s.escape, 1e6], 0],
+        power: () => 0,
+        constants: (s) => ({ 0: s.shape[0], 1: s.shape[1], 2: s.shape[2], 3: s.escape, julia_escape2: 1e6 }),
     },
 };
 
-// The bytes of the kernel text's Scene in GLSL's std140: ints, floats, eight constants of 16 bytes each, triples.
-function sceneBytes(fractal, s, camera, width, height, fast, maxSteps) {
-    const bytes = new ArrayBuffer(256);
-    const ints = new Int32Array(bytes), floats = new Float32Array(bytes);
-    const [constants, exponent] = FRACTALS[fractal].constants(s);
-    // differences = 0: float has no digits for them. hull = 0: the picture is the same without it.
-    ints.set([width, height, s.iterations, maxSteps, exponent, s.colouring, fast ? 1 : 0, 0]);
-    floats.set([Math.pow(10, Math.fround(s.detail)), 0.95, 1000, Infinity, s.brightness, 0, 0, fast ? 1.4 : 0.95], 8);
-    constants.forEach((value, i) => { floats[16 + 4 * i] = value; });
+// The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them. places: where the text has
+// each of the fractal's constants.
+function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) {
+    const power = FRACTALS[fractal].power(s);
+    const values = FRACTALS[fractal].constants(s);
+    const constants = [];
+    for (const [name, at] of Object.entries(places)) {
+        if (!(name in values)) throw new Error(`the viewer does not know the constant ${name} of the ${fractal}`);
+        constants[at] = values[name];
+    }
     const tangent = Math.tan(camera.field * 65 / 2 * Math.PI / 180);
-    floats.set(camera.eye, 48);
-    floats.set(camera.forward, 52);
-    floats.set(Vec.scale(width / height * tangent, camera.right), 56);
-    floats.set(Vec.scale(tangent, camera.up), 60);
+    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, exponent: Number.isInteger(power) ? power : 0,
+        colouring: s.colouring, canonical: fast ? 1 : 0,
+        // Float has no digits for differences; the picture is the same without the hull.
+        differences: 0, difference_step: 0, hull: 0,
+        tolerance: Math.pow(10, Math.fround(s.detail)), stride: 0.95, relaxation: fast ? 1.4 : 0.95, end: 1000, miss: Infinity,
+        brightness: s.brightness, fractal: constants, eye: camera.eye, forward: camera.forward,
+        across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
+}
+
+// Their bytes, each where the shader's block has it: layout is [name, offset, stride in an array, whether whole].
+function packed(fields, layout, size) {
+    const bytes = new ArrayBuffer(size);
+    const ints = new Int32Array(bytes), floats = new Float32Array(bytes);
+    for (const [name, offset, stride, whole] of layout) {
+        if (!(name in fields)) throw new Error(`the viewer does not know the scene's field ${name}`);
+        const to = whole ? ints : floats;
+        [fields[name]].flat().forEach((value, i) => { to[(offset + i * (stride || 4)) / 4] = value; });
+    }
     return bytes;
 }
 

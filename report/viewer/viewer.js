@@ -56,14 +56,24 @@ const Viewer = (() => {
         for (const [block, number] of [["SceneBlock", 0], ["PassBlock", 1]]) {
             gl.uniformBlockBinding(made.program, gl.getUniformBlockIndex(made.program, block), number);
         }
+        // Where the block has each field: the kernel text may change, and a field that is not known is an error.
+        const block = gl.getUniformBlockIndex(made.program, "SceneBlock");
+        const fields = [...gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES)];
+        const [offsets, strides, types] = [gl.UNIFORM_OFFSET, gl.UNIFORM_ARRAY_STRIDE, gl.UNIFORM_TYPE].map(
+            (what) => gl.getActiveUniforms(made.program, fields, what));
+        made.layout = fields.map((field, i) => [gl.getActiveUniform(made.program, field).name.split(".").pop().replace("[0]", ""),
+            offsets[i], strides[i], types[i] === gl.INT]);
+        made.size = gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_DATA_SIZE);
         made.ready = true;
         return true;
     }
 
     function draw(to, steps, area, probing) {
-        gl.useProgram(program(fractal).program);
+        const compiled = program(fractal);
+        const fields = sceneFields(fractal, data.constants[fractal], scene, camera, to.width, to.height, fast, steps);
+        gl.useProgram(compiled.program);
         gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, sceneBuffer);
-        gl.bufferData(gl.UNIFORM_BUFFER, sceneBytes(fractal, scene, camera, to.width, to.height, fast, steps), gl.DYNAMIC_DRAW);
+        gl.bufferData(gl.UNIFORM_BUFFER, packed(fields, compiled.layout, compiled.size), gl.DYNAMIC_DRAW);
         gl.bindBufferBase(gl.UNIFORM_BUFFER, 1, passBuffer);
         gl.bufferData(gl.UNIFORM_BUFFER, new Int32Array([probing ? 1 : 0, 0, 0, 0]), gl.DYNAMIC_DRAW);
         gl.bindFramebuffer(gl.FRAMEBUFFER, to.buffer);

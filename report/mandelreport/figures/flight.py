@@ -37,7 +37,7 @@ def ground(flight: FlightMap) -> Figure:
                  else Rectangle((-hull, -hull), 2 * hull, 2 * hull, fill=False, linestyle="--", linewidth=0.8))
         axis.add_patch(shape)
         axis.scatter([g[a] for g in gates], [g[b] for g in gates], s=2, color="#555555", marker="x", linewidth=0.4,
-                     label=f"{len(gates)} gates")
+                     label=f"{flight.data['gate_count']} gates")
         xs, ys = flight.series(right), flight.series(up)
         axis.plot(xs, ys, color="white", linewidth=2.2)
         axis.plot(xs, ys, color=style.RED, linewidth=1, label="path")
@@ -46,16 +46,20 @@ def ground(flight: FlightMap) -> Figure:
                   color=style.YELLOW, markeredgecolor="black", markeredgewidth=0.6, label=f"{len(passages)} passages")
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="begin")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
-        reach = 1.2 * hull
-        axis.set(aspect="equal", xlabel=right, ylabel=up, title=f"seen along {along}", xlim=(-reach, reach),
-                 ylim=(-reach, reach))
+        # The part of the hull where the path goes, a square in both maps.
+        half = 0.55 * max(max(s) - min(s) for s in (flight.series(key) for key in "xyz"))
+        middle = [(max(s) + min(s)) / 2 for s in (xs, ys)]
+        axis.set(aspect="equal", xlabel=right, ylabel=up, xlim=(middle[0] - half, middle[0] + half),
+                 ylim=(middle[1] - half, middle[1] + half))
+        axis.set_title(f"seen along {along}")
         axis.grid(visible=False)
     handles, labels = axes[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=5, fontsize=8)
-    return style.block(figure, f"Two maps of the flight through the {flight.fractal}, seen along z and along y: {len(balls)} "
-                       f"free balls, {len(gates)} gates, the path and its {len(flight.data['passages'])} distinct passages.",
-                       f"{flight.fractal}, seed {flight.data['seed']}: the free balls (pale), the gates, the path. Dashed: the "
-                       "hull. The balls lie in the part of space that holds a copy of every place under the symmetry.")
+    return style.block(figure, f"Two maps of the flight through the {flight.fractal}, seen along z and along y: "
+                       f"{flight.data['ball_count']} free balls, {flight.data['gate_count']} gates, the path and its {len(flight.data['passages'])} distinct passages.",
+                       f"{flight.fractal}, seed {flight.data['seed']}: the widest {len(balls):,} of {flight.data['ball_count']:,} "
+                       "free balls (pale), the gates, the path. Dashed: the hull. The balls lie in the part of space that holds a "
+                       "copy of every place under the symmetry, the path within them.")
 
 
 def over_time(flight: FlightMap) -> Figure:

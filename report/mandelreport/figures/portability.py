@@ -1,16 +1,16 @@
 """Pennycook's metric as a cascade: efficiency over the platforms, best first."""
 from __future__ import annotations
 
-from ..bench import Bench
+from typing import Any
+
 from ..blocks import Figure
 from ..text import digits
 from . import style
 
 
-def cascade(bench: Bench) -> Figure | None:
+def cascade(entries: list[dict[str, Any]]) -> Figure | None:
     """A panel for each fractal and mode, a line for each backend and precision: efficiency on the first 1, 2, ...
     platforms as points, the metric over them as the line."""
-    entries = bench.data["portability"]
     if not entries:
         return None
     fractals = list(dict.fromkeys(e["fractal"] for e in entries))

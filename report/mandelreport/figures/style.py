@@ -58,11 +58,15 @@ def panels(rows: int, columns: int, width: float, height: float, **options: obje
     return figure, [list(row) for row in axes]
 
 
+def _rounded(number: re.Match[str]) -> str:
+    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
+
+
 def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
     """The drawn figure as SVG with the same bytes for the same data."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
     plt.close(figure)
-    # A hundredth of a point is more than a printer shows; hatches have thousands of numbers.
-    short = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), buffer.getvalue())
+    # In paths a hundredth of a point is more than a printer shows; hatches have thousands of numbers.
+    short = re.sub(r'(?<= d=")[^"]*', lambda path: re.sub(r"-?\d+\.\d{3,}", _rounded, path[0]), buffer.getvalue())
     return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)

@@ -8,10 +8,6 @@ from ..blocks import Figure
 from ..text import digits, ms, percent, where
 from . import style
 
-PRECISIONS = ["double", "float"]
-SHADES = {"double": "#ffffff", "float": "#999999"}
-
-
 def _rows(bench: Bench, fractal: str, mode: str) -> list[Row]:
     """The text's backends: the reference, on one thread, would hide the others."""
     return [row for row in bench.timed(fractal=fractal, mode=mode) if row.backend != "reference"]
@@ -111,3 +107,31 @@ def share_of_peak(bench: Bench) -> Figure | None:
     return style.block(figure, "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
                        "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
                        "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.")
+
+
+def machines(benches: list[Bench]) -> Figure | None:
+    """The fastest backend of each machine, fractal, precision and mode, side by side."""
+    if len(benches) < 2:
+        return None
+    kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for bench in benches for row in bench.rows if row.timed))
+    figure, [[axis]] = style.panels(1, 1, 8, 3.2)
+    width = 0.8 / len(benches)
+    said = []
+    for number, bench in enumerate(benches):
+        for k, (fractal, precision, mode) in enumerate(kinds):
+            rows = bench.timed(fractal=fractal, precision=precision, mode=mode)
+            if not rows:
+                continue
+            best = min(rows, key=lambda row: row.kernel.median)
+            x = k + (number - (len(benches) - 1) / 2) * width
+            axis.bar(x, best.pixels / 1e6 / best.kernel.median, width, label=bench.machine if k == 0 else None,
+                     **style.look(number))
+            axis.text(x, best.pixels / 1e6 / best.kernel.median, where(best), rotation=90, ha="center", va="bottom", fontsize=6)
+            said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
+    axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
+    axis.set_yscale("log")
+    axis.grid(axis="x", visible=False)
+    axis.set_ylabel("Mpixel/s, fastest backend")
+    figure.legend(loc="outside upper center", fontsize=7)
+    return style.block(figure, "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+                       "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.")

@@ -1,10 +1,13 @@
 """Section 2: the timings of every machine, and the sweeps."""
 from __future__ import annotations
 
+import json
+import subprocess
 from typing import Any
 
-from ..bench import Bench
+from ..bench import Bench, read_portability
 from ..blocks import Block, Missing, Table
+from ..errors import InputError
 from ..figures import portability, sweeps, timings
 from ..text import digits, interval_ms, ms, percent, where
 from . import Material
@@ -46,9 +49,26 @@ def _bench_table(bench: Bench, fractal: str) -> Table:
                   "picture"], rows, f"{fractal}, {size['width']} x {size['height']} pixels.", [3, 4, 5, 6, 7, 8])
 
 
-def _portability_table(bench: Bench) -> Table | None:
+def _portability(material: Material) -> list[dict[str, Any]]:
+    """The metric over all platforms: from a file, from the one result there is, or from bench over several."""
+    results, standard = material.results, material.results.study("standard")
+    if results.portability is not None or not standard:
+        return results.portability or []
+    program = material.studio.render.with_name("bench")
+    if len(standard) == 1 or not program.exists():
+        return standard[0].data["portability"]
+    material.work.mkdir(parents=True, exist_ok=True)
+    target = material.work / "portability.json"
+    run = subprocess.run([program, "portability", *(bench.path for bench in standard), "--json", target], capture_output=True,
+                         text=True, check=False)
+    if run.returncode != 0:
+        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['it failed'])[-1]}")
+    return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
+
+
+def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
     rows = []
-    for entry in bench.data["portability"]:
+    for entry in entries:
         def with_interval(key: str, entry: dict[str, Any] = entry) -> str:
             interval = entry[f"{key}_interval"]
             return digits(entry[key]) + (f" ({digits(interval[0])} – {digits(interval[1])})" if interval else "")
@@ -75,8 +95,7 @@ def _machine(bench: Bench) -> dict[str, Any]:
                                  "Float against double: how many times longer double takes, round by round, with 95 % intervals."),
         "box": timings.ratios(bench, "mandelbox_to_mandelbulb", "Mandelbox / Mandelbulb, kernel time",
                               "Box against bulb: how many times longer the Mandelbox's official scene takes, round by round."),
-        "peak": timings.share_of_peak(bench), "peaks": peaks, "portability": _portability_table(bench),
-        "cascade": portability.cascade(bench),
+        "peak": timings.share_of_peak(bench), "peaks": peaks,
     }
 
 
@@ -94,10 +113,13 @@ def _sweeps(material: Material) -> list[tuple[str, list[Block]]]:
 
 
 def section(material: Material) -> dict[str, Any]:
+    metric = _portability(material)
     machines = [_machine(bench) for bench in material.results.study("standard")]
     ablations = [figure for bench in material.results.study("techniques") if (figure := sweeps.ablation(bench))]
     return {
         "machines": machines, "missing": Missing("The timings", "make bench"),
+        "together": timings.machines(material.results.study("standard")),
+        "portability": _portability_table(metric), "cascade": portability.cascade(metric),
         "sweeps": _sweeps(material),
         "ablation": ablations or [Missing("The ablation", "bin/bench --study techniques --json report/results/ablation.json")],
     }

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from ..blocks import Missing
 from ..parameters import read_parameters
 from ..pictures import ROOT
-from ..shaders import FRACTALS, missing_tools, shaders
+from ..shaders import FRACTALS, constants, missing_tools, shaders
 from . import Material
 
 SCENES = {"mandelbulb": "paramsBulb.dat", "mandelbox": "paramsBox.dat", "julia": "paramsJulia.dat"}
@@ -27,5 +27,6 @@ def section(material: Material) -> dict[str, Any]:
     known = [fractal for fractal in FRACTALS if fractal in SCENES]
     texts = shaders(material.work / "shaders")
     return {"data": _embedded({"shaders": {fractal: texts[fractal] for fractal in known},
+                               "constants": {fractal: constants(fractal) for fractal in known},
                                "scenes": {fractal: read_parameters(ROOT / SCENES[fractal]) for fractal in known}}),
             "fractals": sorted(known, key=list(SCENES).index)}
