@@ -5,14 +5,21 @@ from .bench import Row, Times
 
 
 def digits(value: float, count: int = 3) -> str:
-    """`count` significant digits, without an exponent."""
+    """`count` significant digits, without an exponent but for tiny numbers."""
     if value == 0:
         return "0"
+    if abs(value) < 1e-6:
+        return f"{value:.{count - 1}e}"
     rounded = float(f"{value:.{count}g}")
     whole = len(str(int(abs(rounded)))) if abs(rounded) >= 1 else 0
     if whole:
         return f"{rounded:,.{max(0, count - whole)}f}"
     return f"{rounded:.10f}".rstrip("0")
+
+
+def plain(value: float) -> str:
+    """At most four significant digits, no zeros behind them: for settings and bars."""
+    return digits(value, 4).rstrip("0").rstrip(".") if "." in digits(value, 4) else digits(value, 4)
 
 
 def ms(seconds: float) -> str:

@@ -46,9 +46,11 @@ def ground(flight: FlightMap) -> Figure:
                   color=style.YELLOW, markeredgecolor="black", markeredgewidth=0.6, label=f"{len(passages)} passages")
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="begin")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
-        # The part of the hull where the path goes, a square in both maps.
-        half = 0.55 * max(max(s) - min(s) for s in (flight.series(key) for key in "xyz"))
-        middle = [(max(s) + min(s)) / 2 for s in (xs, ys)]
+        # The part of the hull where the path goes, a square in both maps; the way there is cut off.
+        inside = [i for i in range(len(xs)) if max(abs(flight.series(key)[i]) for key in "xyz") <= hull] or range(len(xs))
+        ranges = [(min(s), max(s)) for s in ([flight.series(key)[i] for i in inside] for key in "xyz")]
+        half = 0.6 * max(high - low for low, high in ranges)
+        middle = [(ranges[k][0] + ranges[k][1]) / 2 for k in (a, b)]
         axis.set(aspect="equal", xlabel=right, ylabel=up, xlim=(middle[0] - half, middle[0] + half),
                  ylim=(middle[1] - half, middle[1] + half))
         axis.set_title(f"seen along {along}")

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from ..bench import Bench, Row
 from ..blocks import Figure
-from ..text import digits, where
+from ..text import digits, plain, where
 from . import style
 
 
@@ -48,12 +48,12 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
                           [s / (t.low or t.median) - v for v, s, t in zip(values, scale, times)]]
             errors = [[max(0.0, e) for e in side] for side in errors]
             axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
-            said.append(f"{fractal}, {name}: " + ", ".join(f"{digits(x)}: {digits(v)}" for (x, _), v in zip(points, values)))
+            said.append(f"{fractal}, {name}: " + ", ".join(f"{plain(x)}: {digits(v)}" for (x, _), v in zip(points, values)))
         xs = sorted({_x(bench, row) for _, rows in of_fractal for row in rows})
         if ideal:
             axis.plot(xs, [x / xs[0] for x in xs], color="#777777", linewidth=0.8, linestyle=":", label="ideal")
         axis.set_xscale("log")
-        axis.set_xticks(xs, [digits(x) for x in xs], minor=False)
+        axis.set_xticks(xs, [plain(x) for x in xs], minor=False)
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
         axis.set(xlabel=x_title, ylabel=y_title, title=fractal)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..bench import Bench
 from ..blocks import Figure
-from ..text import digits
+from ..text import digits, plain
 from . import style
 
 
@@ -72,7 +72,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
     axis.set_yscale("log", base=2)
     axis.margins(y=0.12)
     ticks = [t for t in (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32) if axis.get_ylim()[0] <= t <= axis.get_ylim()[1]]
-    axis.set_yticks(ticks, [digits(t) for t in ticks])
+    axis.set_yticks(ticks, [plain(t) for t in ticks])
     axis.axhline(1, color="black", linewidth=0.8)
     axis.set_xticks(range(len(names)), names)
     axis.grid(axis="x", visible=False)

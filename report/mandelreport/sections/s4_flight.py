@@ -10,7 +10,7 @@ from ..blocks import Figure, Missing, Table, data_uri
 from ..docs import chapter
 from ..figures import flight as figures
 from ..flight import Audit
-from ..text import digits
+from ..text import plain
 from . import Material
 
 SHEET_WIDTH = 1600  # pixels
@@ -22,8 +22,8 @@ def _audit_table(audit: Audit) -> Table:
     for row in audit.data["rows"]:
         unit = f" {row['unit']}" if row["unit"] else ""
         kept = "kept" if row["kept"] else "BROKEN" if row["promise"] else "missed"
-        rows.append(["!" if row["promise"] else "", row["name"], digits(row["value"], 4) + unit,
-                     ("≤ " if row["at_most"] else "≥ ") + digits(row["bar"], 4) + unit, kept, row["worst"]])
+        rows.append(["!" if row["promise"] else "", row["name"], plain(row["value"]) + unit,
+                     ("≤ " if row["at_most"] else "≥ ") + plain(row["bar"]) + unit, kept, row["worst"]])
     data = audit.data
     return Table(["", "row", "value", "bar", "", "worst"], rows,
                  f"Audit of the {data['fractal']}'s flight, seed {data['seed']}, {data['frames']:,} frames. ! is a promise, the "
