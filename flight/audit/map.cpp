@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
@@ -17,6 +17,8 @@ constexpr const char* format_name = "mandelmarch flight map 1";
 // A picture shows no more; all of them would be megabytes.
 constexpr std::size_t most_balls = 2500;
 constexpr std::size_t most_gates = 1000;
+constexpr double beside = 0.12;        // hull sizes
+constexpr std::size_t path_every = 4;  // frames
 
 // Five digits are more than a picture shows.
 std::string number(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0 : value); }
@@ -29,12 +31,25 @@ std::string list(const Items& items, Text text_of)
     return fmt::format("[{}]", text);
 }
 
-// Centre and clearance of the widest inside the hull.
-std::string places(const Hull& hull, std::vector<Ball> balls, std::size_t most)
+// Centre and clearance: first the widest that hold a place of the path, then the widest beside it.
+std::string places(const Hull& hull, const std::vector<Vector>& path, std::vector<Ball> balls, std::size_t most)
 {
-    std::erase_if(balls, [&](const Ball& ball) { return !hull.contains(ball.centre); });
-    std::ranges::stable_sort(balls, std::greater{}, &Ball::clearance);
-    if (balls.size() > most) balls.resize(most);
+    const auto away = [&](const Ball& ball) {
+        double least = length(path.front() - ball.centre);
+        for (std::size_t i = 0; i < path.size(); i += path_every)
+            least = std::min(least, length(path[i] - ball.centre));
+        return least;
+    };
+    std::vector<std::pair<bool, Ball>> found;
+    for (const Ball& ball : balls) {
+        const double least = hull.contains(ball.centre) ? away(ball) : hull.size;
+        if (least < beside * hull.size) found.emplace_back(least < ball.clearance, ball);
+    }
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) {
+        return std::pair(a.first, a.second.clearance) > std::pair(b.first, b.second.clearance);
+    });
+    balls.clear();
+    for (std::size_t i = 0; i < std::min(most, found.size()); ++i) balls.push_back(found[i].second);
     return list(balls, [](const Ball& ball) {
         return fmt::format("[{:.4g},{:.4g},{:.4g},{:.4g}]", ball.centre.x, ball.centre.y, ball.centre.z,
                            ball.clearance);
@@ -59,10 +74,10 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
         "\"passages\": {},\n\"x\": {},\n\"y\": {},\n\"z\": {},\n\"clearance\": {},\n\"turn\": {}\n}}\n",
         format_name, path.scene.fractal->name, path.seed, frames_per_second,
         field.hull().shape == Hull::Shape::cube ? "cube" : "sphere", number(field.hull().size), number(field.safety()),
-        balls.size(), gates.size(), places(field.hull(), balls, most_balls), places(field.hull(), gates, most_gates),
-        list(passages, whole), list(at, [](Vector v) { return number(v.x); }),
-        list(at, [](Vector v) { return number(v.y); }), list(at, [](Vector v) { return number(v.z); }),
-        list(clearances, number), list(turns_of(path), number));
+        balls.size(), gates.size(), places(field.hull(), at, balls, most_balls),
+        places(field.hull(), at, gates, most_gates), list(passages, whole),
+        list(at, [](Vector v) { return number(v.x); }), list(at, [](Vector v) { return number(v.y); }),
+        list(at, [](Vector v) { return number(v.z); }), list(clearances, number), list(turns_of(path), number));
 }
 
 }  // namespace mandelmarch

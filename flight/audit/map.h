@@ -10,9 +10,9 @@
 
 namespace mandelmarch {
 
-// JSON: hull, the widest of the balls and gates inside it, passages (frames), and for each frame its place, clearance (the
-// distance estimate) and turn since the frame before in degrees. The path's first frame says which fractal; `threads`:
-// 0 for one a core.
+// JSON: hull, the balls and gates on and beside the path, passages (frames), and for each frame its place, clearance
+// (the distance estimate) and turn since the frame before in degrees. The path's first frame says which fractal;
+// `threads`: 0 for one a core.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 
 }  // namespace mandelmarch

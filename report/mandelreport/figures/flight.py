@@ -23,7 +23,8 @@ def _speeds(flight: FlightMap) -> list[float]:
 
 def ground(flight: FlightMap) -> Figure:
     """Seen along two axes: the free balls, the gates, the path with its passages."""
-    figure, axes = style.panels(1, 2, 8, 4.2)
+    figure, axes = style.panels(1, 2, 8, 4.6)
+    figure.set_layout_engine("compressed")
     balls, gates = flight.data["balls"], flight.data["gates"]
     axis_of = {"x": 0, "y": 1, "z": 2}
     hull = flight.hull
@@ -36,7 +37,7 @@ def ground(flight: FlightMap) -> Figure:
         shape = (Circle((0, 0), hull, fill=False, linestyle="--", linewidth=0.8) if flight.data["hull"]["shape"] == "sphere"
                  else Rectangle((-hull, -hull), 2 * hull, 2 * hull, fill=False, linestyle="--", linewidth=0.8))
         axis.add_patch(shape)
-        axis.scatter([g[a] for g in gates], [g[b] for g in gates], s=2, color="#555555", marker="x", linewidth=0.4,
+        axis.scatter([g[a] for g in gates], [g[b] for g in gates], s=9, color="#333333", marker="x", linewidth=0.6,
                      label=f"{flight.data['gate_count']} gates")
         xs, ys = flight.series(right), flight.series(up)
         axis.plot(xs, ys, color="white", linewidth=2.2)
@@ -59,8 +60,8 @@ def ground(flight: FlightMap) -> Figure:
     figure.legend(handles, labels, loc="outside lower center", ncols=5, fontsize=8)
     return style.block(figure, f"Two maps of the flight through the {flight.fractal}, seen along z and along y: "
                        f"{flight.data['ball_count']} free balls, {flight.data['gate_count']} gates, the path and its {len(flight.data['passages'])} distinct passages.",
-                       f"{flight.fractal}, seed {flight.data['seed']}: the widest {len(balls):,} of {flight.data['ball_count']:,} "
-                       "free balls (pale), the gates, the path. Dashed: the hull. The balls lie in the part of space that holds a "
+                       f"{flight.fractal}, seed {flight.data['seed']}: {len(balls):,} of {flight.data['ball_count']:,} "
+                       "free balls (pale; those on and beside the path), the gates, the path. Dashed: the hull. The balls lie in the part of space that holds a "
                        "copy of every place under the symmetry, the path within them.")
 
 

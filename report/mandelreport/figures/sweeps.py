@@ -23,6 +23,10 @@ def _x(bench: Bench, row: Row) -> float:
     return row.pixels / 1e6 if bench.study == "resolution" else float(row.value)
 
 
+def _label(bench: Bench, row: Row) -> str:
+    return f"{row.setting['width']} x\n{row.setting['height']}" if bench.study == "resolution" else plain(float(row.value))
+
+
 def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms", ideal: bool = False) -> Figure | None:
     """Lines over the sweep's setting, a panel for each fractal. `y`: ms, rate (Mpixel/s) or speed-up over x = 1."""
     lines = _series(bench)
@@ -49,11 +53,12 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
             errors = [[max(0.0, e) for e in side] for side in errors]
             axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
             said.append(f"{fractal}, {name}: " + ", ".join(f"{plain(x)}: {digits(v)}" for (x, _), v in zip(points, values)))
-        xs = sorted({_x(bench, row) for _, rows in of_fractal for row in rows})
+        labels = dict(sorted({_x(bench, row): _label(bench, row) for _, rows in of_fractal for row in rows}.items()))
+        xs = list(labels)
         if ideal:
             axis.plot(xs, [x / xs[0] for x in xs], color="#777777", linewidth=0.8, linestyle=":", label="ideal")
         axis.set_xscale("log")
-        axis.set_xticks(xs, [plain(x) for x in xs], minor=False)
+        axis.set_xticks(xs, list(labels.values()), minor=False, fontsize=7)
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
         axis.set(xlabel=x_title, ylabel=y_title, title=fractal)

@@ -5,7 +5,7 @@ from matplotlib.patches import Patch
 
 from ..bench import Bench, Row, Times
 from ..blocks import Figure
-from ..text import digits, ms, percent, where
+from ..text import digits, ms, percent, plain, where
 from . import style
 
 def _rows(bench: Bench, fractal: str, mode: str) -> list[Row]:
@@ -130,6 +130,8 @@ def machines(benches: list[Bench]) -> Figure | None:
             said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
     axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
     axis.set_yscale("log")
+    axis.yaxis.set_major_formatter(lambda y, _: plain(y))
+    axis.yaxis.set_minor_formatter(lambda y, _: plain(y))
     axis.grid(axis="x", visible=False)
     axis.set_ylabel("Mpixel/s, fastest backend")
     figure.legend(loc="outside upper center", fontsize=7)

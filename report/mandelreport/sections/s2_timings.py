@@ -14,7 +14,7 @@ from . import Material
 
 # study, axis, what it shows (y), caption
 SWEEPS = [
-    ("resolution", "picture [Mpixel]", "rate", "Pixels a second over the picture's size: where a line is flat, twice the pixels "
+    ("resolution", "picture [pixels]", "rate", "Pixels a second over the picture's size: where a line is flat, twice the pixels "
      "take twice the time."),
     ("threads", "threads", "speed-up", "Speed-up over one thread, with its interval. Twice the processor's threads is the last "
      "point."),
