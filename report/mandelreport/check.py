@@ -20,7 +20,7 @@ from .errors import Unavailable, write_whole
 DESKTOP, NARROW = (1200, 900), (400, 800)  # pixels
 VIEWER_SECONDS = 300  # for a picture on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
-MOST_VISIBLE = {"exact": 0.02, "fast": 0.02}  # share of pixels visibly off bin/render's
+MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
 
 
 class Checker:
@@ -157,6 +157,22 @@ def without_webgl(page: Path, checker: Checker) -> None:
                        "without WebGL 2 the page says so")
 
 
+BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/none.png">
+<script>console.error("said"); throw new Error("thrown");</script>"""
+
+
+def broken_twin(checker: Checker) -> None:
+    """What this check must see: an error that was thrown, one that was said, and a request."""
+    page = checker.pictures / "broken.html"
+    write_whole(page, BROKEN.encode())
+    with Browser() as browser:
+        browser.open(page)
+        browser.wait("false", 0.5)
+        problems = " ".join(browser.problems())
+    checker.expect(all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
+                   "a broken page is seen to be broken")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="mandelreport.check", description=__doc__)
     parser.add_argument("page", type=Path)
@@ -177,6 +193,7 @@ def main() -> int:
             problems = browser.problems()
             checker.expect(not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}")
         without_webgl(arguments.page, checker)
+        broken_twin(checker)
     except Unavailable as error:
         print(f"check: {error}", file=sys.stderr)
         return 77

@@ -31,4 +31,4 @@ def render(material: Material) -> str:
     machines = list(dict.fromkeys(bench.machine for bench in material.results.benches))
     return environment.get_template("page.html.j2").render(
         contents=contents, machines=machines, style=_raw("templates/style.css"), slider=_raw("templates/slider.js"),
-        viewer=_raw("viewer/viewer.js"), camera=_raw("viewer/camera.js"))
+        viewer=_raw("viewer/viewer.js"), camera=_raw("viewer/camera.js"), painter=_raw("viewer/painter.js"))

@@ -37,7 +37,9 @@ for (const box of document.querySelectorAll(".compare")) {
         said.textContent = differing === 0 ? "The same bytes."
             : `${differing} of ${map.width * map.height} pixels differ, ${visible} by more than 2/255, at most ${largest}/255.`;
     };
-    right.selectedIndex = right.options.length - 1;
+    // To begin with, what float changes; any other two can be chosen.
+    const float = [...right.options].findLastIndex((option) => option.text.endsWith("float, exact"));
+    right.selectedIndex = float >= 0 ? float : right.options.length - 1;
     slide.addEventListener("input", move);
     for (const select of [left, right]) select.addEventListener("change", compare);
     move();

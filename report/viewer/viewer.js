@@ -5,119 +5,31 @@ const Viewer = (() => {
     const MOVING_STEPS = 300, RESTING_STEPS = 8000;     // samples on a ray
     const MOVING_MS = 40, TILE_MS = 30;                 // what a small picture, and one tile, may take
     const SCALES = [1, 2, 3, 4, 6, 8, 12];              // pixels of the canvas to one of the small picture
-    const VERTEX = `#version 300 es
-        void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
     const find = (id) => document.getElementById(id);
 
-    let data, gl, canvas, parallel, camera, scene, fractal = "mandelbulb", fast = false;
-    let low, full, probe, sceneBuffer, passBuffer;
-    const programs = {};
+    let data, canvas, painter, camera, scene, fractal = "mandelbulb", fast = false;
+    let low, full;
     const pressed = new Set();
     let scaleNumber = 3, moving = false, dirty = true, tile = null, speed = 1, last = 0, running = false, tileSide = 32;
 
     function say(text) { find("viewer-says").textContent = text; }
-
-    function target(width, height) {
-        const made = { width, height, texture: gl.createTexture(), buffer: gl.createFramebuffer() };
-        gl.bindTexture(gl.TEXTURE_2D, made.texture);
-        gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, made.buffer);
-        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, made.texture, 0);
-        return made;
-    }
-    function drop(made) {
-        if (!made) return;
-        gl.deleteTexture(made.texture);
-        gl.deleteFramebuffer(made.buffer);
-    }
-
-    // Compiling may take a browser seconds: it does so beside us where it can.
-    function program(name) {
-        if (programs[name]) return programs[name];
-        const made = programs[name] = { program: gl.createProgram(), ready: false };
-        for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, data.shaders[name]]]) {
-            const shader = gl.createShader(kind);
-            gl.shaderSource(shader, text);
-            gl.compileShader(shader);
-            gl.attachShader(made.program, shader);
-            made.shader = shader;
-        }
-        gl.linkProgram(made.program);
-        return made;
-    }
-    function ready(name) {
-        const made = program(name);
-        if (made.ready) return true;
-        if (parallel && !gl.getProgramParameter(made.program, parallel.COMPLETION_STATUS_KHR)) return false;
-        if (!gl.getProgramParameter(made.program, gl.LINK_STATUS)) {
-            const log = gl.getShaderInfoLog(made.shader) || gl.getProgramInfoLog(made.program);
-            throw new Error(`the browser cannot compile the kernel text: ${log}`);
-        }
-        for (const [block, number] of [["SceneBlock", 0], ["PassBlock", 1]]) {
-            gl.uniformBlockBinding(made.program, gl.getUniformBlockIndex(made.program, block), number);
-        }
-        // Where the block has each field: the kernel text may change, and a field that is not known is an error.
-        const block = gl.getUniformBlockIndex(made.program, "SceneBlock");
-        const fields = [...gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES)];
-        const [offsets, strides, types] = [gl.UNIFORM_OFFSET, gl.UNIFORM_ARRAY_STRIDE, gl.UNIFORM_TYPE].map(
-            (what) => gl.getActiveUniforms(made.program, fields, what));
-        made.layout = fields.map((field, i) => [gl.getActiveUniform(made.program, field).name.split(".").pop().replace("[0]", ""),
-            offsets[i], strides[i], types[i] === gl.INT]);
-        made.size = gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_DATA_SIZE);
-        made.ready = true;
-        return true;
-    }
-
-    function draw(to, steps, area, probing) {
-        const compiled = program(fractal);
-        const fields = sceneFields(fractal, data.constants[fractal], scene, camera, to.width, to.height, fast, steps);
-        gl.useProgram(compiled.program);
-        gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, sceneBuffer);
-        gl.bufferData(gl.UNIFORM_BUFFER, packed(fields, compiled.layout, compiled.size), gl.DYNAMIC_DRAW);
-        gl.bindBufferBase(gl.UNIFORM_BUFFER, 1, passBuffer);
-        gl.bufferData(gl.UNIFORM_BUFFER, new Int32Array([probing ? 1 : 0, 0, 0, 0]), gl.DYNAMIC_DRAW);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, to.buffer);
-        gl.viewport(0, 0, to.width, to.height);
-        gl.enable(gl.SCISSOR_TEST);
-        gl.scissor(...(area || [0, 0, to.width, to.height]));
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        gl.disable(gl.SCISSOR_TEST);
-    }
-    // Waits for the device by reading a pixel.
-    function pixel(of) {
-        const bytes = new Uint8Array(4);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, of.buffer);
-        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return bytes;
-    }
-    function copy(from, to, smooth) {
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.buffer);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to ? to.buffer : null);
-        gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, canvas.width, canvas.height, gl.COLOR_BUFFER_BIT,
-            smooth ? gl.LINEAR : gl.NEAREST);
-    }
-    // The distance estimate at the eye, from the kernel text.
-    function clearance() {
-        draw(probe, 1, null, true);
-        const d = new DataView(pixel(probe).buffer).getFloat32(0, true);
-        return Number.isFinite(d) ? Math.abs(d) : 1;
-    }
+    const view = () => ({ fractal, scene, camera, fast });
 
     function drawMoving() {
         const begin = performance.now();
         const scale = SCALES[scaleNumber];
         const [w, h] = [Math.max(1, Math.round(canvas.width / scale)), Math.max(1, Math.round(canvas.height / scale))];
         if (!low || low.width !== w || low.height !== h) {
-            drop(low);
-            low = target(w, h);
+            painter.drop(low);
+            low = painter.target(w, h);
         }
-        draw(low, MOVING_STEPS);
-        pixel(low);
+        painter.draw(low, view(), MOVING_STEPS);
+        painter.pixel(low);
         const took = performance.now() - begin;
         if (took > 1.5 * MOVING_MS && scaleNumber < SCALES.length - 1) ++scaleNumber;
         if (took < 0.4 * MOVING_MS && scaleNumber > 0) --scaleNumber;
-        copy(low, full, true);
-        copy(low, null, true);
+        painter.copy(low, full, true);
+        painter.copy(low, null, true);
         tile = { x: 0, y: 0, height: tileSide };
     }
     // Draws tiles for about a frame's time; true when the picture is whole.
@@ -126,8 +38,9 @@ const Viewer = (() => {
         while (tile && performance.now() - begin < 2 * TILE_MS) {
             const one = performance.now();
             const side = tile.height;
-            draw(full, RESTING_STEPS, [tile.x, tile.y, Math.min(4 * side, canvas.width - tile.x), Math.min(side, canvas.height - tile.y)]);
-            pixel(full);
+            painter.draw(full, view(), RESTING_STEPS,
+                [tile.x, tile.y, Math.min(4 * side, canvas.width - tile.x), Math.min(side, canvas.height - tile.y)]);
+            painter.pixel(full);
             const took = performance.now() - one;
             tile.x += 4 * side;
             if (tile.x >= canvas.width) {
@@ -136,7 +49,7 @@ const Viewer = (() => {
             }
             tileSide = took > TILE_MS ? Math.max(8, tileSide >> 1) : took < TILE_MS / 4 ? Math.min(128, tileSide << 1) : tileSide;
         }
-        copy(full, null, false);
+        painter.copy(full, null, false);
         return tile === null;
     }
 
@@ -150,7 +63,7 @@ const Viewer = (() => {
         }
         if (way.some((v) => v !== 0)) {
             // Speed goes with the room there is, as in the film.
-            const distance = speed * seconds * Math.max(clearance(), 1e-5);
+            const distance = speed * seconds * Math.max(painter.clearance(view()), 1e-5);
             camera.move(...Vec.scale(distance, way));
         }
         if (turn.some((v) => v !== 0)) camera.turn(...Vec.scale(0.8 * seconds, turn));
@@ -160,7 +73,7 @@ const Viewer = (() => {
     function step(now) {
         if (!running) return;
         try {
-            if (!ready(fractal)) {
+            if (!painter.ready(fractal)) {
                 say(`The browser is compiling the kernel text for the ${fractal} …`);
             } else {
                 const seconds = Math.min(0.1, (now - last) / 1000);
@@ -192,8 +105,8 @@ const Viewer = (() => {
         canvas.width = width;
         canvas.height = height;
         canvas.style.aspectRatio = `${width} / ${height}`;
-        drop(full);
-        full = target(width, height);
+        painter.drop(full);
+        full = painter.target(width, height);
         change();
     }
     function choose(name) {
@@ -300,18 +213,13 @@ const Viewer = (() => {
 
     function start() {
         canvas = find("viewer-canvas");
-        // The picture is kept so that it can be saved.
-        gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true });
-        if (!gl) {
+        data = JSON.parse(find("viewer-data").textContent);
+        painter = Painter.on(canvas, data);
+        if (!painter) {
             find("viewer-none").hidden = false;
             find("viewer-live").hidden = true;
             return;
         }
-        data = JSON.parse(find("viewer-data").textContent);
-        parallel = gl.getExtension("KHR_parallel_shader_compile");
-        sceneBuffer = gl.createBuffer();
-        passBuffer = gl.createBuffer();
-        probe = target(1, 1);
         listen();
         fractal = find("viewer-fractal").value;
         fast = find("viewer-mode").value === "fast";
