@@ -113,7 +113,8 @@ def section(material: Material) -> dict[str, Any]:
               if (table := _agreement(material, pictures, fractal, precision, mode))]
     stored = {fractal: _show(material, pictures, fractal) for fractal in SCENES}
     devices = dict.fromkeys((p.key.backend, p.device) for p in pictures.values())
-    reasons = dict.fromkeys((key.backend, reason) for key, reason in material.studio.reasons.items())
+    reasons = dict.fromkeys((key.backend, reason.removeprefix("render: "))
+                            for key, reason in material.studio.reasons.items())
     return {
         "side": SIDE, "drawn": len(pictures), "stored": stored, "count": sum(len(shown) for shown in stored.values()),
         "tables": tables, "float": _float_against_double(material, pictures), "flip": _flip(material, pictures),
