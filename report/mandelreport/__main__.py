@@ -1,6 +1,7 @@
 """python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
 
 Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input."""
+
 from __future__ import annotations
 
 import argparse

@@ -1,4 +1,5 @@
 """How much pictures agree: bytes, bits where there are EXRs, and FLIP against the canonical picture."""
+
 from __future__ import annotations
 
 import io
@@ -54,7 +55,7 @@ def difference_map(a: Picture, b: Picture) -> bytes:
     is at least as dark as a light grey, and grows by a pixel all around, so that single pixels are seen."""
     worst = numpy.abs(a.bytes.astype(int) - b.bytes.astype(int)).max(axis=2)
     padded = numpy.pad(worst, 1)
-    grown = numpy.max([padded[y:y + worst.shape[0], x:x + worst.shape[1]] for y in range(3) for x in range(3)], axis=0)
+    grown = numpy.max([padded[y : y + worst.shape[0], x : x + worst.shape[1]] for y in range(3) for x in range(3)], axis=0)
     level = numpy.where(grown == 0, 255, 190 * (255 - grown) // 255).astype(numpy.uint8)
     # 16 greys compress well.
     image = Image.fromarray(level).quantize(16)

@@ -1,4 +1,5 @@
 """A result file of bench: the part of bench/result.schema.json that the report reads, with names and units."""
+
 from __future__ import annotations
 
 import functools

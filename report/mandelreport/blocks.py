@@ -1,4 +1,5 @@
 """What a section is made of: figures, tables, and notes where there is no data. The templates' macro `show` prints each."""
+
 from __future__ import annotations
 
 import base64

@@ -1,4 +1,5 @@
 """A headless Chromium, driven over its debugging protocol: for the PDF and for looking at the page."""
+
 from __future__ import annotations
 
 import base64
@@ -21,8 +22,17 @@ from .errors import Unavailable
 START_SECONDS = 60
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 # WebGL 2 without a GPU: SwiftShader computes it on the processor.
-OPTIONS = ["--headless=new", "--disable-gpu-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-           "--no-first-run", "--disable-extensions", "--hide-scrollbars", "--remote-debugging-port=0", "--force-color-profile=srgb"]
+OPTIONS = [
+    "--headless=new",
+    "--disable-gpu-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--no-first-run",
+    "--disable-extensions",
+    "--hide-scrollbars",
+    "--remote-debugging-port=0",
+    "--force-color-profile=srgb",
+]
 
 
 class Browser:
@@ -35,8 +45,11 @@ class Browser:
         self.folder = tempfile.mkdtemp(prefix="mandelreport-")
         # Its sandbox refuses root.
         root = ["--no-sandbox"] if os.geteuid() == 0 else []
-        self.process = subprocess.Popen([program, *OPTIONS, *root, *options, f"--user-data-dir={self.folder}", "about:blank"],
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.process = subprocess.Popen(
+            [program, *OPTIONS, *root, *options, f"--user-data-dir={self.folder}", "about:blank"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         self.events: list[dict[str, Any]] = []
         self.numbers = itertools.count(1)
         try:
@@ -120,14 +133,21 @@ class Browser:
         options: dict[str, Any] = {"format": "png"}
         if whole:
             area = self.call("Page.getLayoutMetrics")["cssContentSize"]
-            options |= {"captureBeyondViewport": True,
-                        "clip": {"x": 0, "y": 0, "width": area["width"], "height": min(area["height"], 16000), "scale": 1}}
+            options |= {
+                "captureBeyondViewport": True,
+                "clip": {"x": 0, "y": 0, "width": area["width"], "height": min(area["height"], 16000), "scale": 1},
+            }
         return base64.b64decode(self.call("Page.captureScreenshot", **options)["data"])
 
     def pdf(self) -> bytes:
         """The page on paper, as its style sheet for print says."""
-        answer = self.call("Page.printToPDF", printBackground=True, preferCSSPageSize=True, generateDocumentOutline=True,
-                           generateTaggedPDF=True)
+        answer = self.call(
+            "Page.printToPDF",
+            printBackground=True,
+            preferCSSPageSize=True,
+            generateDocumentOutline=True,
+            generateTaggedPDF=True,
+        )
         return base64.b64decode(answer["data"])
 
     def problems(self) -> list[str]:
@@ -142,6 +162,8 @@ class Browser:
                 found.append("console: " + " ".join(str(a.get("value", a.get("description", ""))) for a in about["args"]))
             elif what == "Log.entryAdded" and about["entry"]["level"] in ("error", "warning"):
                 found.append(f"log: {about['entry']['text']}")
-            elif what == "Network.requestWillBeSent" and not about["request"]["url"].startswith(("file:", "data:", "blob:")):
+            elif what == "Network.requestWillBeSent" and not about["request"]["url"].startswith(
+                ("file:", "data:", "blob:")
+            ):
                 found.append(f"network: {about['request']['url']}")
         return found

@@ -1,6 +1,7 @@
 """python -m mandelreport.check PAGE: looks at the page in a headless browser, as a reader would.
 
 Exit codes: 0 fine, 1 something is wrong, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""
+
 from __future__ import annotations
 
 import argparse
@@ -45,8 +46,10 @@ class Checker:
         self.expect(run("document.querySelectorAll('section').length") == 8, "eight sections")
         for name, (width, height) in (("desktop", DESKTOP), ("narrow", NARROW)):
             self.browser.size(width, height)
-            self.expect(run("document.documentElement.scrollWidth <= window.innerWidth"),
-                        f"{width} pixels: nothing sticks out ({run('document.documentElement.scrollWidth')} wide)")
+            self.expect(
+                run("document.documentElement.scrollWidth <= window.innerWidth"),
+                f"{width} pixels: nothing sticks out ({run('document.documentElement.scrollWidth')} wide)",
+            )
             run("window.scrollTo(0, 0)")
             self.shot(name)
         self.browser.size(*DESKTOP)
@@ -58,8 +61,10 @@ class Checker:
             return
         run("""(() => { const slide = document.querySelector('.compare .slide input');
                         slide.value = 25; slide.dispatchEvent(new Event('input')); })()""")
-        self.expect(run("document.querySelector('.compare .over').style.clipPath").startswith("inset(0px 75%"),
-                    "the slider uncovers the left quarter")
+        self.expect(
+            run("document.querySelector('.compare .over').style.clipPath").startswith("inset(0px 75%"),
+            "the slider uncovers the left quarter",
+        )
         self.browser.wait("document.querySelector('.compare .said').textContent !== ''", 30)
         said = run("document.querySelector('.compare .said').textContent")
         self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
@@ -85,8 +90,11 @@ class Checker:
                 self._choose("viewer-mode", mode)
                 begin = time.monotonic()
                 whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-                self.expect(whole, f"viewer, {fractal}, {mode}: whole after {time.monotonic() - begin:.0f} s "
-                            f"({run('document.getElementById(`viewer-says`).textContent')})")
+                self.expect(
+                    whole,
+                    f"viewer, {fractal}, {mode}: whole after {time.monotonic() - begin:.0f} s "
+                    f"({run('document.getElementById(`viewer-says`).textContent')})",
+                )
                 if whole:
                     self._against_render(fractal, mode)
         self._fly()
@@ -108,8 +116,25 @@ class Checker:
             print(f"no {render}: the viewer's picture is not compared")
             return
         drawn = self.pictures / f"{name}-render.png"
-        done = subprocess.run([render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--backend", "openmp",
-                               "--output", drawn], capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [
+                render,
+                "--fractal",
+                fractal,
+                dat,
+                "--precision",
+                "float",
+                "--mode",
+                mode,
+                "--backend",
+                "openmp",
+                "--output",
+                drawn,
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         self.expect(done.returncode == 0, f"bin/render draws the viewer's parameter file {done.stderr.strip()}")
         if done.returncode == 0:
             a, b = (numpy.asarray(Image.open(source).convert("RGB")).astype(int) for source in (io.BytesIO(seen), drawn))
@@ -117,9 +142,11 @@ class Checker:
                 self.expect(False, f"the same size: {a.shape}, {b.shape}")
                 return
             off = numpy.abs(a - b).max(axis=2)
-            self.expect((off > 2).mean() <= MOST_VISIBLE[mode],
-                        f"viewer against bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
-                        f"pixels differ, {(off > 2).sum()} by more than 2/255, at most {off.max()}/255")
+            self.expect(
+                (off > 2).mean() <= MOST_VISIBLE[mode],
+                f"viewer against bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
+                f"pixels differ, {(off > 2).sum()} by more than 2/255, at most {off.max()}/255",
+            )
 
     def _fly(self) -> None:
         """Keys move the camera, a drag turns it, and a parameter file goes back in."""
@@ -130,16 +157,21 @@ class Checker:
         moved = self.browser.wait(f"JSON.stringify(Viewer.camera().eye) !== JSON.stringify({before}.eye)", 60)
         self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
         self.expect(moved, "the key W moves the camera")
-        place = run("(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect(); return [r.x + 99, r.y + 99]; })()")
+        place = run(
+            "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect(); return [r.x + 99, r.y + 99]; })()"
+        )
         for kind, by in (("mousePressed", 0), ("mouseMoved", 40), ("mouseReleased", 40)):
-            self.browser.call("Input.dispatchMouseEvent", type=kind, x=place[0] + by, y=place[1], button="left", buttons=1,
-                              clickCount=1)
+            self.browser.call(
+                "Input.dispatchMouseEvent", type=kind, x=place[0] + by, y=place[1], button="left", buttons=1, clickCount=1
+            )
         turned = self.browser.wait(f"JSON.stringify(Viewer.camera().forward) !== JSON.stringify({before}.forward)", 60)
         self.expect(turned, "a drag turns the camera")
         run("""(() => { const t = document.getElementById('viewer-dat'); t.value = t.value.replace(/(# field of view\\n).*/, '$11.25');
                         document.getElementById('viewer-go').click(); })()""")
         self.expect(run("Viewer.camera().field") == 1.25, "a parameter file is read back")
-        run("""(() => { const s = document.querySelector('[data-parameter]'); s.value = s.max; s.dispatchEvent(new Event('input')); })()""")
+        run(
+            """(() => { const s = document.querySelector('[data-parameter]'); s.value = s.max; s.dispatchEvent(new Event('input')); })()"""
+        )
         self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
         self.shot("viewer")
         self.browser.size(*NARROW)
@@ -153,8 +185,10 @@ def without_webgl(page: Path, checker: Checker) -> None:
     """The page says so where there is no WebGL 2."""
     with Browser("--disable-3d-apis") as browser:
         browser.open(page)
-        checker.expect(browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
-                       "without WebGL 2 the page says so")
+        checker.expect(
+            browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
+            "without WebGL 2 the page says so",
+        )
 
 
 BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/none.png">
@@ -169,8 +203,10 @@ def broken_twin(checker: Checker) -> None:
         browser.open(page)
         browser.wait("false", 0.5)
         problems = " ".join(browser.problems())
-    checker.expect(all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
-                   "a broken page is seen to be broken")
+    checker.expect(
+        all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
+        "a broken page is seen to be broken",
+    )
 
 
 def main() -> int:
@@ -191,7 +227,9 @@ def main() -> int:
             checker.slider()
             checker.viewer()
             problems = browser.problems()
-            checker.expect(not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}")
+            checker.expect(
+                not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
+            )
         without_webgl(arguments.page, checker)
         broken_twin(checker)
     except Unavailable as error:

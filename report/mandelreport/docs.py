@@ -1,8 +1,8 @@
 """Passages of the project's own documentation, so that the report cites and does not repeat it."""
+
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import markdown
 from markupsafe import Markup

@@ -1,4 +1,5 @@
 """Failures that have one clear line, and output files that appear whole."""
+
 import os
 from pathlib import Path
 

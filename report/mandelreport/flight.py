@@ -1,4 +1,5 @@
 """What flythrough writes for the report: maps, audits, and summaries of films."""
+
 from __future__ import annotations
 
 import re
@@ -66,8 +67,22 @@ class Film:
 
 
 def read_map(name: str, data: dict[str, Any]) -> FlightMap:
-    missing = [key for key in ("fractal", "seed", "hull", "frames_per_second", "balls", "gates", "ball_count", "gate_count", "passages", *SERIES)
-               if key not in data]
+    missing = [
+        key
+        for key in (
+            "fractal",
+            "seed",
+            "hull",
+            "frames_per_second",
+            "balls",
+            "gates",
+            "ball_count",
+            "gate_count",
+            "passages",
+            *SERIES,
+        )
+        if key not in data
+    ]
     if missing:
         raise InputError(f"{name}: a flight's map without {', '.join(missing)}")
     lengths = {len(data[key]) for key in SERIES}
@@ -92,10 +107,20 @@ def read_film(name: str, data: dict[str, Any]) -> Film:
     try:
         device = data["device"]
         kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
-        details = (f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples a pixel, "
-                   f"{data['precision']}, {data['mode']}")
-        return Film(name, data["fractal"], f"{data['backend']}: {device['name']} ({kind})", data["frames"],
-                    data["frames_rendered"], data["seconds"], data["processes"], details)
+        details = (
+            f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples a pixel, "
+            f"{data['precision']}, {data['mode']}"
+        )
+        return Film(
+            name,
+            data["fractal"],
+            f"{data['backend']}: {device['name']} ({kind})",
+            data["frames"],
+            data["frames_rendered"],
+            data["seconds"],
+            data["processes"],
+            details,
+        )
     except (KeyError, TypeError) as error:
         raise InputError(f"{name}: a film's summary without {error}") from None
 
@@ -107,5 +132,13 @@ def film_of_log(name: str, text: str) -> Film | None:
     if not done or not frames or done[1] != done[2]:
         return None
     device = re.search(r"^backend (.+)$", text, re.M)
-    return Film(name, frames[1], device[1] if device else "not in the log", int(frames[2]), int(frames[2]),
-                float(done[3]), int(done[4]), "")
+    return Film(
+        name,
+        frames[1],
+        device[1] if device else "not in the log",
+        int(frames[2]),
+        int(frames[2]),
+        float(done[3]),
+        int(done[4]),
+        "",
+    )

@@ -1,4 +1,5 @@
 """Parameter files (.dat), as far as the viewer begins with them. The programs' own reader is the one that counts."""
+
 from __future__ import annotations
 
 from pathlib import Path

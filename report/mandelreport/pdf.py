@@ -1,4 +1,5 @@
 """The page on paper. Chromium prints it: it knows the page's figures, grids and @page rules, margins and numbers included."""
+
 from __future__ import annotations
 
 from pathlib import Path

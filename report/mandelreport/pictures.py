@@ -1,4 +1,5 @@
 """Draws the official scenes on every backend with the programs that are built, once for each program, scene and setting."""
+
 from __future__ import annotations
 
 import hashlib
@@ -89,9 +90,28 @@ class Studio:
             print(f"report: drawing {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
             stats = target.with_suffix(ending + ".stats")
             run = subprocess.run(
-                [self.render, "--fractal", key.fractal, scene, "--backend", key.backend, "--precision", key.precision,
-                 "--mode", key.mode, "--size", f"{SIDE}x{SIDE}", "--output", target, "--stats", stats],
-                capture_output=True, text=True, check=False)
+                [
+                    self.render,
+                    "--fractal",
+                    key.fractal,
+                    scene,
+                    "--backend",
+                    key.backend,
+                    "--precision",
+                    key.precision,
+                    "--mode",
+                    key.mode,
+                    "--size",
+                    f"{SIDE}x{SIDE}",
+                    "--output",
+                    target,
+                    "--stats",
+                    stats,
+                ],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
             lines = run.stderr.strip().splitlines()
             if run.returncode == UNAVAILABLE:
                 write_whole(refused, (lines[-1] if lines else "unavailable").encode())
@@ -115,22 +135,30 @@ class Studio:
         """Every picture that can be drawn here, in the order of the report."""
         if not self.there:
             return []
-        keys = [Key(fractal, precision, mode, backend) for fractal in SCENES for mode in ("exact", "fast")
-                for precision in ("double", "float") for backend in BACKENDS]
+        keys = [
+            Key(fractal, precision, mode, backend)
+            for fractal in SCENES
+            for mode in ("exact", "fast")
+            for precision in ("double", "float")
+            for backend in BACKENDS
+        ]
         return [picture for key in keys if (picture := self.picture(key)) is not None]
 
     def same_bits(self, a: Picture, b: Picture) -> bool:
         """True if every bit of colour and depth is the same, as imgdiff finds."""
+
+        of_a, of_b = a.values, b.values
+
         def compare() -> bool:
-            run = subprocess.run([self.imgdiff, "--json", a.values, b.values], capture_output=True, text=True, check=False)
+            run = subprocess.run([self.imgdiff, "--json", str(of_a), str(of_b)], capture_output=True, text=True, check=False)
             if run.returncode > 1:
                 raise InputError(f"{self.imgdiff}: {run.stderr.strip().splitlines()[-1]}")
             found = json.loads(run.stdout)
             return bool(found["same"] and found["differing_colours"] == 0 and found["differing_depths"] == 0)
 
-        if a.values is None or b.values is None:
+        if of_a is None or of_b is None:
             return False
-        return self.cache.value(compare, "bits", a.values.name, b.values.name)
+        return self.cache.value(compare, "bits", of_a.name, of_b.name)
 
 
 def clear(folder: Path) -> None:

@@ -1,4 +1,5 @@
 """Finds what there is: every file below the results folder is known by its content, not by its name."""
+
 from __future__ import annotations
 
 import json

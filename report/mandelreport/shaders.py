@@ -1,4 +1,5 @@
 """The viewer's shaders: the kernel text as GLSL ES 3.00, through glslang and spirv-cross."""
+
 from __future__ import annotations
 
 import re
@@ -40,7 +41,10 @@ def shader(fractal: str, work: Path) -> str:
 def constants(fractal: str) -> dict[str, int]:
     """Where the kernel text has a fractal's own constants: by their accessors' names, or by number where it has none."""
     text = (KERNEL / "fractals" / f"{fractal}.h").read_text(encoding="utf-8")
-    named = {name: int(at) for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)}
+    named = {
+        name: int(at)
+        for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)
+    }
     numbers = {int(at) for at in re.findall(r"scene\.fractal\[(\d+)\]", text)} - set(named.values())
     return named | {str(at): at for at in sorted(numbers)}
 

@@ -1,4 +1,5 @@
 """The report from outside: its program on made result files. Each check that matters is tried on something broken, too."""
+
 from __future__ import annotations
 
 import html.parser
@@ -15,6 +16,7 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
 import made  # noqa: E402
+import made_programs  # noqa: E402
 from mandelreport import flight, shaders  # noqa: E402
 from mandelreport.figures import style, timings  # noqa: E402
 from mandelreport.bench import read_bench  # noqa: E402
@@ -49,14 +51,36 @@ class ReportTest(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
 
-    def make(self, files: dict[str, object], programs: str = "none", seed: str = "0", output: str = "out",
-             results: str = "results") -> subprocess.CompletedProcess[str]:
+    def make(
+        self,
+        files: dict[str, object],
+        programs: str = "none",
+        seed: str = "0",
+        output: str = "out",
+        results: str = "results",
+    ) -> subprocess.CompletedProcess[str]:
         made.write(self.folder / results, files)
         return subprocess.run(
-            [sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder / results, "--programs",
-             self.folder / programs, "--work", self.folder / "work", "--output", self.folder / output],
-            capture_output=True, text=True, check=False, cwd=ROOT,
-            env=os.environ | {"PYTHONPATH": str(ROOT / "report"), "PYTHONHASHSEED": seed})
+            [
+                sys.executable,
+                "-m",
+                "mandelreport",
+                "--no-pdf",
+                "--results",
+                self.folder / results,
+                "--programs",
+                self.folder / programs,
+                "--work",
+                self.folder / "work",
+                "--output",
+                self.folder / output,
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=ROOT,
+            env=os.environ | {"PYTHONPATH": str(ROOT / "report"), "PYTHONHASHSEED": seed},
+        )
 
     def page(self, output: str = "out") -> str:
         return (self.folder / output / "report.html").read_text(encoding="utf-8")
@@ -70,14 +94,16 @@ class ReportTest(unittest.TestCase):
         self.assertFalse((self.folder / "out" / "report.html").exists())
 
     def test_whole_page(self) -> None:
-        made.programs(self.folder / "bin")
+        made_programs.programs(self.folder / "bin")
         run = self.make(made.everything(), "bin")
         self.assertEqual(run.returncode, 0, run.stderr)
         page = self.page()
         self.assertEqual(Faults(page).found, [])
         self.assertLess(len(page), 15 * 2**20)
-        self.assertEqual(re.findall(r'<section id="(\w+)">', page),
-                         ["pictures", "timings", "parallel", "flight", "why", "summary", "reproduce", "viewer"])
+        self.assertEqual(
+            re.findall(r'<section id="(\w+)">', page),
+            ["pictures", "timings", "parallel", "flight", "why", "summary", "reproduce", "viewer"],
+        )
         # Numbers come from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s a frame, the revision.
         for text in ("100", "95.0 – 105", "1.17 deg", "0.25", "0123456789abcdef", "OpenMP"):
             self.assertIn(f">{text}", page)
@@ -99,9 +125,15 @@ class ReportTest(unittest.TestCase):
 
     def test_faults_are_found(self) -> None:
         self.assertEqual(Faults('<img alt="a picture of it" src="data:,">').found, [])
-        for broken in ('<img src="data:,">', '<img alt="" src="data:,">', '<img alt="a picture of it" src="http://x/y.png">',
-                       '<script src="https://x/y.js"></script>', '<link rel="stylesheet" href="a.css">',
-                       "<style>@import 'a.css';</style>", "<style>b { background: url(a.png) }</style>"):
+        for broken in (
+            '<img src="data:,">',
+            '<img alt="" src="data:,">',
+            '<img alt="a picture of it" src="http://x/y.png">',
+            '<script src="https://x/y.js"></script>',
+            '<link rel="stylesheet" href="a.css">',
+            "<style>@import 'a.css';</style>",
+            "<style>b { background: url(a.png) }</style>",
+        ):
             self.assertNotEqual(Faults(broken).found, [], broken)
 
     def test_figures_without_the_salt_differ(self) -> None:
@@ -126,7 +158,9 @@ class ReportTest(unittest.TestCase):
         self.refused({"bench.json": whole}, "bench.json", "rows/3", "proof")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
         self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "balls")
-        self.refused({"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "version 0")
+        self.refused(
+            {"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "version 0"
+        )
         self.refused({"flight.json": made.audit() | {"rows": [{}]}}, "flight.json", "rows")
         self.refused({"flight.json": made.audit(), "film.json": made.film() | {"version": 9}}, "film.json", "version 9")
         film = made.film()
@@ -135,8 +169,14 @@ class ReportTest(unittest.TestCase):
 
     def test_no_folder(self) -> None:
         self.folder = self.folder / "nowhere"
-        run = subprocess.run([sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder], capture_output=True,
-                             text=True, check=False, cwd=ROOT, env=os.environ | {"PYTHONPATH": str(ROOT / "report")})
+        run = subprocess.run(
+            [sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=ROOT,
+            env=os.environ | {"PYTHONPATH": str(ROOT / "report")},
+        )
         self.assertEqual((run.returncode, len(run.stderr.strip().splitlines())), (2, 1), run.stderr)
 
     def test_old_report_stays(self) -> None:
@@ -152,8 +192,10 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(run.stderr.count("left out"), 2)
 
     def test_film_of_a_log(self) -> None:
-        log = ("backend openmp: no GPU\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
-               "film: 10 of 10 segments rendered in 150.0 s by 2 processes; video.mp4 is complete\n")
+        log = (
+            "backend openmp: no GPU\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
+            "film: 10 of 10 segments rendered in 150.0 s by 2 processes; video.mp4 is complete\n"
+        )
         film = flight.film_of_log("film.txt", log)
         self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
         # A film that went on where it stopped has no time of its own.

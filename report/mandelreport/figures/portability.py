@@ -1,4 +1,5 @@
 """Pennycook's metric as a cascade: efficiency over the platforms, best first."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -28,8 +29,9 @@ def cascade(entries: list[dict[str, Any]]) -> Figure | None:
                 fill = "full" if entry["precision"] == "double" else "none"
                 name = f"{entry['application']} {entry['precision']}"
                 axis.plot(x, [step["portability"] for step in entry["cascade"]], fillstyle=fill, label=name, **look)
-                axis.plot(x, [step["efficiency"] for step in entry["cascade"]], marker="_", linestyle="",
-                          color=look["color"])
+                axis.plot(
+                    x, [step["efficiency"] for step in entry["cascade"]], marker="_", linestyle="", color=look["color"]
+                )
                 said.append(f"{fractal} {mode} {name}: {digits(entry['by_application_efficiency'])}")
             axis.set(title=f"{fractal}, {mode}", ylim=(0, 1.05), xlim=(0.5, platforms + 0.5))
             axis.set_xticks(range(1, platforms + 1))
@@ -39,6 +41,9 @@ def cascade(entries: list[dict[str, Any]]) -> Figure | None:
                 axis.set_xlabel("platforms, best first")
     handles, labels = axes[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4, fontsize=8)
-    return style.block(figure, "Cascade of Pennycook's metric by application efficiency. " + "; ".join(said) + ".",
-                       "Cascade: the metric over the first 1, 2, ... platforms in the order of falling efficiency (marks and "
-                       "lines), and the efficiency on each (dashes). Filled marks: double, open ones: float.")
+    return style.block(
+        figure,
+        "Cascade of Pennycook's metric by application efficiency. " + "; ".join(said) + ".",
+        "Cascade: the metric over the first 1, 2, ... platforms in the order of falling efficiency (marks and "
+        "lines), and the efficiency on each (dashes). Filled marks: double, open ones: float.",
+    )

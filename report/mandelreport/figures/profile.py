@@ -1,4 +1,5 @@
 """Where a picture's time goes."""
+
 from __future__ import annotations
 
 from statistics import median
@@ -53,8 +54,15 @@ def profile(bench: Bench) -> Figure | None:
                 share = 100 * shares.get(stage, 0)
                 axis.barh(2.5 * number + k, share, 0.9, left=left, **style.look(s))
                 if share > 6:
-                    axis.text(left + share / 2, 2.5 * number + k, f"{share:.0f}", ha="center", va="center", fontsize=7,
-                              bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85})
+                    axis.text(
+                        left + share / 2,
+                        2.5 * number + k,
+                        f"{share:.0f}",
+                        ha="center",
+                        va="center",
+                        fontsize=7,
+                        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85},
+                    )
                 left += share
             labels.append((2.5 * number + k, f"{', '.join(key)}: {what}" if k == 0 else what))
         most = max(STAGES, key=lambda stage: stages.get(stage, 0))
@@ -65,6 +73,9 @@ def profile(bench: Bench) -> Figure | None:
     axis.set(xlabel="share [%]", xlim=(0, 100))
     handles = [Patch(label=stage, **style.look(s)) for s, stage in enumerate(STAGES)]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-    return style.block(figure, "Stacked bars of the stages' shares. " + "; ".join(said) + ".",
-                       "Where a picture's time goes on one core (openmp), and where its counted operations are; fast mode's "
-                       "cones belong to begin.")
+    return style.block(
+        figure,
+        "Stacked bars of the stages' shares. " + "; ".join(said) + ".",
+        "Where a picture's time goes on one core (openmp), and where its counted operations are; fast mode's "
+        "cones belong to begin.",
+    )

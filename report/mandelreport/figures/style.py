@@ -1,41 +1,63 @@
 """One look for all figures: colours of Okabe and Ito, and for black and white a hatch, a marker and a dash for each."""
+
 from __future__ import annotations
 
 import io
 import re
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("svg")
-from matplotlib import pyplot as plt  # noqa: E402  (after the choice of the back end)
-from matplotlib.axes import Axes  # noqa: E402
-from matplotlib.figure import Figure as Plot  # noqa: E402
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Plot
 
-from ..blocks import Figure, data_uri  # noqa: E402
+from ..blocks import Figure, data_uri
 
 # Okabe and Ito, "Color Universal Design", 2008.
 BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, RED, PURPLE = (
-    "#000000", "#E69F00", "#56B4E9", "#009E73", "#F0E442", "#0072B2", "#D55E00", "#CC79A7")
+    "#000000",
+    "#E69F00",
+    "#56B4E9",
+    "#009E73",
+    "#F0E442",
+    "#0072B2",
+    "#D55E00",
+    "#CC79A7",
+)
 COLOURS = [BLUE, ORANGE, GREEN, RED, SKY, PURPLE, YELLOW, BLACK]
 HATCHES = ["", "///", "..", "xx", "\\\\\\", "++", "--", "||"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2)), (0, (3, 3))]
 BACKENDS = ["openmp", "openacc", "opencl", "vulkan", "reference"]
 
-SETTINGS = {
-    "svg.hashsalt": "mandelmarch", "svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 9,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#dddddd",
-    "grid.linewidth": 0.6, "axes.axisbelow": True, "hatch.linewidth": 0.5, "legend.frameon": False,
-    "figure.constrained_layout.use": True, "axes.titlesize": 10, "errorbar.capsize": 2.5, "lines.markersize": 5,
+SETTINGS: Any = {
+    "svg.hashsalt": "mandelmarch",
+    "svg.fonttype": "path",
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "hatch.linewidth": 0.5,
+    "legend.frameon": False,
+    "figure.constrained_layout.use": True,
+    "axes.titlesize": 10,
+    "errorbar.capsize": 2.5,
+    "lines.markersize": 5,
 }
 
 
-def look(number: int) -> dict[str, object]:
+def look(number: int) -> dict[str, Any]:
     """Colour, hatch and edge of the bars of series `number`."""
     return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[number % 8], "edgecolor": "black", "linewidth": 0.6}
 
 
-def line(number: int) -> dict[str, object]:
+def line(number: int) -> dict[str, Any]:
     """Colour, marker and dash of the line of series `number`."""
     return {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "linestyle": DASHES[number % 8]}
 
@@ -50,7 +72,7 @@ def number_of(backend: str) -> int:
     return BACKENDS.index(backend) if backend in BACKENDS else len(BACKENDS)
 
 
-def panels(rows: int, columns: int, width: float, height: float, **options: object) -> tuple[Plot, list[list[Axes]]]:
+def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Plot, list[list[Axes]]]:
     """`width`, `height`: inches of the whole figure."""
     plt.rcParams.update(matplotlib.rcParamsDefault)
     plt.rcParams.update(SETTINGS)

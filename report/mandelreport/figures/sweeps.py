@@ -1,4 +1,5 @@
 """Figures of the sweeps: one setting varies along x."""
+
 from __future__ import annotations
 
 from ..bench import Bench, Row
@@ -48,8 +49,10 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
             else:
                 scale = [row.pixels / 1e6 if y == "rate" else base for _, row in points]
                 values = [s / t.median for s, t in zip(scale, times)]
-                errors = [[v - s / (t.high or t.median) for v, s, t in zip(values, scale, times)],
-                          [s / (t.low or t.median) - v for v, s, t in zip(values, scale, times)]]
+                errors = [
+                    [v - s / (t.high or t.median) for v, s, t in zip(values, scale, times)],
+                    [s / (t.low or t.median) - v for v, s, t in zip(values, scale, times)],
+                ]
             errors = [[max(0.0, e) for e in side] for side in errors]
             axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
             said.append(f"{fractal}, {name}: " + ", ".join(f"{plain(x)}: {digits(v)}" for (x, _), v in zip(points, values)))
@@ -88,8 +91,14 @@ def ablation(bench: Bench) -> Figure | None:
                     continue
                 x = points.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width
                 low, high = row.kernel.errors()
-                axis.bar(x, row.kernel.median / base, width, yerr=[[low / base], [high / base]],
-                         label=name if row.value == points[0] else None, **style.look(number))
+                axis.bar(
+                    x,
+                    row.kernel.median / base,
+                    width,
+                    yerr=[[low / base], [high / base]],
+                    label=name if row.value == points[0] else None,
+                    **style.look(number),
+                )
                 said.append(f"{fractal}, {name}, without {row.value}: {digits(row.kernel.median / base)}")
         axis.axhline(1, color="black", linewidth=0.8)
         axis.set_xticks(range(len(points)), [point.replace(",", ",\n") for point in points])
@@ -98,6 +107,9 @@ def ablation(bench: Bench) -> Figure | None:
         if j == 0:
             axis.set_ylabel("time over the time with all")
         axis.legend(fontsize=8)
-    return style.block(figure, "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
-                       "Ablation: kernel time without a technique, as a multiple of the time with all of them, with the 95 % "
-                       "interval of the former. 1: it is worth nothing there.")
+    return style.block(
+        figure,
+        "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
+        "Ablation: kernel time without a technique, as a multiple of the time with all of them, with the 95 % "
+        "interval of the former. 1: it is worth nothing there.",
+    )

@@ -1,4 +1,5 @@
 """Figures of the standard study: kernel times, ratios, shares of the peak."""
+
 from __future__ import annotations
 
 from matplotlib.patches import Patch
@@ -7,6 +8,7 @@ from ..bench import Bench, Row, Times
 from ..blocks import Figure
 from ..text import digits, ms, percent, plain, where
 from . import style
+
 
 def _rows(bench: Bench, fractal: str, mode: str) -> list[Row]:
     """The text's backends: the reference, on one thread, would hide the others."""
@@ -31,8 +33,14 @@ def kernel_bars(bench: Bench) -> Figure:
                     look["alpha"] = 0.55
                 low, high = row.kernel.errors()
                 axis.bar(x, 1e3 * row.kernel.median, 0.38, yerr=[[1e3 * low], [1e3 * high]], **look)
-                axis.text(x, 1e3 * (row.kernel.high or row.kernel.median) + 0.02 * top, ms(row.kernel.median), ha="center",
-                          va="bottom", fontsize=7)
+                axis.text(
+                    x,
+                    1e3 * (row.kernel.high or row.kernel.median) + 0.02 * top,
+                    ms(row.kernel.median),
+                    ha="center",
+                    va="bottom",
+                    fontsize=7,
+                )
             if rows:
                 best = min(rows, key=lambda row: row.kernel.median)
                 said.append(f"{fractal} {mode}: fastest {where(best)} in {best.precision}, {ms(best.kernel.median)} ms")
@@ -41,9 +49,12 @@ def kernel_bars(bench: Bench) -> Figure:
             axis.set_title(f"{fractal}, {mode}")
             axis.grid(axis="x", visible=False)
             axis.set_ylabel("kernel time [ms]")
-    return style.block(figure, "Bar charts of kernel times. " + "; ".join(said) + ".",
-                       "Kernel time of one picture, median with its 95 % interval; left bar double, right (paler) bar float. "
-                       "The reference, on one thread, is in the table only.")
+    return style.block(
+        figure,
+        "Bar charts of kernel times. " + "; ".join(said) + ".",
+        "Kernel time of one picture, median with its 95 % interval; left bar double, right (paler) bar float. "
+        "The reference, on one thread, is in the table only.",
+    )
 
 
 def ratios(bench: Bench, question: str, title: str, caption: str) -> Figure | None:
@@ -96,7 +107,9 @@ def share_of_peak(bench: Bench) -> Figure | None:
             share = 100 * row.figures["share_of_peak"]
             axis.bar(x, share, width, **style.look(style.number_of(row.backend)))
         best = max(of_fractal, key=lambda row: row.figures["share_of_peak"])
-        said.append(f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {where(best)}, {best.precision}, {best.mode}")
+        said.append(
+            f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {where(best)}, {best.precision}, {best.mode}"
+        )
         axis.set_xticks(range(len(groups)), ["\n".join(group) for group in groups])
         axis.set_title(fractal)
         axis.grid(axis="x", visible=False)
@@ -104,16 +117,21 @@ def share_of_peak(bench: Bench) -> Figure | None:
             axis.set_ylabel("share of the peak [%]")
             handles = [Patch(label=name, **style.look(style.number_of(name.split()[0]))) for name in names]
             figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-    return style.block(figure, "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
-                       "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
-                       "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.")
+    return style.block(
+        figure,
+        "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
+        "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
+        "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.",
+    )
 
 
 def machines(benches: list[Bench]) -> Figure | None:
     """The fastest backend of each machine, fractal, precision and mode, side by side."""
     if len(benches) < 2:
         return None
-    kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for bench in benches for row in bench.rows if row.timed))
+    kinds = list(
+        dict.fromkeys((row.fractal, row.precision, row.mode) for bench in benches for row in bench.rows if row.timed)
+    )
     figure, [[axis]] = style.panels(1, 1, 8, 3.2)
     width = 0.8 / len(benches)
     said = []
@@ -124,9 +142,16 @@ def machines(benches: list[Bench]) -> Figure | None:
                 continue
             best = min(rows, key=lambda row: row.kernel.median)
             x = k + (number - (len(benches) - 1) / 2) * width
-            axis.bar(x, best.pixels / 1e6 / best.kernel.median, width, label=bench.machine if k == 0 else None,
-                     **style.look(number))
-            axis.text(x, best.pixels / 1e6 / best.kernel.median, where(best), rotation=90, ha="center", va="bottom", fontsize=6)
+            axis.bar(
+                x,
+                best.pixels / 1e6 / best.kernel.median,
+                width,
+                label=bench.machine if k == 0 else None,
+                **style.look(number),
+            )
+            axis.text(
+                x, best.pixels / 1e6 / best.kernel.median, where(best), rotation=90, ha="center", va="bottom", fontsize=6
+            )
             said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
     axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
     axis.set_yscale("log")
@@ -135,5 +160,8 @@ def machines(benches: list[Bench]) -> Figure | None:
     axis.grid(axis="x", visible=False)
     axis.set_ylabel("Mpixel/s, fastest backend")
     figure.legend(loc="outside upper center", fontsize=7)
-    return style.block(figure, "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
-                       "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.")
+    return style.block(
+        figure,
+        "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+        "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.",
+    )

@@ -1,4 +1,5 @@
 """Why one fractal takes longer than the other: the measured factors."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -16,13 +17,13 @@ class Factors:
     fractal: str
     precision: str
     view: str
-    calls: float       # of the estimator, a pixel
+    calls: float  # of the estimator, a pixel
     iterations: float  # a call
     operations: float  # an iteration
-    active: float      # share of lanes that are busy in the estimator's iterations
+    active: float  # share of lanes that are busy in the estimator's iterations
     active_steps: float
     lanes: int
-    kernel: float | None      # seconds a picture
+    kernel: float | None  # seconds a picture
     share_of_peak: float | None
 
     @property
@@ -37,12 +38,22 @@ def factors(bench: Bench) -> list[Factors]:
     for count in bench.data["counts"]:
         view = count["setting"]["view"]
         row = rows.get((count["fractal"], count["precision"], view))
-        timed = row is not None and row.timed
-        found.append(Factors(
-            count["fractal"], count["precision"], view, count["work"]["de_calls"] / count["pixels"],
-            count["work"]["iterations"] / max(1, count["work"]["de_calls"]), count["operations_per_iteration"],
-            count["active_in_iterations"], count["active_in_steps"], count["lanes"],
-            row.kernel.median if timed else None, row.figures["share_of_peak"] if timed else None))
+        timed = row if row is not None and row.timed else None
+        found.append(
+            Factors(
+                count["fractal"],
+                count["precision"],
+                view,
+                count["work"]["de_calls"] / count["pixels"],
+                count["work"]["iterations"] / max(1, count["work"]["de_calls"]),
+                count["operations_per_iteration"],
+                count["active_in_iterations"],
+                count["active_in_steps"],
+                count["lanes"],
+                timed.kernel.median if timed else None,
+                timed.figures["share_of_peak"] if timed else None,
+            )
+        )
     order = {key: number for number, key in enumerate(rows)}
     return sorted(found, key=lambda f: order.get((f.fractal, f.precision, f.view), 999))
 
@@ -51,14 +62,24 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
     """Mandelbox over Mandelbulb, factor by factor, a group for each scene."""
     if not pairs:
         return None
-    names = ["calls\na pixel", "iterations\na call", "operations\nan iteration", "lanes\nthat wait", "all four",
-             "measured\ntime"]
+    names = [
+        "calls\na pixel",
+        "iterations\na call",
+        "operations\nan iteration",
+        "lanes\nthat wait",
+        "all four",
+        "measured\ntime",
+    ]
     figure, [[axis]] = style.panels(1, 1, 8, 3.3)
     width = 0.8 / len(pairs)
     said = []
     for number, (box, bulb) in enumerate(pairs):
-        parts = [box.calls / bulb.calls, box.iterations / bulb.iterations, box.operations / bulb.operations,
-                 bulb.active / box.active]
+        parts = [
+            box.calls / bulb.calls,
+            box.iterations / bulb.iterations,
+            box.operations / bulb.operations,
+            bulb.active / box.active,
+        ]
         product = parts[0] * parts[1] * parts[2] * parts[3]
         values = [*parts, product, box.kernel / bulb.kernel if box.kernel and bulb.kernel else None]
         for k, value in enumerate(values):
@@ -78,6 +99,9 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
     axis.grid(axis="x", visible=False)
     axis.set_ylabel("Mandelbox / Mandelbulb")
     axis.legend(title="scene", fontsize=8, ncols=len(pairs))
-    return style.block(figure, "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
-                       "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
-                       "wait: the shares of busy lanes, the other way round. The first four multiply to the fifth.")
+    return style.block(
+        figure,
+        "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
+        "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
+        "wait: the shares of busy lanes, the other way round. The first four multiply to the fifth.",
+    )

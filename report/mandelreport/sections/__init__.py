@@ -1,4 +1,5 @@
 """Sections: each module's function takes the material and returns what its template prints."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass

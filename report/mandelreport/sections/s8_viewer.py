@@ -1,4 +1,5 @@
 """Section 8: the live viewer."""
+
 from __future__ import annotations
 
 import json
@@ -26,7 +27,13 @@ def section(material: Material) -> dict[str, Any]:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "report/setup")}
     known = [fractal for fractal in FRACTALS if fractal in SCENES]
     texts = shaders(material.work / "shaders")
-    return {"data": _embedded({"shaders": {fractal: texts[fractal] for fractal in known},
-                               "constants": {fractal: constants(fractal) for fractal in known},
-                               "scenes": {fractal: read_parameters(ROOT / SCENES[fractal]) for fractal in known}}),
-            "fractals": sorted(known, key=list(SCENES).index)}
+    return {
+        "data": _embedded(
+            {
+                "shaders": {fractal: texts[fractal] for fractal in known},
+                "constants": {fractal: constants(fractal) for fractal in known},
+                "scenes": {fractal: read_parameters(ROOT / SCENES[fractal]) for fractal in known},
+            }
+        ),
+        "fractals": sorted(known, key=list(SCENES).index),
+    }
