@@ -174,6 +174,13 @@ class Checker:
         )
         self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
         self.shot("viewer")
+        with Image.open(self.pictures / "viewer.png") as seen:
+            place = run(
+                "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
+                "return [r.left, Math.max(0, r.top), r.right, Math.min(innerHeight, r.bottom)]; })()"
+            )
+            colours = seen.convert("RGB").crop(tuple(map(round, place))).getcolors(2**24) or []
+        self.expect(len(colours) > 100, f"the screen shows the viewer's picture: {len(colours)} colours")
         self.browser.size(*NARROW)
         run("document.getElementById('viewer-live').scrollIntoView()")
         self.browser.wait("Viewer.idle()", VIEWER_SECONDS)

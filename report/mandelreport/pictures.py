@@ -150,7 +150,9 @@ class Studio:
         of_a, of_b = a.values, b.values
 
         def compare() -> bool:
-            run = subprocess.run([self.imgdiff, "--json", str(of_a), str(of_b)], capture_output=True, text=True, check=False)
+            run = subprocess.run(
+                [self.imgdiff, "--json", str(of_a), str(of_b)], capture_output=True, text=True, check=False
+            )
             if run.returncode > 1:
                 raise InputError(f"{self.imgdiff}: {run.stderr.strip().splitlines()[-1]}")
             found = json.loads(run.stdout)

@@ -6,8 +6,7 @@ class Painter {
 
     // null where there is no WebGL 2. data: shaders and places of constants, by fractal.
     static on(canvas, data) {
-        // The picture is kept so that it can be saved.
-        const gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true });
+        const gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
         return gl ? new Painter(gl, canvas, data) : null;
     }
     constructor(gl, canvas, data) {
@@ -93,6 +92,16 @@ class Painter {
         this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, of.buffer);
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
         return bytes;
+    }
+    // From the top row, as browsers have their pictures.
+    image(of) {
+        const gl = this.gl, bytes = new Uint8Array(4 * of.width * of.height), image = new ImageData(of.width, of.height);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, of.buffer);
+        gl.readPixels(0, 0, of.width, of.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        for (let y = 0; y < of.height; ++y) {
+            image.data.set(bytes.subarray(4 * of.width * y, 4 * of.width * (y + 1)), 4 * of.width * (of.height - 1 - y));
+        }
+        return image;
     }
     // to: a target, or null for the canvas, both of the canvas's size.
     copy(from, to, smooth) {

@@ -211,6 +211,14 @@ const Viewer = (() => {
         });
     }
 
+    // PNG. The canvas forgets what it showed once that is on the screen; the target does not.
+    function picture() {
+        const page = document.createElement("canvas");
+        [page.width, page.height] = [full.width, full.height];
+        page.getContext("2d").putImageData(painter.image(full), 0, 0);
+        return page.toDataURL("image/png");
+    }
+
     function start() {
         canvas = find("viewer-canvas");
         data = JSON.parse(find("viewer-data").textContent);
@@ -233,6 +241,6 @@ const Viewer = (() => {
         }).observe(canvas);
     }
     if (document.getElementById("viewer-canvas")) start();
-    return { idle: () => !dirty && tile === null, picture: () => canvas.toDataURL("image/png"), camera: () => camera,
+    return { idle: () => !dirty && tile === null, picture, camera: () => camera,
         dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };
 })();

@@ -36,7 +36,7 @@ def _films(material: Material) -> Block:
         for film in material.results.films
     ]
     if not rows:
-        return Missing("A film's times", "make video with --summary report/results/film.json, or a log of it there")
+        return Missing("A film's times", "bin/flythrough film --output video.mp4 --summary report/results/film.json")
     return Table(
         ["fractal", "device", "processes", "frames", "seconds", "seconds a frame", "file"],
         rows,

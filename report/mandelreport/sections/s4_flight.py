@@ -71,5 +71,8 @@ def section(material: Material) -> dict[str, Any]:
         "audits": [_audit_table(audit) for audit in results.audits],
         "no_audits": Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json"),
         "sheets": [_sheet(path) for path in results.contact_sheets],
-        "no_sheets": Missing("The contact sheet", "make video, then put its frames as one JPEG into report/results"),
+        "no_sheets": Missing(
+            "The contact sheet",
+            "ffmpeg -i video.mp4 -vf fps=1/10,scale=320:-2,tile=6x5 -frames:v 1 report/results/contact.jpg",
+        ),
     }
