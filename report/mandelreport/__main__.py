@@ -1,6 +1,6 @@
 """python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
 
-Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input."""
+Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""
 
 from __future__ import annotations
 
@@ -42,7 +42,10 @@ def main() -> int:
     except InputError as error:
         print(f"report: {error}", file=sys.stderr)
         return 2
-    except (OSError, Unavailable) as error:
+    except Unavailable as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 77
+    except OSError as error:
         print(f"report: {error}", file=sys.stderr)
         return 1
     return 0
