@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview kill-test install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview kill-test report report-check install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -70,6 +70,18 @@ lint: setup
 # What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40.
 k40: mandelbulb python
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
+
+# The report on what report/results has, with the pictures that bin/render draws: report/out. docs/report.md explains it.
+RESULTS ?= report/results
+report: build python
+	@report/setup
+	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
+	@report/docs
+
+# The report in a headless browser: no errors, the slider, the viewer beside bin/render. Screenshots in build/report/check.
+report-check:
+	@report/setup
+	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
 install: build
 	cmake --install $(BUILD) --prefix $(PREFIX)

@@ -11,7 +11,9 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
+#include "flight/audit/map.h"
 #include "flight/film/film.h"
+#include "flight/film/summary.h"
 #include "flight/plan/planner.h"
 
 namespace {
@@ -57,12 +59,18 @@ bool show_audit(const Flythrough& options, const Path& path, double planning)
     return result.promises_kept();
 }
 
+void write_map(const Flythrough& options, const Plan& made)
+{
+    if (!options.map.empty()) write_text(options.map, map_of(made.path, made.balls, made.gates, options.threads));
+}
+
 int plan_command(const Flythrough& options)
 {
     const std::string output = options.output.empty() ? "path.json" : options.output;
     OutputFile::check(output);
     const Plan made = make_plan(options);
     write_text(output, to_text(made.path));
+    write_map(options, made);
     return show_audit(options, made.path, made.seconds) ? exit_fine : exit_failure;
 }
 
@@ -117,6 +125,9 @@ int render(const Flythrough& options, const Path& path, Ranks& ranks)
     fmt::print(stderr, "film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered,
                report.segments, report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
                report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
+    if (!options.summary.empty()) {
+        write_text(options.summary, summary_of(path, backend, film, report, ranks.size()));
+    }
     return exit_fine;
 }
 
@@ -136,6 +147,7 @@ int run(const Flythrough& options)
             if (options.command == Command::film) {
                 const Plan made = make_plan(options);
                 if (!options.path.empty()) write_text(options.path, to_text(made.path));
+                write_map(options, made);
                 show_audit(options, made.path, made.seconds);
                 std::fflush(stdout);
                 text = to_text(made.path);

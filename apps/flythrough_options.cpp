@@ -75,6 +75,10 @@ void add_options(CLI::App& app, Flythrough& options, Texts& texts)
     app.add_option("--output", options.output,
                    "plan: the path file (path.json); film and render: the film (video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
+    app.add_option(
+        "--map", options.map,
+        "plan, film: write the free balls, the gates and what was measured on the path to this file, as JSON");
+    app.add_option("--summary", options.summary, "film, render: write device, frames and seconds a frame, as JSON");
     app.add_option("--title", options.title, "first line of the title; without title and authors there is none");
     app.add_option("--authors", options.authors, "second line of the title");
     app.add_option("--stills", options.stills, "write still frames into this folder instead of a film");

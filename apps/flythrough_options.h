@@ -28,7 +28,7 @@ struct Flythrough {
     bool device_given = false;
     int threads = 0;
     std::optional<int> look;
-    std::string output, json, stills, title, authors;
+    std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;
     std::size_t every = 1;
     std::optional<std::pair<std::size_t, std::size_t>> segments;

@@ -1,10 +1,15 @@
 # The kernel text for languages whose compilers know no files: one string, every #include replaced by what it names.
-file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/kernel/*.h)
-set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_files})
+# The report's viewer includes this file in a script (cmake -P), where nothing is configured again.
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+    file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/kernel/*.h)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_files})
+endif()
 
 # mandelmarch_flatten_kernel(ROOT FRACTAL RESULT): the file ROOT (from the project's root), specialised for a fractal.
 function(mandelmarch_flatten_kernel root fractal result)
-    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${root})
+    if(NOT CMAKE_SCRIPT_MODE_FILE)
+        set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${root})
+    endif()
     file(READ ${PROJECT_SOURCE_DIR}/${root} text)
     while(text MATCHES "#include (\"([^\"\n]+)\"|MM_FRACTAL_FILE)\n")
         set(line "${CMAKE_MATCH_0}")
@@ -16,4 +21,14 @@ function(mandelmarch_flatten_kernel root fractal result)
         string(REPLACE "${line}" "// ---- ${file}\n${included}" text "${text}")
     endwhile()
     set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+# mandelmarch_flatten_glsl(ROOT FRACTAL FILE): the text of a shader as one file. glslang pastes no suffix to a number, so
+# literals get theirs here: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
+function(mandelmarch_flatten_glsl root fractal file)
+    mandelmarch_flatten_kernel(${root} "${fractal}" text)
+    set(number "(-?[0-9.]+(e-?[0-9]+)?)")
+    string(REGEX REPLACE "([^A-Z_])R\\(${number}\\)" "\\1BY_PRECISION(\\2, \\2)" text "${text}")
+    string(REGEX REPLACE "BY_PRECISION\\(${number}, ${number}\\)" "BY_PRECISION(\\1lf, \\3f)" text "${text}")
+    file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
 endfunction()

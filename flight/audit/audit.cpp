@@ -145,29 +145,14 @@ private:
         add({"largest step between frames / DE", worst, bar, true, true, "", at_frame(where)});
     }
 
-    // The angle of the rotation that takes one camera's axes to the next's.
     void turns()
     {
-        double worst = 0;
-        std::size_t where = 0;
-        const auto camera = [&](std::size_t i) { return camera_of(scene_of(path_, path_.frames[i], 16, 9)); };
-        Camera before = camera(0);
-        for (std::size_t i = 1; i < places_.size(); ++i) {
-            const Camera now = camera(i);
-            const Vector r0 = unit(before.across);
-            const Vector u0 = unit(before.upward);
-            const Vector r1 = unit(now.across);
-            const Vector u1 = unit(now.upward);
-            const double trace = dot(before.forward, now.forward) + dot(r0, r1) + dot(u0, u1);
-            const double sine = 0.5 * length(cross(before.forward, now.forward) + cross(r0, r1) + cross(u0, u1));
-            const double turn = std::atan2(sine, (trace - 1) / 2) * 180 / std::numbers::pi;
-            if (turn > 0.98 * turn_cap) ++turned_at_cap_;
-            if (turn > worst) {
-                worst = turn;
-                where = i;
-            }
-            before = now;
-        }
+        const std::vector<double> turns = turns_of(path_);
+        turned_at_cap_ =
+            static_cast<std::size_t>(std::ranges::count_if(turns, [](double t) { return t > 0.98 * turn_cap; }));
+        const auto most = std::ranges::max_element(turns);
+        const double worst = *most;
+        const auto where = static_cast<std::size_t>(most - turns.begin());
         add({"largest turn per frame", worst, turn_cap, true, true, "deg", at_frame(where)});
     }
 
@@ -301,6 +286,25 @@ private:
 };
 
 }  // namespace
+
+std::vector<double> turns_of(const Path& path)
+{
+    const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };
+    std::vector<double> turns(path.frames.size());
+    Camera before = camera(0);
+    for (std::size_t i = 1; i < turns.size(); ++i) {
+        const Camera now = camera(i);
+        const Vector r0 = unit(before.across);
+        const Vector u0 = unit(before.upward);
+        const Vector r1 = unit(now.across);
+        const Vector u1 = unit(now.upward);
+        const double trace = dot(before.forward, now.forward) + dot(r0, r1) + dot(u0, u1);
+        const double sine = 0.5 * length(cross(before.forward, now.forward) + cross(r0, r1) + cross(u0, u1));
+        turns[i] = std::atan2(sine, (trace - 1) / 2) * 180 / std::numbers::pi;
+        before = now;
+    }
+    return turns;
+}
 
 bool Audit::promises_kept() const
 {

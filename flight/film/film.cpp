@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
@@ -56,8 +57,8 @@ public:
     {
     }
 
-    // Renders what is missing of the segments asked for; returns how many these were.
-    std::size_t render()
+    // Renders what is missing of the segments asked for; returns how many segments and frames these were.
+    std::pair<std::size_t, std::size_t> render()
     {
         const auto [first, last] =
             options_.segments.value_or(std::pair<std::size_t, std::size_t>{0, work_.segments() - 1});
@@ -88,7 +89,7 @@ public:
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
-        return todo.size();
+        return {todo.size(), work_.last(last) - work_.first(first) - finished};
     }
 
     // Title and segments into one file, without encoding again.
@@ -195,7 +196,7 @@ FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions
         // Array jobs work side by side in one folder.
         if (ranks.rank() == 0) work.open(options.segments.has_value());
         Filming filming(path, backend, options, ranks, work);
-        report.rendered = filming.render();
+        std::tie(report.rendered, report.frames) = filming.render();
         if (ranks.rank() == 0 && !options.segments) filming.join();
     }
     report.joined = !options.segments;

@@ -26,6 +26,7 @@ struct FilmOptions {
 struct FilmReport {
     std::size_t segments = 0;  // in the film
     std::size_t rendered = 0;  // segments, in this run, by all ranks
+    std::size_t frames = 0;    // frames in these
     double seconds = 0;
     bool joined = false;  // the film stands
 };

@@ -59,8 +59,13 @@ public:
     {
     }
 
-    std::size_t gates() const { return gates_.size(); }
-    std::size_t balls() const { return balls_.balls().size(); }
+    const std::vector<Ball>& balls() const { return balls_.balls(); }
+    std::vector<Ball> gates() const
+    {
+        std::vector<Ball> narrowest;
+        for (const Gate& gate : gates_) narrowest.push_back({gate.centre, gate.clearance});
+        return narrowest;
+    }
 
     // The path of one tour; empty if the tour was too short.
     Path attempt(int number)
@@ -241,7 +246,7 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
         if (log) log(fmt::format("{:5.1f} s  {}", seconds(), text));
     };
     Planner planner(scene, seed, frames, threads);
-    say(fmt::format("{} balls, {} gates", planner.balls(), planner.gates()));
+    say(fmt::format("{} balls, {} gates", planner.balls().size(), planner.gates().size()));
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 8;
     Plan best;
@@ -264,6 +269,8 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
         if (least == 0 || (number + 1 >= usual_attempts && least < 1000)) break;
     }
     best.seconds = seconds();
+    best.balls = planner.balls();
+    best.gates = planner.gates();
     if (least >= 1000) throw Error(fmt::format("plan: no tour of seed {} keeps every promise", seed));
     return best;
 }

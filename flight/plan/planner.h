@@ -7,13 +7,15 @@
 
 #include "core/scene/scene.h"
 #include "flight/path/path.h"
+#include "flight/plan/balls.h"
 
 namespace mandelmarch {
 
 struct Plan {
     Path path;
-    double seconds = 0;  // that planning took
-    int attempts = 0;    // tours flown and audited
+    double seconds = 0;              // that planning took
+    int attempts = 0;                // tours flown and audited
+    std::vector<Ball> balls, gates;  // what the tours were sought in; a gate as its narrowest place
 };
 
 // Called with what is being done.

@@ -20,13 +20,28 @@ segments=$(((frames + 59) / 60))
 small="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
 md5() { ffmpeg -v error -i "$1" -f framemd5 - | grep -v '^#'; }
 
-"$program" plan path.json --frames $frames --seed 5 >audit.txt 2>stderr || fail "plan: $(cat stderr)"
-"$program" render path.json $small --output whole.mp4 2>stderr || fail "render: $(cat stderr)"
+"$program" plan path.json --frames $frames --seed 5 --map map.json >audit.txt 2>stderr || fail "plan: $(cat stderr)"
+python3 - $frames <<'PY' || fail "the map is not what it should be"
+import json, sys
+path, found, frames = json.load(open("path.json")), json.load(open("map.json")), int(sys.argv[1])
+assert all(len(found[key]) == frames for key in ("x", "y", "z", "clearance", "turn"))
+assert all(abs(found["x"][i] - path["frames"][i]["location"][0]) < 1e-3 for i in range(frames))
+assert 0 < min(found["clearance"]) and max(found["turn"]) <= 1.2
+assert 0 < len(found["balls"]) <= found["ball_count"] and all(len(ball) == 4 for ball in found["balls"])
+PY
+"$program" render path.json $small --output whole.mp4 --summary summary.json 2>stderr || fail "render: $(cat stderr)"
 says "$segments of $segments segments"
+python3 - $frames <<'PY' || fail "the summary is not what it should be"
+import json, sys
+found, frames = json.load(open("summary.json")), int(sys.argv[1])
+assert found["frames"] == found["frames_rendered"] == frames and found["backend"] == "openmp" and found["device"]["name"]
+assert abs(found["seconds_per_frame"] * frames - found["seconds"]) < 1e-6
+PY
 [ "$(md5 whole.mp4 | wc -l)" = $((frames + 120)) ] || fail "whole.mp4 has $(md5 whole.mp4 | wc -l) frames, not 120 + $frames"
 [ -e whole.mp4.parts ] && fail "parts are left"
-"$program" render path.json $small --output whole.mp4 2>stderr || fail "a second run: $(cat stderr)"
+"$program" render path.json $small --output whole.mp4 --summary summary.json 2>stderr || fail "a second run: $(cat stderr)"
 says "0 of $segments segments"
+grep -q '"seconds_per_frame": null' summary.json || fail "a film that was there has seconds a frame"
 
 # Killed again and again, at moments that a fixed sequence draws.
 hits=0

@@ -1,0 +1,55 @@
+"""python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
+
+Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from . import page
+from .errors import InputError, Unavailable, write_whole
+from .pictures import Cache, Studio
+from .results import read_results
+from .sections import Material
+
+LARGEST = 15 * 2**20  # bytes of the page
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="mandelreport", description=__doc__)
+    parser.add_argument("--results", type=Path, default=Path("report/results"), help="folder of result files (%(default)s)")
+    parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render and imgdiff (%(default)s)")
+    parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for files in between (%(default)s)")
+    parser.add_argument("--output", type=Path, default=Path("report/out"), help="folder of the report (%(default)s)")
+    parser.add_argument("--no-pdf", action="store_true", help="the page only")
+    arguments = parser.parse_args()
+    try:
+        results = read_results(arguments.results)
+        studio = Studio(arguments.programs.absolute(), Cache((arguments.work / "pictures").absolute()))
+        html = page.render(Material(results, studio, arguments.work.absolute())).encode()
+        if len(html) > LARGEST:
+            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}: smaller contact sheets, or fewer files")
+        target = arguments.output / "report.html"
+        write_whole(target, html)
+        print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)
+        if not arguments.no_pdf:
+            from .pdf import print_page  # pylint: disable=import-outside-toplevel
+
+            write_whole(arguments.output / "report.pdf", print_page(target))
+            print(f"report: {arguments.output / 'report.pdf'}", file=sys.stderr)
+    except InputError as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 2
+    except Unavailable as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 77
+    except OSError as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,138 @@
+"""A result file of bench: the part of bench/result.schema.json that the report reads, with names and units."""
+
+from __future__ import annotations
+
+import functools
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+
+from .errors import InputError
+
+SCHEMA = "mandelmarch-bench"
+VERSION = 1
+SCHEMA_FILE = Path(__file__).parents[2] / "bench" / "result.schema.json"
+
+
+@dataclass(frozen=True)
+class Times:
+    """Seconds: a median and the ends of its 95 % interval, which is None below six samples."""
+
+    median: float
+    low: float | None
+    high: float | None
+    count: int
+
+    @staticmethod
+    def of(summary: dict[str, Any]) -> Times:
+        low, high = summary["interval"] or (None, None)
+        return Times(summary["median"], low, high, summary["count"])
+
+    def errors(self) -> tuple[float, float]:
+        """Lengths of an error bar down and up; 0 where there is no interval."""
+        if self.low is None or self.high is None:
+            return (0.0, 0.0)
+        return (max(0.0, self.median - self.low), max(0.0, self.high - self.median))
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of a study. `data` is the row as bench wrote it."""
+
+    data: dict[str, Any]
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self.data[name]
+        except KeyError:
+            raise AttributeError(name) from None
+
+    @property
+    def timed(self) -> bool:
+        return self.data["figures"] is not None
+
+    @property
+    def kernel(self) -> Times:
+        return Times.of(self.data["figures"]["kernel_seconds"])
+
+    @property
+    def wall(self) -> Times:
+        return Times.of(self.data["figures"]["wall_seconds"])
+
+    @property
+    def value(self) -> str:
+        """The point of a sweep without its name: "2" of threads=2."""
+        return self.data["point"].partition("=")[2]
+
+    @property
+    def pixels(self) -> int:
+        return self.data["setting"]["width"] * self.data["setting"]["height"]
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A whole result file. `name` is its path below the results, for people."""
+
+    name: str
+    path: Path
+    data: dict[str, Any]
+
+    @property
+    def study(self) -> str:
+        return self.data["study"]
+
+    @functools.cached_property
+    def rows(self) -> list[Row]:
+        return [Row(row) for row in self.data["rows"]]
+
+    def timed(self, **wanted: str) -> list[Row]:
+        """The timed rows whose fields have the wanted values."""
+        return [row for row in self.rows if row.timed and all(row.data[k] == v for k, v in wanted.items())]
+
+    @property
+    def environment(self) -> dict[str, Any]:
+        return self.data["environment"]
+
+    @property
+    def machine(self) -> str:
+        """The processor, its usable cores, and the GPUs that rows ran on."""
+        cpu = self.environment["cpu"]
+        gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
+        return ", ".join([f"{cpu['model']}, {cpu['cores_usable']} threads", *gpus])
+
+    def values(self, key: str) -> list[str]:
+        """The distinct values of a field of the timed rows, in the file's order."""
+        return list(dict.fromkeys(row.data[key] for row in self.rows if row.timed))
+
+
+@functools.cache
+def _validator(part: str = "") -> jsonschema.Draft202012Validator:
+    """For a whole result, or for a list of one of the schema's definitions."""
+    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
+    if part:
+        schema = {"$defs": schema["$defs"], "type": "array", "items": {"$ref": f"#/$defs/{part}"}}
+    return jsonschema.Draft202012Validator(schema)
+
+
+def _check(name: str, data: Any, part: str = "") -> None:
+    error = next(iter(sorted(_validator(part).iter_errors(data), key=lambda e: [str(step) for step in e.path])), None)
+    if error is not None:
+        place = "/".join(map(str, error.absolute_path)) or "its top level"
+        raise InputError(f"{name}: no result of bench, version {VERSION}: {place}: {error.message[:160]}")
+
+
+def read_portability(name: str, data: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """What `bench portability --json` writes: the metric over the platforms of several results."""
+    _check(name, data, "portability")
+    return data
+
+
+def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
+    """Checks a result against its schema; raises InputError with one line."""
+    if data.get("version") != VERSION:
+        raise InputError(f"{name}: version {data.get('version')} of a result of bench, expected {VERSION}; run bench again")
+    _check(name, data)
+    return Bench(name, path, data)

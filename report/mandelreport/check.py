@@ -1,0 +1,250 @@
+"""python -m mandelreport.check PAGE: looks at the page in a headless browser, as a reader would.
+
+Exit codes: 0 fine, 1 something is wrong, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import io
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy
+from PIL import Image
+
+from .browser import Browser
+from .errors import Unavailable, write_whole
+
+DESKTOP, NARROW = (1200, 900), (400, 800)  # pixels
+VIEWER_SECONDS = 300  # for a picture on a processor
+SIZE = (320, 180)  # pixels of the viewer's picture
+MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
+
+
+class Checker:
+    def __init__(self, browser: Browser, pictures: Path, programs: Path):
+        self.browser, self.pictures, self.programs = browser, pictures, programs
+        self.wrong: list[str] = []
+
+    def expect(self, holds: bool, what: str) -> None:
+        print(f"{'fine ' if holds else 'WRONG'} {what}")
+        if not holds:
+            self.wrong.append(what)
+
+    def shot(self, name: str, whole: bool = False) -> None:
+        write_whole(self.pictures / f"{name}.png", self.browser.screenshot(whole))
+
+    def page(self) -> None:
+        """Nothing is broken, nothing sticks out of a narrow window, every picture has a text."""
+        run = self.browser.run
+        run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
+        self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture is decoded")
+        self.expect(run("[...document.images].every((i) => i.alt.length > 10)"), "every picture has an alternative text")
+        self.expect(run("document.querySelectorAll('section').length") == 8, "eight sections")
+        for name, (width, height) in (("desktop", DESKTOP), ("narrow", NARROW)):
+            self.browser.size(width, height)
+            self.expect(
+                run("document.documentElement.scrollWidth <= window.innerWidth"),
+                f"{width} pixels: nothing sticks out ({run('document.documentElement.scrollWidth')} wide)",
+            )
+            run("window.scrollTo(0, 0)")
+            self.shot(name)
+        self.browser.size(*DESKTOP)
+
+    def slider(self) -> None:
+        run = self.browser.run
+        if not run("document.querySelector('.compare') !== null"):
+            print("no pictures on the page: no slider to try")
+            return
+        run("""(() => { const slide = document.querySelector('.compare .slide input');
+                        slide.value = 25; slide.dispatchEvent(new Event('input')); })()""")
+        self.expect(
+            run("document.querySelector('.compare .over').style.clipPath").startswith("inset(0px 75%"),
+            "the slider uncovers the left quarter",
+        )
+        self.browser.wait("document.querySelector('.compare .said').textContent !== ''", 30)
+        said = run("document.querySelector('.compare .said').textContent")
+        self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
+        run("document.querySelector('.compare').scrollIntoView()")
+        self.shot("slider")
+        # The first pictures of a scene have the same bytes where every backend agrees.
+        run("""(() => { const right = document.querySelector('.compare [data-side=right]');
+                        right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
+        same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)
+        self.expect(same, "a picture against itself has the same bytes")
+
+    def viewer(self) -> None:
+        run = self.browser.run
+        if not run("document.getElementById('viewer-canvas') !== null"):
+            print("no viewer on the page")
+            return
+        self.expect(run("document.getElementById('viewer-none').hidden"), "the viewer runs in WebGL 2")
+        run("document.getElementById('viewer-canvas').scrollIntoView()")
+        for fractal in run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)"):
+            for mode in ("exact", "fast"):
+                self._choose("viewer-fractal", fractal)
+                self._choose("viewer-size", "x".join(map(str, SIZE)))
+                self._choose("viewer-mode", mode)
+                begin = time.monotonic()
+                whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+                self.expect(
+                    whole,
+                    f"viewer, {fractal}, {mode}: whole after {time.monotonic() - begin:.0f} s "
+                    f"({run('document.getElementById(`viewer-says`).textContent')})",
+                )
+                if whole:
+                    self._against_render(fractal, mode)
+        self._fly()
+
+    def _choose(self, select: str, value: str) -> None:
+        self.browser.run(f"""(() => {{ const s = document.getElementById('{select}');
+            if (![...s.options].some((o) => o.value === '{value}')) s.add(new Option('{value}'));
+            s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
+
+    def _against_render(self, fractal: str, mode: str) -> None:
+        """The viewer's picture beside what bin/render draws from the parameter file that the viewer hands out."""
+        seen = base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2])
+        name = f"viewer-{fractal}-{mode}"
+        write_whole(self.pictures / f"{name}.png", seen)
+        dat = self.pictures / f"{name}.dat"
+        write_whole(dat, self.browser.run("Viewer.dat()").encode())
+        render = self.programs / "render"
+        if not render.exists():
+            print(f"no {render}: the viewer's picture is not compared")
+            return
+        drawn = self.pictures / f"{name}-render.png"
+        done = subprocess.run(
+            [
+                render,
+                "--fractal",
+                fractal,
+                dat,
+                "--precision",
+                "float",
+                "--mode",
+                mode,
+                "--backend",
+                "openmp",
+                "--output",
+                drawn,
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.expect(done.returncode == 0, f"bin/render draws the viewer's parameter file {done.stderr.strip()}")
+        if done.returncode == 0:
+            a, b = (numpy.asarray(Image.open(source).convert("RGB")).astype(int) for source in (io.BytesIO(seen), drawn))
+            if a.shape != b.shape:
+                self.expect(False, f"the same size: {a.shape}, {b.shape}")
+                return
+            off = numpy.abs(a - b).max(axis=2)
+            self.expect(
+                (off > 2).mean() <= MOST_VISIBLE[mode],
+                f"viewer against bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
+                f"pixels differ, {(off > 2).sum()} by more than 2/255, at most {off.max()}/255",
+            )
+
+    def _fly(self) -> None:
+        """Keys move the camera, a drag turns it, and a parameter file goes back in."""
+        run = self.browser.run
+        run("document.getElementById('viewer-canvas').focus()")
+        before = run("JSON.stringify(Viewer.camera())")
+        self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="w", code="KeyW", text="w")
+        moved = self.browser.wait(f"JSON.stringify(Viewer.camera().eye) !== JSON.stringify({before}.eye)", 60)
+        self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
+        self.expect(moved, "the key W moves the camera")
+        place = run(
+            "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect(); return [r.x + 99, r.y + 99]; })()"
+        )
+        for kind, by in (("mousePressed", 0), ("mouseMoved", 40), ("mouseReleased", 40)):
+            self.browser.call(
+                "Input.dispatchMouseEvent", type=kind, x=place[0] + by, y=place[1], button="left", buttons=1, clickCount=1
+            )
+        turned = self.browser.wait(f"JSON.stringify(Viewer.camera().forward) !== JSON.stringify({before}.forward)", 60)
+        self.expect(turned, "a drag turns the camera")
+        run("""(() => { const t = document.getElementById('viewer-dat'); t.value = t.value.replace(/(# field of view\\n).*/, '$11.25');
+                        document.getElementById('viewer-go').click(); })()""")
+        self.expect(run("Viewer.camera().field") == 1.25, "a parameter file is read back")
+        run(
+            """(() => { const s = document.querySelector('[data-parameter]'); s.value = s.max; s.dispatchEvent(new Event('input')); })()"""
+        )
+        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+        self.shot("viewer")
+        with Image.open(self.pictures / "viewer.png") as seen:
+            place = run(
+                "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
+                "return [r.left, Math.max(0, r.top), r.right, Math.min(innerHeight, r.bottom)]; })()"
+            )
+            colours = seen.convert("RGB").crop(tuple(map(round, place))).getcolors(2**24) or []
+        self.expect(len(colours) > 100, f"the screen shows the viewer's picture: {len(colours)} colours")
+        self.browser.size(*NARROW)
+        run("document.getElementById('viewer-live').scrollIntoView()")
+        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+        self.shot("viewer-narrow")
+        self.browser.size(*DESKTOP)
+
+
+def without_webgl(page: Path, checker: Checker) -> None:
+    """The page says so where there is no WebGL 2."""
+    with Browser("--disable-3d-apis") as browser:
+        browser.open(page)
+        checker.expect(
+            browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
+            "without WebGL 2 the page says so",
+        )
+
+
+BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/none.png">
+<script>console.error("said"); throw new Error("thrown");</script>"""
+
+
+def broken_twin(checker: Checker) -> None:
+    """What this check must see: an error that was thrown, one that was said, and a request."""
+    page = checker.pictures / "broken.html"
+    write_whole(page, BROKEN.encode())
+    with Browser() as browser:
+        browser.open(page)
+        browser.wait("false", 0.5)
+        problems = " ".join(browser.problems())
+    checker.expect(
+        all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
+        "a broken page is seen to be broken",
+    )
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="mandelreport.check", description=__doc__)
+    parser.add_argument("page", type=Path)
+    parser.add_argument("--programs", type=Path, default=Path("bin"))
+    parser.add_argument("--pictures", type=Path, default=Path("build/report/check"))
+    arguments = parser.parse_args()
+    if not arguments.page.exists():
+        print(f"check: {arguments.page}: it is not there, expected a page that make report made", file=sys.stderr)
+        return 2
+    try:
+        with Browser() as browser:
+            checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
+            browser.size(*DESKTOP)
+            browser.open(arguments.page)
+            checker.page()
+            checker.slider()
+            checker.viewer()
+            problems = browser.problems()
+            checker.expect(
+                not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
+            )
+        without_webgl(arguments.page, checker)
+        broken_twin(checker)
+    except Unavailable as error:
+        print(f"check: {error}", file=sys.stderr)
+        return 77
+    print(f"{len(checker.wrong)} wrong; screenshots in {arguments.pictures}")
+    return 1 if checker.wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

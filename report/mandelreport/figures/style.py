@@ -1,0 +1,94 @@
+"""One look for all figures: colours of Okabe and Ito, and for black and white a hatch, a marker and a dash for each."""
+
+from __future__ import annotations
+
+import io
+import re
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("svg")
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Plot
+
+from ..blocks import Figure, data_uri
+
+# Okabe and Ito, "Color Universal Design", 2008.
+BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, RED, PURPLE = (
+    "#000000",
+    "#E69F00",
+    "#56B4E9",
+    "#009E73",
+    "#F0E442",
+    "#0072B2",
+    "#D55E00",
+    "#CC79A7",
+)
+COLOURS = [BLUE, ORANGE, GREEN, RED, SKY, PURPLE, YELLOW, BLACK]
+HATCHES = ["", "///", "..", "xx", "\\\\\\", "++", "--", "||"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2)), (0, (3, 3))]
+BACKENDS = ["openmp", "openacc", "opencl", "vulkan", "reference"]
+
+SETTINGS: Any = {
+    "svg.hashsalt": "mandelmarch",
+    "svg.fonttype": "path",
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "hatch.linewidth": 0.5,
+    "legend.frameon": False,
+    "figure.constrained_layout.use": True,
+    "axes.titlesize": 10,
+    "errorbar.capsize": 2.5,
+    "lines.markersize": 5,
+}
+
+
+def look(number: int) -> dict[str, Any]:
+    """Colour, hatch and edge of the bars of series `number`."""
+    return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[number % 8], "edgecolor": "black", "linewidth": 0.6}
+
+
+def line(number: int) -> dict[str, Any]:
+    """Colour, marker and dash of the line of series `number`."""
+    return {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "linestyle": DASHES[number % 8]}
+
+
+def order(backends: list[str]) -> list[str]:
+    """Backends in an order that is the same in every figure."""
+    return sorted(dict.fromkeys(backends), key=lambda b: (BACKENDS.index(b) if b in BACKENDS else 99, b))
+
+
+def number_of(backend: str) -> int:
+    """The series number of a backend, the same in every figure."""
+    return BACKENDS.index(backend) if backend in BACKENDS else len(BACKENDS)
+
+
+def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Plot, list[list[Axes]]]:
+    """`width`, `height`: inches of the whole figure."""
+    plt.rcParams.update(matplotlib.rcParamsDefault)
+    plt.rcParams.update(SETTINGS)
+    figure, axes = plt.subplots(rows, columns, figsize=(width, height), squeeze=False, **options)
+    return figure, [list(row) for row in axes]
+
+
+def _rounded(number: re.Match[str]) -> str:
+    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
+
+
+def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
+    """The drawn figure as SVG with the same bytes for the same data."""
+    buffer = io.StringIO()
+    figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+    # In paths a hundredth of a point is more than a printer shows; hatches have thousands of numbers.
+    short = re.sub(r'(?<= d=")[^"]*', lambda path: re.sub(r"-?\d+\.\d{3,}", _rounded, path[0]), buffer.getvalue())
+    return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)

@@ -1,0 +1,115 @@
+"""Figures of the sweeps: one setting varies along x."""
+
+from __future__ import annotations
+
+from ..bench import Bench, Row
+from ..blocks import Figure
+from ..text import digits, plain, where
+from . import style
+
+
+def _series(bench: Bench) -> dict[tuple[str, str], list[Row]]:
+    """The timed rows of each fractal and line; a line is a backend, with precision and mode where several are there."""
+    precisions, modes = bench.values("precision"), bench.values("mode")
+    lines: dict[tuple[str, str], list[Row]] = {}
+    for row in bench.rows:
+        if not row.timed:
+            continue
+        more = [text for text, texts in ((row.precision, precisions), (row.mode, modes)) if len(texts) > 1]
+        lines.setdefault((row.fractal, ", ".join([where(row), *more])), []).append(row)
+    return lines
+
+
+def _x(bench: Bench, row: Row) -> float:
+    return row.pixels / 1e6 if bench.study == "resolution" else float(row.value)
+
+
+def _label(bench: Bench, row: Row) -> str:
+    return f"{row.setting['width']} x\n{row.setting['height']}" if bench.study == "resolution" else plain(float(row.value))
+
+
+def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms", ideal: bool = False) -> Figure | None:
+    """Lines over the sweep's setting, a panel for each fractal. `y`: ms, rate (Mpixel/s) or speed-up over x = 1."""
+    lines = _series(bench)
+    if not lines:
+        return None
+    fractals = list(dict.fromkeys(fractal for fractal, _ in lines))
+    figure, axes = style.panels(1, len(fractals), 8 if len(fractals) > 1 else 5.5, 3.2)
+    said = []
+    for j, fractal in enumerate(fractals):
+        axis = axes[0][j]
+        of_fractal = [(name, rows) for (of, name), rows in lines.items() if of == fractal]
+        for number, (name, rows) in enumerate(of_fractal):
+            points = sorted(((_x(bench, row), row) for row in rows), key=lambda point: point[0])
+            base = points[0][1].kernel.median if y == "speed-up" else 1.0
+            times = [(row.wall if bench.study == "frames" else row.kernel) for _, row in points]
+            if y == "ms":
+                values = [1e3 * t.median for t in times]
+                errors = [[1e3 * t.errors()[side] for t in times] for side in (0, 1)]
+            else:
+                scale = [row.pixels / 1e6 if y == "rate" else base for _, row in points]
+                values = [s / t.median for s, t in zip(scale, times)]
+                errors = [
+                    [v - s / (t.high or t.median) for v, s, t in zip(values, scale, times)],
+                    [s / (t.low or t.median) - v for v, s, t in zip(values, scale, times)],
+                ]
+            errors = [[max(0.0, e) for e in side] for side in errors]
+            axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
+            said.append(f"{fractal}, {name}: " + ", ".join(f"{plain(x)}: {digits(v)}" for (x, _), v in zip(points, values)))
+        labels = dict(sorted({_x(bench, row): _label(bench, row) for _, rows in of_fractal for row in rows}.items()))
+        xs = list(labels)
+        if ideal:
+            axis.plot(xs, [x / xs[0] for x in xs], color="#777777", linewidth=0.8, linestyle=":", label="ideal")
+        axis.set_xscale("log")
+        axis.set_xticks(xs, list(labels.values()), minor=False, fontsize=7)
+        axis.minorticks_off()
+        axis.set_ylim(bottom=0)
+        axis.set(xlabel=x_title, ylabel=y_title, title=fractal)
+        axis.legend(fontsize=8)
+    return style.block(figure, f"Lines: {y_title} over {x_title}. " + "; ".join(said) + ".", caption)
+
+
+def ablation(bench: Bench) -> Figure | None:
+    """What each technique is worth: the time without it over the time with all."""
+    lines = _series(bench)
+    fractals = list(dict.fromkeys(fractal for fractal, _ in lines))
+    if not fractals:
+        return None
+    figure, axes = style.panels(1, len(fractals), 8, 3.2, sharey=True)
+    said = []
+    for j, fractal in enumerate(fractals):
+        axis = axes[0][j]
+        of_fractal = [(name, rows) for (of, name), rows in lines.items() if of == fractal]
+        points = list(dict.fromkeys(row.value for _, rows in of_fractal for row in rows if row.value != "none"))
+        width = 0.8 / len(of_fractal)
+        for number, (name, rows) in enumerate(of_fractal):
+            base = next((row.kernel.median for row in rows if row.value == "none"), None)
+            if base is None:
+                continue
+            for row in rows:
+                if row.value == "none":
+                    continue
+                x = points.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width
+                low, high = row.kernel.errors()
+                axis.bar(
+                    x,
+                    row.kernel.median / base,
+                    width,
+                    yerr=[[low / base], [high / base]],
+                    label=name if row.value == points[0] else None,
+                    **style.look(number),
+                )
+                said.append(f"{fractal}, {name}, without {row.value}: {digits(row.kernel.median / base)}")
+        axis.axhline(1, color="black", linewidth=0.8)
+        axis.set_xticks(range(len(points)), [point.replace(",", ",\n") for point in points])
+        axis.grid(axis="x", visible=False)
+        axis.set(xlabel="switched off", title=fractal)
+        if j == 0:
+            axis.set_ylabel("time over the time with all")
+        axis.legend(fontsize=8)
+    return style.block(
+        figure,
+        "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
+        "Ablation: kernel time without a technique, as a multiple of the time with all of them, with the 95 % "
+        "interval of the former. 1: it is worth nothing there.",
+    )

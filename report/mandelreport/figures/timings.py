@@ -1,0 +1,167 @@
+"""Figures of the standard study: kernel times, ratios, shares of the peak."""
+
+from __future__ import annotations
+
+from matplotlib.patches import Patch
+
+from ..bench import Bench, Row, Times
+from ..blocks import Figure
+from ..text import digits, ms, percent, plain, where
+from . import style
+
+
+def _rows(bench: Bench, fractal: str, mode: str) -> list[Row]:
+    """The text's backends: the reference, on one thread, would hide the others."""
+    return [row for row in bench.timed(fractal=fractal, mode=mode) if row.backend != "reference"]
+
+
+def kernel_bars(bench: Bench) -> Figure:
+    """Kernel time of every backend, a panel for each fractal and mode, with 95 % intervals."""
+    fractals, modes = bench.values("fractal"), bench.values("mode")
+    figure, axes = style.panels(len(modes), len(fractals), 8, 2.6 * len(modes))
+    said = []
+    for i, mode in enumerate(modes):
+        for j, fractal in enumerate(fractals):
+            rows = _rows(bench, fractal, mode)
+            names = style.order([where(row) for row in rows])
+            axis = axes[i][j]
+            top = max((1e3 * (row.kernel.high or row.kernel.median) for row in rows), default=1)
+            for row in rows:
+                x = names.index(where(row)) + (-0.2 if row.precision == "double" else 0.2)
+                look = style.look(style.number_of(row.backend))
+                if row.precision == "float":
+                    look["alpha"] = 0.55
+                low, high = row.kernel.errors()
+                axis.bar(x, 1e3 * row.kernel.median, 0.38, yerr=[[1e3 * low], [1e3 * high]], **look)
+                axis.text(
+                    x,
+                    1e3 * (row.kernel.high or row.kernel.median) + 0.02 * top,
+                    ms(row.kernel.median),
+                    ha="center",
+                    va="bottom",
+                    fontsize=7,
+                )
+            if rows:
+                best = min(rows, key=lambda row: row.kernel.median)
+                said.append(f"{fractal} {mode}: fastest {where(best)} in {best.precision}, {ms(best.kernel.median)} ms")
+            axis.set_xticks(range(len(names)), [f"{name}\ndouble  float" for name in names])
+            axis.set_ylim(0, 1.15 * top)
+            axis.set_title(f"{fractal}, {mode}")
+            axis.grid(axis="x", visible=False)
+            axis.set_ylabel("kernel time [ms]")
+    return style.block(
+        figure,
+        "Bar charts of kernel times. " + "; ".join(said) + ".",
+        "Kernel time of one picture, median with its 95 % interval; left bar double, right (paler) bar float. "
+        "The reference, on one thread, is in the table only.",
+    )
+
+
+def ratios(bench: Bench, question: str, title: str, caption: str) -> Figure | None:
+    """The ratios that bench took round by round, as points with intervals, a line for each backend."""
+    found = bench.data["questions"][question]
+    if not found:
+        return None
+    # mandelbox/double/exact/openmp/0: what differs between numerator and denominator is the question.
+    entries = []
+    for ratio in found:
+        fractal, precision, mode, backend, device = ratio["denominator"].split("/")[:5]
+        kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
+        entries.append((kind, backend if device == "0" else f"{backend} {device}", backend, Times.of(ratio["ratio"])))
+    kinds = list(dict.fromkeys(kind for kind, *_ in entries))
+    names = style.order([name for _, name, _, _ in entries])
+    figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
+    said = []
+    for kind, name, backend, times in entries:
+        at = kinds.index(kind) * (len(names) + 1) + names.index(name)
+        low, high = times.errors()
+        look = style.line(style.number_of(backend)) | {"linestyle": ""}
+        axis.errorbar(times.median, at, xerr=[[low], [high]], **look)
+        axis.text(1.01, at, digits(times.median), transform=axis.get_yaxis_transform(), va="center", fontsize=7)
+        said.append(f"{kind}, {name}: {digits(times.median)}")
+    ticks = [(kinds.index(kind) * (len(names) + 1) + names.index(name), f"{kind}: {name}") for kind, name, _, _ in entries]
+    axis.set_yticks([at for at, _ in ticks], [text for _, text in ticks], fontsize=8)
+    axis.invert_yaxis()
+    axis.axvline(1, color="black", linewidth=0.8)
+    axis.set_xlim(left=0)
+    axis.set_xlabel(title)
+    return style.block(figure, f"Points with intervals: {title}. " + "; ".join(said) + ".", caption)
+
+
+def share_of_peak(bench: Bench) -> Figure | None:
+    """Counted operations a second as a share of the platform's measured multiply-add peak."""
+    rows = [row for row in bench.rows if row.timed and row.figures["share_of_peak"] is not None]
+    if not rows:
+        return None
+    fractals = list(dict.fromkeys(row.fractal for row in rows))
+    groups = list(dict.fromkeys((row.precision, row.mode) for row in rows))
+    figure, axes = style.panels(1, len(fractals), 8, 2.9, sharey=True)
+    said = []
+    for j, fractal in enumerate(fractals):
+        axis = axes[0][j]
+        of_fractal = [row for row in rows if row.fractal == fractal]
+        names = style.order([where(row) for row in of_fractal])
+        width = 0.8 / len(names)
+        for row in of_fractal:
+            x = groups.index((row.precision, row.mode)) + (names.index(where(row)) - (len(names) - 1) / 2) * width
+            share = 100 * row.figures["share_of_peak"]
+            axis.bar(x, share, width, **style.look(style.number_of(row.backend)))
+        best = max(of_fractal, key=lambda row: row.figures["share_of_peak"])
+        said.append(
+            f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {where(best)}, {best.precision}, {best.mode}"
+        )
+        axis.set_xticks(range(len(groups)), ["\n".join(group) for group in groups])
+        axis.set_title(fractal)
+        axis.grid(axis="x", visible=False)
+        if j == 0:
+            axis.set_ylabel("share of the peak [%]")
+            handles = [Patch(label=name, **style.look(style.number_of(name.split()[0]))) for name in names]
+            figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+    return style.block(
+        figure,
+        "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
+        "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
+        "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.",
+    )
+
+
+def machines(benches: list[Bench]) -> Figure | None:
+    """The fastest backend of each machine, fractal, precision and mode, side by side."""
+    if len(benches) < 2:
+        return None
+    kinds = list(
+        dict.fromkeys((row.fractal, row.precision, row.mode) for bench in benches for row in bench.rows if row.timed)
+    )
+    figure, [[axis]] = style.panels(1, 1, 8, 3.2)
+    width = 0.8 / len(benches)
+    said = []
+    for number, bench in enumerate(benches):
+        for k, (fractal, precision, mode) in enumerate(kinds):
+            rows = bench.timed(fractal=fractal, precision=precision, mode=mode)
+            if not rows:
+                continue
+            best = min(rows, key=lambda row: row.kernel.median)
+            x = k + (number - (len(benches) - 1) / 2) * width
+            axis.bar(
+                x,
+                best.pixels / 1e6 / best.kernel.median,
+                width,
+                label=bench.machine if k == 0 else None,
+                **style.look(number),
+            )
+            axis.text(
+                x, best.pixels / 1e6 / best.kernel.median, where(best), rotation=90, ha="center", va="bottom", fontsize=6
+            )
+            said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
+    axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
+    axis.set_yscale("log")
+    axis.yaxis.set_major_formatter(lambda y, _: plain(y))
+    axis.yaxis.set_minor_formatter(lambda y, _: plain(y))
+    axis.grid(axis="x", visible=False)
+    axis.set_ylabel("Mpixel/s, fastest backend")
+    figure.legend(loc="outside upper center", fontsize=7)
+    return style.block(
+        figure,
+        "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+        "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.",
+    )

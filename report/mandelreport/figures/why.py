@@ -1,0 +1,107 @@
+"""Why one fractal takes longer than the other: the measured factors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..bench import Bench
+from ..blocks import Figure
+from ..text import digits, plain
+from . import style
+
+
+@dataclass(frozen=True)
+class Factors:
+    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations."""
+
+    fractal: str
+    precision: str
+    view: str
+    calls: float  # of the estimator, a pixel
+    iterations: float  # a call
+    operations: float  # an iteration
+    active: float  # share of lanes that are busy in the estimator's iterations
+    active_steps: float
+    lanes: int
+    kernel: float | None  # seconds a picture
+    share_of_peak: float | None
+
+    @property
+    def per_pixel(self) -> float:
+        return self.calls * self.iterations * self.operations
+
+
+def factors(bench: Bench) -> list[Factors]:
+    """Of every scene that the study box-vs-bulb counted, in its rows' order."""
+    found = []
+    rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows}
+    for count in bench.data["counts"]:
+        view = count["setting"]["view"]
+        row = rows.get((count["fractal"], count["precision"], view))
+        timed = row if row is not None and row.timed else None
+        found.append(
+            Factors(
+                count["fractal"],
+                count["precision"],
+                view,
+                count["work"]["de_calls"] / count["pixels"],
+                count["work"]["iterations"] / max(1, count["work"]["de_calls"]),
+                count["operations_per_iteration"],
+                count["active_in_iterations"],
+                count["active_in_steps"],
+                count["lanes"],
+                timed.kernel.median if timed else None,
+                timed.figures["share_of_peak"] if timed else None,
+            )
+        )
+    order = {key: number for number, key in enumerate(rows)}
+    return sorted(found, key=lambda f: order.get((f.fractal, f.precision, f.view), 999))
+
+
+def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
+    """Mandelbox over Mandelbulb, factor by factor, a group for each scene."""
+    if not pairs:
+        return None
+    names = [
+        "calls\na pixel",
+        "iterations\na call",
+        "operations\nan iteration",
+        "lanes\nthat wait",
+        "all four",
+        "measured\ntime",
+    ]
+    figure, [[axis]] = style.panels(1, 1, 8, 3.3)
+    width = 0.8 / len(pairs)
+    said = []
+    for number, (box, bulb) in enumerate(pairs):
+        parts = [
+            box.calls / bulb.calls,
+            box.iterations / bulb.iterations,
+            box.operations / bulb.operations,
+            bulb.active / box.active,
+        ]
+        product = parts[0] * parts[1] * parts[2] * parts[3]
+        values = [*parts, product, box.kernel / bulb.kernel if box.kernel and bulb.kernel else None]
+        for k, value in enumerate(values):
+            if value is None:
+                continue
+            x = k + (number - (len(pairs) - 1) / 2) * width
+            # From 1: what makes the box slower goes up, what makes it faster goes down.
+            axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
+            axis.text(x, max(value, 1) * 1.03, digits(value, 2), ha="center", va="bottom", fontsize=6.5)
+            said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")
+    axis.set_yscale("log", base=2)
+    axis.margins(y=0.12)
+    ticks = [t for t in (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32) if axis.get_ylim()[0] <= t <= axis.get_ylim()[1]]
+    axis.set_yticks(ticks, [plain(t) for t in ticks])
+    axis.axhline(1, color="black", linewidth=0.8)
+    axis.set_xticks(range(len(names)), names)
+    axis.grid(axis="x", visible=False)
+    axis.set_ylabel("Mandelbox / Mandelbulb")
+    axis.legend(title="scene", fontsize=8, ncols=len(pairs))
+    return style.block(
+        figure,
+        "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
+        "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
+        "wait: the shares of busy lanes, the other way round. The first four multiply to the fifth.",
+    )

@@ -1,0 +1,168 @@
+"""Draws the official scenes on every backend with the programs that are built, once for each program, scene and setting."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy
+from PIL import Image
+
+from .errors import InputError, write_whole
+from .figures.style import BACKENDS
+
+SIDE = 540  # pixels: the size that bench proves and times
+ROOT = Path(__file__).parents[2]
+SCENES = {"mandelbulb": ROOT / "paramsBulb.dat", "mandelbox": ROOT / "paramsBox.dat"}
+UNAVAILABLE = 77  # exit code: backend or device not there
+
+
+@dataclass(frozen=True)
+class Key:
+    fractal: str
+    precision: str
+    mode: str
+    backend: str
+
+    def __str__(self) -> str:
+        return f"{self.backend}, {self.precision}, {self.mode}"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """`values`: the EXR of an exact picture, whose bits of colour and depth imgdiff compares."""
+
+    key: Key
+    device: str
+    bytes: numpy.ndarray  # height x width x 3, 0 to 255
+    values: Path | None
+
+    @property
+    def digest(self) -> str:
+        return hashlib.sha256(self.bytes.tobytes()).hexdigest()
+
+
+class Cache:
+    """Files of an earlier run, named by a digest of all that they depend on."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+
+    def path(self, ending: str, *parts: object) -> Path:
+        digest = hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()[:24]
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self.folder / (digest + ending)
+
+    def value(self, make: Any, *parts: object) -> Any:
+        """What `make()` returned for these parts, now or in an earlier run, as JSON."""
+        path = self.path(".json", *parts)
+        if not path.exists():
+            write_whole(path, json.dumps(make()).encode())
+        return json.loads(path.read_text(encoding="utf-8"))
+
+
+class Studio:
+    """Draws with bin/render. `reasons`: why a backend drew nothing."""
+
+    def __init__(self, programs: Path, cache: Cache):
+        self.render = programs / "render"
+        self.imgdiff = programs / "imgdiff"
+        self.cache = cache
+        self.reasons: dict[Key, str] = {}
+        self.program = hashlib.sha256(self.render.read_bytes()).hexdigest() if self.there else ""
+
+    @property
+    def there(self) -> bool:
+        return self.render.exists() and self.imgdiff.exists()
+
+    def _draw(self, key: Key, ending: str) -> Path | None:
+        """A file that bin/render wrote; None where the backend cannot draw it."""
+        scene = SCENES[key.fractal]
+        target = self.cache.path(ending, self.program, scene.read_text(encoding="utf-8"), key, SIDE)
+        refused = target.with_suffix(ending + ".refused")
+        if not target.exists() and not refused.exists():
+            print(f"report: drawing {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
+            stats = target.with_suffix(ending + ".stats")
+            run = subprocess.run(
+                [
+                    self.render,
+                    "--fractal",
+                    key.fractal,
+                    scene,
+                    "--backend",
+                    key.backend,
+                    "--precision",
+                    key.precision,
+                    "--mode",
+                    key.mode,
+                    "--size",
+                    f"{SIDE}x{SIDE}",
+                    "--output",
+                    target,
+                    "--stats",
+                    stats,
+                ],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            lines = run.stderr.strip().splitlines()
+            if run.returncode == UNAVAILABLE:
+                write_whole(refused, (lines[-1] if lines else "unavailable").encode())
+            elif run.returncode != 0:
+                raise InputError(f"{self.render}: {key}: {lines[-1] if lines else f'exit code {run.returncode}'}")
+        if refused.exists():
+            self.reasons[key] = refused.read_text(encoding="utf-8")
+            return None
+        return target
+
+    def picture(self, key: Key) -> Picture | None:
+        drawn = self._draw(key, ".png")
+        if drawn is None:
+            return None
+        stats = json.loads(drawn.with_suffix(".png.stats").read_text(encoding="utf-8"))
+        values = self._draw(key, ".exr") if key.mode == "exact" else None
+        with Image.open(drawn) as image:
+            return Picture(key, stats["device"]["name"], numpy.asarray(image.convert("RGB")), values)
+
+    def all(self) -> list[Picture]:
+        """Every picture that can be drawn here, in the order of the report."""
+        if not self.there:
+            return []
+        keys = [
+            Key(fractal, precision, mode, backend)
+            for fractal in SCENES
+            for mode in ("exact", "fast")
+            for precision in ("double", "float")
+            for backend in BACKENDS
+        ]
+        return [picture for key in keys if (picture := self.picture(key)) is not None]
+
+    def same_bits(self, a: Picture, b: Picture) -> bool:
+        """True if every bit of colour and depth is the same, as imgdiff finds."""
+
+        of_a, of_b = a.values, b.values
+
+        def compare() -> bool:
+            run = subprocess.run(
+                [self.imgdiff, "--json", str(of_a), str(of_b)], capture_output=True, text=True, check=False
+            )
+            if run.returncode > 1:
+                raise InputError(f"{self.imgdiff}: {run.stderr.strip().splitlines()[-1]}")
+            found = json.loads(run.stdout)
+            return bool(found["same"] and found["differing_colours"] == 0 and found["differing_depths"] == 0)
+
+        if of_a is None or of_b is None:
+            return False
+        return self.cache.value(compare, "bits", of_a.name, of_b.name)
+
+
+def clear(folder: Path) -> None:
+    """Forgets all pictures drawn before."""
+    shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,77 @@
+"""Finds what there is: every file below the results folder is known by its content, not by its name."""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from .bench import SCHEMA, Bench, read_bench, read_portability
+from .errors import InputError
+from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
+
+
+@dataclass
+class Results:
+    """All result files, each kind in the order of the files' names."""
+
+    benches: list[Bench] = field(default_factory=list)
+    maps: list[FlightMap] = field(default_factory=list)
+    audits: list[Audit] = field(default_factory=list)
+    films: list[Film] = field(default_factory=list)
+    contact_sheets: list[Path] = field(default_factory=list)
+    portability: list[dict[str, Any]] | None = None  # bench portability --json
+    k40: str | None = None  # tools/k40.py's table
+
+    def study(self, name: str) -> list[Bench]:
+        return [bench for bench in self.benches if bench.study == name]
+
+
+def _add_json(results: Results, name: str, path: Path, text: str) -> None:
+    try:
+        data = json.loads(text)
+    except ValueError as error:
+        raise InputError(f"{name}: no JSON: {error}") from None
+    kind = data if isinstance(data, dict) else {}
+    if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
+        results.portability = read_portability(name, data)
+        return
+    if kind.get("schema") == SCHEMA:
+        results.benches.append(read_bench(name, path, data))
+    elif kind.get("format") == MAP_FORMAT:
+        results.maps.append(read_map(name, data))
+    elif kind.get("schema") == FILM_SCHEMA:
+        results.films.append(read_film(name, data))
+    elif "promises_kept" in kind:
+        results.audits.append(read_audit(name, data))
+    else:
+        print(f"report: {name}: not a result of bench or flythrough, left out", file=sys.stderr)
+
+
+def _add_text(results: Results, name: str, text: str) -> None:
+    if text.startswith("ptxas "):
+        results.k40 = text
+    elif film := film_of_log(name, text):
+        results.films.append(film)
+
+
+def read_results(folder: Path) -> Results:
+    """Reads every result below `folder`. Raises InputError for a file that is broken or of another version."""
+    if not folder.is_dir():
+        raise InputError(f"{folder}: no folder of results, expected one with the files that make bench writes")
+    results = Results()
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        kind = path.suffix.lower()
+        try:
+            if kind == ".json":
+                _add_json(results, name, path, path.read_text(encoding="utf-8"))
+            elif kind in (".txt", ".log"):
+                _add_text(results, name, path.read_text(encoding="utf-8", errors="replace"))
+            elif kind in (".jpg", ".jpeg", ".png"):
+                results.contact_sheets.append(path)
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(f"{name}: it cannot be read: {error}") from None
+    return results

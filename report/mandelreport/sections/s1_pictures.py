@@ -1,0 +1,165 @@
+"""Section 1: the pictures of every backend, how they differ, and by how much."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from ..agreement import Difference, compare, difference_map, encode, flip_mean, yardstick
+from ..blocks import Block, Figure, Missing, Table, data_uri
+from ..figures.style import order
+from ..pictures import SCENES, SIDE, Key, Picture
+from ..text import digits, join
+from . import Material
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A picture that is stored once, and all that have its bytes."""
+
+    name: str  # in the page
+    figure: Figure
+    keys: list[Key]
+    against: str
+    map: Figure | None
+    difference: Difference | None
+
+
+def _names(keys: list[Key]) -> str:
+    """openmp, opencl (double, exact); openmp (float, exact)"""
+    kinds: dict[str, list[str]] = {}
+    for key in keys:
+        kinds.setdefault(f"{key.precision}, {key.mode}", []).append(key.backend)
+    return "; ".join(f"{join(backends)} ({kind})" for kind, backends in kinds.items())
+
+
+def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> list[Shown]:
+    groups: dict[str, list[Picture]] = {}
+    for picture in pictures.values():
+        if picture.key.fractal == fractal:
+            groups.setdefault(picture.digest, []).append(picture)
+    shown = []
+    for number, same in enumerate(groups.values()):
+        first = same[0]
+        keys = [picture.key for picture in same]
+        names = _names(keys)
+        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, drawn by {names}.", names)
+        canonical = yardstick(pictures, first)
+        against, drawn, difference = "", None, None
+        if canonical is not None:
+            difference = compare(material.studio, canonical, first)
+            against = str(canonical.key)
+            if difference.differing:
+                drawn = Figure(
+                    data_uri("image/png", difference_map(canonical, first)),
+                    f"Where the {fractal} drawn by {names} differs from {against}: {difference.differing} pixels.",
+                    f"{names}, against {against}: {difference.words}",
+                )
+        shown.append(Shown(f"{fractal}-{number}", figure, keys, against, drawn, difference))
+    return shown
+
+
+def _agreement(material: Material, pictures: dict[Key, Picture], fractal: str, precision: str, mode: str) -> Table | None:
+    here = [p for p in pictures.values() if (p.key.fractal, p.key.precision, p.key.mode) == (fractal, precision, mode)]
+    names = order([picture.key.backend for picture in here])
+    if len(here) < 2:
+        return None
+    by_name = {picture.key.backend: picture for picture in here}
+    rows = []
+    for a in names[:-1]:
+        cells = [
+            compare(material.studio, by_name[a], by_name[b]).words if names.index(b) > names.index(a) else ""
+            for b in names[1:]
+        ]
+        rows.append([a, *cells])
+    return Table(["", *names[1:]], rows, f"{fractal}, {precision}, {mode}")
+
+
+def _float_against_double(material: Material, pictures: dict[Key, Picture]) -> Table:
+    rows = []
+    for key, picture in pictures.items():
+        if key.precision == "float":
+            double = pictures.get(Key(key.fractal, "double", key.mode, key.backend))
+            if double:
+                found = compare(material.studio, double, picture)
+                rows.append(
+                    [
+                        key.fractal,
+                        key.mode,
+                        key.backend,
+                        f"{found.differing:,}",
+                        f"{found.visible:,}",
+                        f"{100 * found.visible / found.pixels:.3f} %",
+                        str(found.largest),
+                        "∞" if found.psnr is None else f"{found.psnr:.1f}",
+                    ]
+                )
+    return Table(
+        ["fractal", "mode", "backend", "pixels that differ", "visibly", "share", "largest / 255", "PSNR [dB]"],
+        rows,
+        "Float against double of the same backend. Visibly: a byte is off by more than 2 of 255.",
+        [3, 4, 5, 6, 7],
+    )
+
+
+def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
+    rows = []
+    for picture in pictures.values():
+        key = picture.key
+        canonical = pictures.get(Key(key.fractal, "double", "fast", "reference"))
+        if key.mode != "fast" or key.backend == "reference" or canonical is None:
+            continue
+        mean = flip_mean(material.studio, canonical, picture)
+        if mean is None:
+            return Missing("FLIP, as the package flip-evaluator is not installed", "make python")
+        found = compare(material.studio, canonical, picture)
+        rows.append(
+            [
+                key.fractal,
+                key.precision,
+                key.backend,
+                digits(mean),
+                f"{100 * found.visible / found.pixels:.3f} %",
+                "∞" if found.psnr is None else f"{found.psnr:.1f}",
+            ]
+        )
+    if not rows:
+        return Missing("FLIP of the fast pictures", "make build report")
+    return Table(
+        ["fractal", "precision", "backend", "mean FLIP", "visibly off", "PSNR [dB]"],
+        rows,
+        "Fast pictures against the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR, 0: the same "
+        "to the eye, 1: as different as can be), the share of pixels with a byte off by more than 2, and PSNR.",
+        [3, 4, 5],
+    )
+
+
+def section(material: Material) -> dict[str, Any]:
+    pictures = {picture.key: picture for picture in material.studio.all()}
+    if not pictures:
+        return {"missing": Missing("The pictures, as no bin/render is there", "make build report")}
+    tables = [
+        table
+        for fractal in SCENES
+        for mode in ("exact", "fast")
+        for precision in ("double", "float")
+        if (table := _agreement(material, pictures, fractal, precision, mode))
+    ]
+    stored = {fractal: _show(material, pictures, fractal) for fractal in SCENES}
+    devices = dict.fromkeys((p.key.backend, p.device) for p in pictures.values())
+    reasons = dict.fromkeys(
+        (key.backend, reason.removeprefix("render: ")) for key, reason in material.studio.reasons.items()
+    )
+    return {
+        "side": SIDE,
+        "drawn": len(pictures),
+        "stored": stored,
+        "count": sum(len(shown) for shown in stored.values()),
+        "tables": tables,
+        "float": _float_against_double(material, pictures),
+        "flip": _flip(material, pictures),
+        "devices": Table(
+            ["backend", "device"], [list(entry) for entry in devices], "What drew the pictures of this section."
+        ),
+        "reasons": list(reasons),
+    }

@@ -1,0 +1,53 @@
+"""The viewer's shaders: the kernel text as GLSL ES 3.00, through glslang and spirv-cross."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from .errors import InputError
+from .pictures import ROOT
+
+TOOLS = ("cmake", "glslangValidator", "spirv-cross")
+FLATTEN = ROOT / "report" / "viewer" / "flatten.cmake"
+KERNEL = ROOT / "core" / "kernel"
+FRACTALS = sorted(path.stem for path in (KERNEL / "fractals").glob("*.h"))
+
+
+def missing_tools() -> list[str]:
+    return [tool for tool in TOOLS if shutil.which(tool) is None]
+
+
+def _run(*command: object) -> None:
+    run = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        lines = (run.stdout + run.stderr).strip().splitlines() or ["it said nothing"]
+        raise InputError(f"{command[0]}: {lines[-1]}")
+
+
+def shader(fractal: str, work: Path) -> str:
+    """The fragment shader of one fractal; `work`: a folder for the files in between."""
+    work.mkdir(parents=True, exist_ok=True)
+    text, module, result = (work / f"{fractal}.{ending}" for ending in ("frag", "spv", "es"))
+    _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"FILE={text}", "-P", FLATTEN)
+    _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
+    _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
+    # Indentation is a fifth of the text and says nothing to a browser.
+    return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
+
+
+def constants(fractal: str) -> dict[str, int]:
+    """Where the kernel text has a fractal's own constants: by their accessors' names, or by number where it has none."""
+    text = (KERNEL / "fractals" / f"{fractal}.h").read_text(encoding="utf-8")
+    named = {
+        name: int(at)
+        for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)
+    }
+    numbers = {int(at) for at in re.findall(r"scene\.fractal\[(\d+)\]", text)} - set(named.values())
+    return named | {str(at): at for at in sorted(numbers)}
+
+
+def shaders(work: Path) -> dict[str, str]:
+    return {fractal: shader(fractal, work) for fractal in FRACTALS}

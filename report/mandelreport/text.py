@@ -1,0 +1,47 @@
+"""Numbers as people read them."""
+
+from __future__ import annotations
+
+from .bench import Row, Times
+
+
+def digits(value: float, count: int = 3) -> str:
+    """`count` significant digits, without an exponent but for tiny numbers."""
+    if value == 0:
+        return "0"
+    if abs(value) < 1e-6:
+        return f"{value:.{count - 1}e}"
+    rounded = float(f"{value:.{count}g}")
+    whole = len(str(int(abs(rounded)))) if abs(rounded) >= 1 else 0
+    if whole:
+        return f"{rounded:,.{max(0, count - whole)}f}"
+    return f"{rounded:.10f}".rstrip("0")
+
+
+def plain(value: float) -> str:
+    """At most four significant digits, no zeros behind them: for settings and bars."""
+    return digits(value, 4).rstrip("0").rstrip(".") if "." in digits(value, 4) else digits(value, 4)
+
+
+def ms(seconds: float) -> str:
+    return digits(1e3 * seconds)
+
+
+def interval_ms(times: Times) -> str:
+    if times.low is None or times.high is None:
+        return f"n = {times.count}"
+    return f"{ms(times.low)} – {ms(times.high)}"
+
+
+def percent(share: float | None, decimals: int = 1) -> str:
+    return "–" if share is None else f"{100 * share:.{decimals}f} %"
+
+
+def where(row: Row) -> str:
+    """A backend, with its device's number where it is not the first."""
+    return row.backend if row.device == 0 else f"{row.backend} {row.device}"
+
+
+def join(words: list[str]) -> str:
+    """a, b and c"""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

@@ -1,0 +1,126 @@
+// The viewer's camera and scene: what core/render/kernel_scene.cpp does for the programs, and parameter files both ways.
+"use strict";
+const Vec = {
+    add: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
+    scale: (s, a) => [s * a[0], s * a[1], s * a[2]],
+    cross: (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]],
+    dot: (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
+    unit: (a) => Vec.scale(1 / Math.hypot(...a), a),
+    // a turned about the unit vector n by an angle in radians (Rodrigues' formula).
+    turn: (a, n, angle) => Vec.add(Vec.add(Vec.scale(Math.cos(angle), a), Vec.scale(Math.sin(angle), Vec.cross(n, a))),
+        Vec.scale((1 - Math.cos(angle)) * Vec.dot(n, a), n)),
+};
+
+class Camera {
+    constructor(scene) { this.look(scene); }
+
+    // From a parameter file's eye, target and up.
+    look(scene) {
+        this.eye = scene.eye.slice();
+        this.forward = Vec.unit(scene.target.map((t, i) => t - scene.eye[i]));
+        this.right = Vec.unit(Vec.cross(this.forward, Vec.unit(scene.up)));
+        this.field = scene.field;
+    }
+    get up() { return Vec.cross(this.right, this.forward); }
+    // Radians: to the right, up, and about the view.
+    turn(yaw, pitch, roll) {
+        const up = this.up;
+        this.forward = Vec.turn(this.forward, up, -yaw);
+        this.right = Vec.turn(this.right, up, -yaw);
+        this.forward = Vec.unit(Vec.turn(this.forward, this.right, pitch));
+        this.right = Vec.turn(this.right, this.forward, roll);
+        this.right = Vec.unit(Vec.add(this.right, Vec.scale(-Vec.dot(this.right, this.forward), this.forward)));
+    }
+    // Along right, up and forward.
+    move(x, y, z) {
+        this.eye = Vec.add(this.eye, Vec.add(Vec.add(Vec.scale(x, this.right), Vec.scale(y, this.up)),
+            Vec.scale(z, this.forward)));
+    }
+}
+
+// The fractal's own constants by the names of the kernel text's accessors, as core/scene/fractal.cpp computes them; the
+// page's data says which name stands where. power: P. 0 to 3: those that the Julia set's text takes without a name.
+const FRACTALS = {
+    mandelbulb: {
+        sliders: { "shape.2": ["power", 2, 16, 0.1], "shape.1": ["bailout", 1.5, 16, 0.5] },
+        power: (s) => s.shape[2],
+        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 1 / s.shape[2])), bulb_power: s.shape[2] }),
+    },
+    mandelbox: {
+        sliders: { "shape.0": ["scale", -3, 4, 0.05], "shape.1": ["rMin", 0.05, 1, 0.05], "shape.2": ["rFixed", 0.2, 2, 0.05] },
+        power: () => 0,
+        constants: (s) => {
+            const [scale, inner, fixed] = s.shape;
+            const growth = Math.abs(scale), factor = (fixed * fixed) / (inner * inner);
+            return { box_scale: scale, box_growth: growth, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
+                box_fixed_radius2: fixed * fixed, box_inner_factor: factor, box_shell_scale: scale * (fixed * fixed),
+                box_inner_scale: scale * factor, box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
+                box_remainder: Math.pow(growth, 1 - s.iterations) };
+        },
+    },
+    julia: {
+        sliders: { "shape.0": ["c, real part", -1, 1, 0.005], "shape.1": ["c, i", -1, 1, 0.005], "shape.2": ["c, j", -1, 1, 0.005],
+            "escape": ["c, k", -1, 1, 0.005] },
+        power: () => 0,
+        constants: (s) => ({ 0: s.shape[0], 1: s.shape[1], 2: s.shape[2], 3: s.escape, julia_escape2: 1e6 }),
+    },
+};
+
+// The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them. places: where the text has
+// each of the fractal's constants.
+function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) {
+    const power = FRACTALS[fractal].power(s);
+    const values = FRACTALS[fractal].constants(s);
+    const constants = [];
+    for (const [name, at] of Object.entries(places)) {
+        if (!(name in values)) throw new Error(`the viewer does not know the constant ${name} of the ${fractal}`);
+        constants[at] = values[name];
+    }
+    const tangent = Math.tan(camera.field * 65 / 2 * Math.PI / 180);
+    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, exponent: Number.isInteger(power) ? power : 0,
+        colouring: s.colouring, canonical: fast ? 1 : 0,
+        // Float has no digits for differences; the picture is the same without the hull.
+        differences: 0, difference_step: 0, hull: 0,
+        tolerance: Math.pow(10, Math.fround(s.detail)), stride: 0.95, relaxation: fast ? 1.4 : 0.95, end: 1000, miss: Infinity,
+        brightness: s.brightness, fractal: constants, eye: camera.eye, forward: camera.forward,
+        across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
+}
+
+// Their bytes, each where the shader's block has it: layout is [name, offset, stride in an array, whether whole].
+function packed(fields, layout, size) {
+    const bytes = new ArrayBuffer(size);
+    const ints = new Int32Array(bytes), floats = new Float32Array(bytes);
+    for (const [name, offset, stride, whole] of layout) {
+        if (!(name in fields)) throw new Error(`the viewer does not know the scene's field ${name}`);
+        const to = whole ? ints : floats;
+        [fields[name]].flat().forEach((value, i) => { to[(offset + i * (stride || 4)) / 4] = value; });
+    }
+    return bytes;
+}
+
+// A parameter file that the programs draw to the same view.
+function toParameters(fractal, s, camera, width, height) {
+    const line = (numbers) => numbers.map((n) => String(Number(n.toPrecision(12)))).join(" ");
+    const program = fractal === "julia" ? "bin/render --fractal julia" : `./${fractal}`;
+    return [`# ${program} FILE.dat --precision float`, "# location x, y, z", line(camera.eye), "# look at",
+        line(Vec.add(camera.eye, camera.forward)), "# up", line(camera.up), "# field of view", line([camera.field]),
+        "# width height", `${width} ${height}`, "# detail level", line([s.detail]), "# the fractal's constants", line(s.shape),
+        "# iterations, escape", line([s.iterations, s.escape]), "# colouring", line([s.colouring]), "# brightness",
+        line([s.brightness]), "# image file", "view.png", ""].join("\n");
+}
+
+// The same entries as report/mandelreport/parameters.py; throws an Error with what is wrong.
+function fromParameters(text) {
+    const lines = text.split("\n").map((l) => l.trim()).filter((l) => l && !l.startsWith("#"));
+    if (lines.length < 10) throw new Error(`${lines.length} entries, expected 11`);
+    const wanted = [3, 3, 3, 1, 2, 1, 3, 2, 1, 1];
+    const entries = wanted.map((count, i) => {
+        const numbers = lines[i].split(/[\s,]+/).slice(0, count).map(Number);
+        if (numbers.length !== count || numbers.some(Number.isNaN)) {
+            throw new Error(`entry ${i + 1} is '${lines[i]}', expected ${count} number${count > 1 ? "s" : ""}`);
+        }
+        return numbers;
+    });
+    return { eye: entries[0], target: entries[1], up: entries[2], field: entries[3][0], size: entries[4], detail: entries[5][0],
+        shape: entries[6], iterations: entries[7][0], escape: entries[7][1], colouring: entries[8][0], brightness: entries[9][0] };
+}

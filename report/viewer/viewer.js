@@ -1,0 +1,246 @@
+// The live viewer: draws with the kernel text in WebGL 2. While the camera moves it draws a small picture with few steps;
+// when it rests, the whole one tile by tile, so that no draw call keeps the device for long.
+"use strict";
+const Viewer = (() => {
+    const MOVING_STEPS = 300, RESTING_STEPS = 8000;     // samples on a ray
+    const MOVING_MS = 40, TILE_MS = 30;                 // what a small picture, and one tile, may take
+    const SCALES = [1, 2, 3, 4, 6, 8, 12];              // pixels of the canvas to one of the small picture
+    const find = (id) => document.getElementById(id);
+
+    let data, canvas, painter, camera, scene, fractal = "mandelbulb", fast = false;
+    let low, full;
+    const pressed = new Set();
+    let scaleNumber = 3, moving = false, dirty = true, tile = null, speed = 1, last = 0, running = false, tileSide = 32;
+
+    function say(text) { find("viewer-says").textContent = text; }
+    const view = () => ({ fractal, scene, camera, fast });
+
+    function drawMoving() {
+        const begin = performance.now();
+        const scale = SCALES[scaleNumber];
+        const [w, h] = [Math.max(1, Math.round(canvas.width / scale)), Math.max(1, Math.round(canvas.height / scale))];
+        if (!low || low.width !== w || low.height !== h) {
+            painter.drop(low);
+            low = painter.target(w, h);
+        }
+        painter.draw(low, view(), MOVING_STEPS);
+        painter.pixel(low);
+        const took = performance.now() - begin;
+        if (took > 1.5 * MOVING_MS && scaleNumber < SCALES.length - 1) ++scaleNumber;
+        if (took < 0.4 * MOVING_MS && scaleNumber > 0) --scaleNumber;
+        painter.copy(low, full, true);
+        painter.copy(low, null, true);
+        tile = { x: 0, y: 0, height: tileSide };
+    }
+    // Draws tiles for about a frame's time; true when the picture is whole.
+    function drawResting() {
+        const begin = performance.now();
+        while (tile && performance.now() - begin < 2 * TILE_MS) {
+            const one = performance.now();
+            const side = tile.height;
+            painter.draw(full, view(), RESTING_STEPS,
+                [tile.x, tile.y, Math.min(4 * side, canvas.width - tile.x), Math.min(side, canvas.height - tile.y)]);
+            painter.pixel(full);
+            const took = performance.now() - one;
+            tile.x += 4 * side;
+            if (tile.x >= canvas.width) {
+                // Another height from the next row on.
+                tile = tile.y + side >= canvas.height ? null : { x: 0, y: tile.y + side, height: tileSide };
+            }
+            tileSide = took > TILE_MS ? Math.max(8, tileSide >> 1) : took < TILE_MS / 4 ? Math.min(128, tileSide << 1) : tileSide;
+        }
+        painter.copy(full, null, false);
+        return tile === null;
+    }
+
+    const KEYS = { w: [0, 0, 1], s: [0, 0, -1], a: [-1, 0, 0], d: [1, 0, 0], r: [0, 1, 0], f: [0, -1, 0] };
+    const TURNS = { arrowleft: [-1, 0, 0], arrowright: [1, 0, 0], arrowup: [0, 1, 0], arrowdown: [0, -1, 0], q: [0, 0, -1], e: [0, 0, 1] };
+    function fly(seconds) {
+        let way = [0, 0, 0], turn = [0, 0, 0];
+        for (const key of pressed) {
+            if (KEYS[key]) way = Vec.add(way, KEYS[key]);
+            if (TURNS[key]) turn = Vec.add(turn, TURNS[key]);
+        }
+        if (way.some((v) => v !== 0)) {
+            // Speed goes with the room there is, as in the film.
+            const distance = speed * seconds * Math.max(painter.clearance(view()), 1e-5);
+            camera.move(...Vec.scale(distance, way));
+        }
+        if (turn.some((v) => v !== 0)) camera.turn(...Vec.scale(0.8 * seconds, turn));
+        return way.some((v) => v !== 0) || turn.some((v) => v !== 0);
+    }
+
+    function step(now) {
+        if (!running) return;
+        try {
+            if (!painter.ready(fractal)) {
+                say(`The browser is compiling the kernel text for the ${fractal} …`);
+            } else {
+                const seconds = Math.min(0.1, (now - last) / 1000);
+                moving = fly(seconds) || moving;
+                if (moving || dirty) {
+                    drawMoving();
+                    show();
+                    dirty = false;
+                    moving = false;
+                } else if (tile) {
+                    say(drawResting() ? "The whole picture." : `Drawing: ${Math.round(100 * (tile ? tile.y : 0) / canvas.height)} %`);
+                }
+            }
+            last = now;
+            requestAnimationFrame(step);
+        } catch (error) {
+            running = false;
+            say(error.message);
+        }
+    }
+    function change() { dirty = true; }
+    function show() {
+        say("Moving.");
+        const text = find("viewer-dat");
+        if (document.activeElement !== text) text.value = toParameters(fractal, scene, camera, canvas.width, canvas.height);
+    }
+
+    function resize(width, height) {
+        canvas.width = width;
+        canvas.height = height;
+        canvas.style.aspectRatio = `${width} / ${height}`;
+        painter.drop(full);
+        full = painter.target(width, height);
+        change();
+    }
+    function choose(name) {
+        fractal = name;
+        scene = structuredClone(data.scenes[name]);
+        camera = new Camera(scene);
+        sliders();
+        change();
+    }
+    // A slider and its number for each parameter.
+    function sliders() {
+        const place = find("viewer-parameters");
+        place.replaceChildren();
+        const all = { ...FRACTALS[fractal].sliders, iterations: ["iterations", 1, 200, 1], detail: ["detail level", -6, -1, 0.1],
+            field: ["field of view", 0.2, 2.5, 0.05], colouring: ["colouring type", 0, 4, 1], brightness: ["brightness", 0.2, 3, 0.1] };
+        for (const [key, [name, low_, high, by]] of Object.entries(all)) {
+            const [field, at] = key.split(".");
+            const read = () => (at === undefined ? (field === "field" ? camera.field : scene[field]) : scene[field][at]);
+            const label = document.createElement("label"), slider = document.createElement("input"), value = document.createElement("output");
+            label.append(name, slider, value);
+            Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
+            slider.dataset.parameter = key;
+            value.textContent = read();
+            slider.addEventListener("input", () => {
+                const number = Number(slider.value);
+                if (at !== undefined) scene[field][at] = number;
+                else if (field === "field") camera.field = number;
+                else scene[field] = number;
+                value.textContent = number;
+                change();
+            });
+            place.append(label);
+        }
+    }
+    function goTo(text) {
+        scene = { ...scene, ...fromParameters(text) };
+        camera.look(scene);
+        sliders();
+        change();
+    }
+
+    function listen() {
+        canvas.addEventListener("keydown", (event) => {
+            const key = event.key.toLowerCase();
+            if (event.ctrlKey || event.metaKey || event.altKey || !(KEYS[key] || TURNS[key])) return;
+            pressed.add(key);
+            event.preventDefault();
+        });
+        canvas.addEventListener("keyup", (event) => pressed.delete(event.key.toLowerCase()));
+        canvas.addEventListener("blur", () => pressed.clear());
+        let dragging = null;
+        canvas.addEventListener("pointerdown", (event) => {
+            canvas.focus({ preventScroll: true });
+            canvas.setPointerCapture(event.pointerId);
+            dragging = [event.clientX, event.clientY];
+        });
+        canvas.addEventListener("pointermove", (event) => {
+            if (!dragging) return;
+            const angle = camera.field * 65 * Math.PI / 180 / canvas.clientHeight;
+            camera.turn(angle * (event.clientX - dragging[0]), -angle * (event.clientY - dragging[1]), 0);
+            dragging = [event.clientX, event.clientY];
+            change();
+        });
+        for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { dragging = null; });
+        canvas.addEventListener("wheel", (event) => {
+            if (document.activeElement !== canvas) return;
+            event.preventDefault();
+            speed = Math.min(20, Math.max(0.05, speed * Math.exp(-0.001 * event.deltaY)));
+            find("viewer-speed").value = Math.log2(speed);
+        }, { passive: false });
+        canvas.addEventListener("webglcontextlost", (event) => {
+            event.preventDefault();
+            running = false;
+            say("The browser has taken the graphics device away; reload the page.");
+        });
+        for (const button of document.querySelectorAll("[data-hold]")) {
+            button.addEventListener("pointerdown", () => pressed.add(button.dataset.hold));
+            for (const end of ["pointerup", "pointerleave", "pointercancel"]) {
+                button.addEventListener(end, () => pressed.delete(button.dataset.hold));
+            }
+        }
+        find("viewer-fractal").addEventListener("change", (event) => choose(event.target.value));
+        find("viewer-mode").addEventListener("change", (event) => { fast = event.target.value === "fast"; change(); });
+        find("viewer-size").addEventListener("change", (event) => resize(...event.target.value.split("x").map(Number)));
+        find("viewer-speed").addEventListener("input", (event) => { speed = Math.pow(2, event.target.value); });
+        find("viewer-reset").addEventListener("click", () => choose(fractal));
+        find("viewer-go").addEventListener("click", () => {
+            try { goTo(find("viewer-dat").value); } catch (error) { say(`The parameter file: ${error.message}`); }
+        });
+        find("viewer-copy").addEventListener("click", () => {
+            const text = find("viewer-dat");
+            const fallback = () => { text.select(); document.execCommand("copy"); };
+            if (navigator.clipboard) navigator.clipboard.writeText(text.value).catch(fallback); else fallback();
+            say("The parameter file is on the clipboard.");
+        });
+        find("viewer-save").addEventListener("click", () => {
+            const link = document.createElement("a");
+            link.href = URL.createObjectURL(new Blob([find("viewer-dat").value], { type: "text/plain" }));
+            link.download = "view.dat";
+            link.click();
+            URL.revokeObjectURL(link.href);
+        });
+    }
+
+    // PNG. The canvas forgets what it showed once that is on the screen; the target does not.
+    function picture() {
+        const page = document.createElement("canvas");
+        [page.width, page.height] = [full.width, full.height];
+        page.getContext("2d").putImageData(painter.image(full), 0, 0);
+        return page.toDataURL("image/png");
+    }
+
+    function start() {
+        canvas = find("viewer-canvas");
+        data = JSON.parse(find("viewer-data").textContent);
+        painter = Painter.on(canvas, data);
+        if (!painter) {
+            find("viewer-none").hidden = false;
+            find("viewer-live").hidden = true;
+            return;
+        }
+        listen();
+        fractal = find("viewer-fractal").value;
+        fast = find("viewer-mode").value === "fast";
+        choose(fractal);
+        resize(...find("viewer-size").value.split("x").map(Number));
+        // It works only while it is seen.
+        new IntersectionObserver(([entry]) => {
+            const was = running;
+            running = entry.isIntersecting;
+            if (running && !was) requestAnimationFrame((now) => { last = now; step(now); });
+        }).observe(canvas);
+    }
+    if (document.getElementById("viewer-canvas")) start();
+    return { idle: () => !dirty && tile === null, picture, camera: () => camera,
+        dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };
+})();

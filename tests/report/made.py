@@ -1,0 +1,250 @@
+"""Result files of made numbers, small and whole."""
+
+from __future__ import annotations
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+from made_flight import audit, film, flight_map
+
+SETTING = {
+    "width": 540,
+    "height": 540,
+    "iterations": 18,
+    "detail": -3.0,
+    "power": 8.0,
+    "view": "official",
+    "without": "",
+    "threads": 0,
+    "pack": 0,
+    "chunk": 0,
+    "frames": 0,
+}
+OPERATIONS = {"sums": 10, "products": 20, "quotients": 1, "roots": 1}
+
+
+def summary(median: float) -> dict[str, Any]:
+    return {
+        "count": 9,
+        "median": median,
+        "mad": 0.01 * median,
+        "least": 0.9 * median,
+        "most": 1.1 * median,
+        "interval": [0.95 * median, 1.05 * median],
+    }
+
+
+def row(
+    fractal: str, precision: str, mode: str, backend: str, seconds: float, point: str = "", **setting: Any
+) -> dict[str, Any]:
+    name = f"{fractal}/{precision}/{mode}/{backend}/0" + (f"/{point}" if point else "")
+    return {
+        "name": name,
+        "fractal": fractal,
+        "precision": precision,
+        "mode": mode,
+        "backend": backend,
+        "device": 0,
+        "point": point,
+        "setting": SETTING | setting,
+        "unavailable": None,
+        "failure": None,
+        "platform": "Processor",
+        "device_name": "Processor",
+        "vendor": "",
+        "driver": "",
+        "is_gpu": False,
+        "instruction_set": "",
+        "threads": 2,
+        "pack": 16,
+        "proof": {
+            "drawn": True,
+            "fine": True,
+            "yardstick": False,
+            "level": "same bits",
+            "text": "same bits",
+            "against": "",
+            "pixels": 291600,
+            "differing": 0,
+            "visibly_differing": 0,
+            "largest_ulps": 0.0,
+            "psnr_db": None,
+        },
+        "context_seconds": 0.0,
+        "build_seconds": 0.0,
+        "work": {"steps": 9, "de_calls": 9, "iterations": 9},
+        "operations": 1e9,
+        "samples": [{"launch": 0, "round": 0, "kernel": seconds, "wall": seconds, "upload": 0.0, "readback": 0.0}],
+        "figures": {
+            "kernel_seconds": summary(seconds),
+            "wall_seconds": summary(1.1 * seconds),
+            "upload_seconds": 0.0,
+            "readback_seconds": 0.0,
+            "pixels_per_second": 1e6,
+            "de_calls_per_second": 1e6,
+            "iterations_per_second": 1e7,
+            "operations_per_second": 1e9,
+            "peak_operations_per_second": 1e10,
+            "share_of_peak": 0.1,
+            "bound_seconds": 0.1 * seconds,
+            "speed_up": 1.0,
+        },
+    }
+
+
+def count(fractal: str, iterations: int, view: str = "official") -> dict[str, Any]:
+    return {
+        "fractal": fractal,
+        "precision": "double",
+        "mode": "exact",
+        "setting": SETTING | {"view": view},
+        "pixels": 1000,
+        "hits": 300,
+        "work": {"steps": 5000, "de_calls": 6000, "iterations": iterations},
+        "stages": {stage: OPERATIONS for stage in ("begin", "march", "refine", "normal", "shade")},
+        "operations_per_iteration": 25.0,
+        "march_de_calls": 5000,
+        "march_iterations": iterations,
+        "lanes": 16,
+        "active_in_steps": 0.8,
+        "active_in_iterations": 0.7,
+    }
+
+
+def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> dict[str, Any]:
+    """A whole result: both fractals, numbers and modes on two backends, unless rows are given."""
+    made = (
+        rows
+        if rows is not None
+        else [
+            row(fractal, precision, mode, backend, 0.1 + 0.0123 * number + (0.05 if fractal == "mandelbox" else 0))
+            for number, (fractal, precision, mode, backend) in enumerate(
+                (f, p, m, b)
+                for f in ("mandelbulb", "mandelbox")
+                for p in ("double", "float")
+                for m in ("exact", "fast")
+                for b in ("openmp", "vulkan")
+            )
+        ]
+    )
+    ratio = {
+        "numerator": "mandelbox/double/exact/openmp/0",
+        "denominator": "mandelbulb/double/exact/openmp/0",
+        "ratio": summary(1.5),
+    }
+    portability = {
+        "problem": "p",
+        "fractal": "mandelbulb",
+        "precision": "double",
+        "mode": "exact",
+        "application": "openmp",
+        "by_application_efficiency": 1.0,
+        "by_application_efficiency_interval": [0.9, 1.0],
+        "by_share_of_peak": 0.1,
+        "by_share_of_peak_interval": None,
+        "platforms": [],
+        "cascade": [{"platform": "Processor", "efficiency": 1.0, "portability": 1.0}],
+    }
+    return copy.deepcopy(
+        {
+            "schema": "mandelmarch-bench",
+            "version": 1,
+            "study": study,
+            "seed": 1,
+            "launches": 1,
+            "warnings": [],
+            "environment": {
+                "date": "2026-01-02T03:04:05Z",
+                "git": {"revision": "0123456789abcdef", "dirty": False},
+                "build": {"type": "Release", "compiler": "GNU", "flags": "-O3", "version": "0.1.0"},
+                "cpu": {
+                    "model": "Processor",
+                    "vendor": "V",
+                    "cores": 2,
+                    "cores_usable": 2,
+                    "governor": None,
+                    "turbo_disabled": None,
+                    "megahertz": "2600",
+                    "microcode": "0x1",
+                },
+                "memory": {"total_bytes": 2**34, "available_bytes": 2**33},
+                "os": {"name": "Debian", "kernel": "Linux", "architecture": "x86_64"},
+                "backends": [
+                    {
+                        "name": "openmp",
+                        "unavailable": None,
+                        "compiler": "GNU",
+                        "flags_exact": "-O3",
+                        "flags_fast": "-O3",
+                        "devices": [{"name": "Processor", "vendor": "V", "driver": "OpenMP", "is_gpu": False}],
+                    }
+                ],
+                "icds": [],
+                "variables": {},
+                "during": {
+                    "load_at_start": 0.1,
+                    "load_at_end": 0.2,
+                    "megahertz_at_start": 2600.0,
+                    "megahertz_at_end": 2600.0,
+                    "stolen_share": 0.0,
+                    "others_share": 0.0,
+                },
+            },
+            "peaks": [
+                {
+                    "platform": "Processor",
+                    "backend": "openmp",
+                    "device": 0,
+                    "precision": "double",
+                    "operations_per_second": 1e10,
+                }
+            ],
+            "counts": [count("mandelbulb", 12000), count("mandelbox", 36000)],
+            "stages": [
+                {
+                    "fractal": "mandelbulb",
+                    "precision": "double",
+                    "mode": "exact",
+                    "stage": stage,
+                    "seconds": [0.1, 0.2, 0.3],
+                }
+                for stage in ("begin", "march", "normal", "shade", "output", "one go")
+            ]
+            if study == "profile"
+            else [],
+            "rows": made,
+            "questions": {"mandelbox_to_mandelbulb": [ratio], "double_to_float": []},
+            "portability": [portability],
+        }
+    )
+
+
+def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
+    return bench(
+        study,
+        [row("mandelbulb", "float", "exact", "openmp", 0.1 / (k + 1), f"{name}={value}") for k, value in enumerate(values)],
+    )
+
+
+def write(folder: Path, files: dict[str, Any]) -> Path:
+    """Each value as JSON, or text as it is."""
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(data if isinstance(data, str) else json.dumps(data), encoding="utf-8")
+    return folder
+
+
+def everything() -> dict[str, Any]:
+    return {
+        "bench.json": bench(),
+        "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
+        "profile.json": bench("profile"),
+        "ablation.json": sweep("techniques", "without", ["none", "hull"]),
+        "box-vs-bulb.json": bench("box-vs-bulb"),
+        "map.json": flight_map(),
+        "flight.json": audit(),
+        "film.json": film(),
+    }

@@ -1,0 +1,40 @@
+"""Programs that stand in for bin/render and bin/imgdiff."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+# Draws a grey picture; the backend vulkan is off in one pixel, opencl is not there.
+RENDER = f"""#!{sys.executable}
+import json, sys
+from PIL import Image
+options = dict(zip(sys.argv[1::1], sys.argv[2::1]))
+backend = options["--backend"]
+if backend == "opencl" or (backend == "reference" and options["--precision"] == "float"):
+    print(f"render: backend {{backend}}: not here", file=sys.stderr)
+    sys.exit(77)
+width, height = map(int, options["--size"].split("x"))
+image = Image.new("RGB", (width, height), (100, 100, 100))
+if backend == "vulkan":
+    image.putpixel((5, 5), (110, 100, 100))
+if options["--output"].endswith(".png"):
+    image.save(options["--output"])
+else:
+    open(options["--output"], "w").write(backend == "vulkan" and "other" or "same")
+json.dump({{"device": {{"name": backend + "'s device"}}}}, open(options["--stats"], "w"))
+"""
+IMGDIFF = f"""#!{sys.executable}
+import json, sys
+same = open(sys.argv[2]).read() == open(sys.argv[3]).read()
+print(json.dumps({{"same": same, "differing_colours": 0 if same else 1, "differing_depths": 0}}))
+sys.exit(0 if same else 1)
+"""
+
+
+def programs(folder: Path) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in (("render", RENDER), ("imgdiff", IMGDIFF)):
+        (folder / name).write_text(text, encoding="utf-8")
+        (folder / name).chmod(0o755)
+    return folder

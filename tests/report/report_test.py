@@ -1,0 +1,218 @@
+"""The report from outside: its program on made result files. Each check that matters is tried on something broken, too."""
+
+from __future__ import annotations
+
+import html.parser
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
+
+import made  # noqa: E402
+import made_programs  # noqa: E402
+from mandelreport import flight, shaders  # noqa: E402
+from mandelreport.figures import style, timings  # noqa: E402
+from mandelreport.bench import read_bench  # noqa: E402
+
+
+class Faults(html.parser.HTMLParser):
+    """Pictures without a text, and everything that a page would load from elsewhere."""
+
+    def __init__(self, page: str):
+        super().__init__()
+        self.found: list[str] = []
+        self.feed(page)
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        values = dict(attributes)
+        if tag == "img" and len(values.get("alt") or "") < 10:
+            self.found.append("a picture without a text")
+        for name in ("src", "srcset", "poster", "data"):
+            if values.get(name) and not values[name].startswith("data:"):
+                self.found.append(f"{tag} loads {values[name]}")
+        if tag == "link" and not (values.get("href") or "").startswith("data:"):
+            self.found.append(f"link loads {values.get('href')}")
+
+    def handle_data(self, data: str) -> None:
+        if self.lasttag == "style" and re.search(r"@import|url\((?!data:)", data):
+            self.found.append("a style sheet that loads")
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self) -> None:
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = Path(holder.name)
+
+    def make(
+        self,
+        files: dict[str, object],
+        programs: str = "none",
+        seed: str = "0",
+        output: str = "out",
+        results: str = "results",
+    ) -> subprocess.CompletedProcess[str]:
+        made.write(self.folder / results, files)
+        return subprocess.run(
+            [
+                sys.executable,
+                "-m",
+                "mandelreport",
+                "--no-pdf",
+                "--results",
+                self.folder / results,
+                "--programs",
+                self.folder / programs,
+                "--work",
+                self.folder / "work",
+                "--output",
+                self.folder / output,
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=ROOT,
+            env=os.environ | {"PYTHONPATH": str(ROOT / "report"), "PYTHONHASHSEED": seed},
+        )
+
+    def page(self, output: str = "out") -> str:
+        return (self.folder / output / "report.html").read_text(encoding="utf-8")
+
+    def refused(self, files: dict[str, object], *words: str) -> None:
+        run = self.make(files)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertEqual(len(run.stderr.strip().splitlines()), 1, run.stderr)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertFalse((self.folder / "out" / "report.html").exists())
+
+    def test_whole_page(self) -> None:
+        made_programs.programs(self.folder / "bin")
+        run = self.make(made.everything(), "bin")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        page = self.page()
+        self.assertEqual(Faults(page).found, [])
+        self.assertLess(len(page), 15 * 2**20)
+        self.assertEqual(
+            re.findall(r'<section id="(\w+)">', page),
+            ["pictures", "timings", "parallel", "flight", "why", "summary", "reproduce", "viewer"],
+        )
+        # Numbers come from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s a frame, the revision.
+        for text in ("100", "95.0 – 105", "1.17 deg", "0.25", "0123456789abcdef", "OpenMP"):
+            self.assertIn(f">{text}", page)
+        # Equal pictures are stored once: a good one and a broken one of each fractal.
+        self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
+        self.assertIn("same bits", page)
+        self.assertIn("1 px, 1 visibly, max 10", page)
+        self.assertIn("backend opencl: not here", page)
+        # The same files give the same bytes, in another folder and with another order of Python's sets.
+        again = self.make(made.everything(), "bin", seed="1", output="again", results="elsewhere")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(page, self.page("again"))
+        # Another number gives another page.
+        changed = made.everything()
+        changed["bench.json"]["rows"][0]["figures"]["kernel_seconds"]["median"] = 0.7654
+        self.make(changed, "bin", output="changed", results="changed")
+        self.assertNotEqual(page, self.page("changed"))
+        self.assertIn(">765<", self.page("changed"))
+
+    def test_faults_are_found(self) -> None:
+        self.assertEqual(Faults('<img alt="a picture of it" src="data:,">').found, [])
+        for broken in (
+            '<img src="data:,">',
+            '<img alt="" src="data:,">',
+            '<img alt="a picture of it" src="http://x/y.png">',
+            '<script src="https://x/y.js"></script>',
+            '<link rel="stylesheet" href="a.css">',
+            "<style>@import 'a.css';</style>",
+            "<style>b { background: url(a.png) }</style>",
+        ):
+            self.assertNotEqual(Faults(broken).found, [], broken)
+
+    def test_figures_without_the_salt_differ(self) -> None:
+        bench = read_bench("made", Path("made"), made.bench())
+        self.assertEqual(timings.kernel_bars(bench), timings.kernel_bars(bench))
+        with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
+            self.assertNotEqual(timings.kernel_bars(bench), timings.kernel_bars(bench))
+
+    def test_nothing_there(self) -> None:
+        (self.folder / "results").mkdir()
+        run = self.make({})
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertGreater(self.page().count("No data yet:"), 15)
+        self.assertIn("make bench", self.page())
+        self.assertEqual(Faults(self.page()).found, [])
+
+    def test_bad_files(self) -> None:
+        self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "no JSON")
+        self.refused({"bench.json": made.bench() | {"version": 0}}, "bench.json", "version 0", "expected 1")
+        whole = made.bench()
+        del whole["rows"][3]["proof"]
+        self.refused({"bench.json": whole}, "bench.json", "rows/3", "proof")
+        self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
+        self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "balls")
+        self.refused(
+            {"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "version 0"
+        )
+        self.refused({"flight.json": made.audit() | {"rows": [{}]}}, "flight.json", "rows")
+        self.refused({"flight.json": made.audit(), "film.json": made.film() | {"version": 9}}, "film.json", "version 9")
+        film = made.film()
+        del film["device"]
+        self.refused({"film.json": film}, "film.json", "device")
+
+    def test_no_folder(self) -> None:
+        self.folder = self.folder / "nowhere"
+        run = subprocess.run(
+            [sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=ROOT,
+            env=os.environ | {"PYTHONPATH": str(ROOT / "report")},
+        )
+        self.assertEqual((run.returncode, len(run.stderr.strip().splitlines())), (2, 1), run.stderr)
+
+    def test_old_report_stays(self) -> None:
+        (self.folder / "out").mkdir()
+        (self.folder / "out" / "report.html").write_text("old", encoding="utf-8")
+        self.assertEqual(self.make({"bench.json": "{"}).returncode, 2)
+        self.assertEqual(self.page(), "old")
+        self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["report.html"])
+
+    def test_other_json_is_left_out(self) -> None:
+        run = self.make({"other.json": {"a": 1}, "list.json": [1, 2]})
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr.count("left out"), 2)
+
+    def test_film_of_a_log(self) -> None:
+        log = (
+            "backend openmp: no GPU\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
+            "film: 10 of 10 segments rendered in 150.0 s by 2 processes; video.mp4 is complete\n"
+        )
+        film = flight.film_of_log("film.txt", log)
+        self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
+        # A film that went on where it stopped has no time of its own.
+        self.assertIsNone(flight.film_of_log("film.txt", log.replace("10 of 10", "4 of 10")))
+        self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))
+
+    def test_viewer_knows_the_kernel_text(self) -> None:
+        camera = (ROOT / "report" / "viewer" / "camera.js").read_text(encoding="utf-8")
+        known = set(re.findall(r"\b(\w+):", camera)) | set(re.findall(r"\b(\w+),", camera))
+        for fractal in shaders.FRACTALS:
+            self.assertLessEqual(set(shaders.constants(fractal)), known, fractal)
+        scene = (ROOT / "core" / "kernel" / "scene.h").read_text(encoding="utf-8")
+        fields = set(re.findall(r"^    (?:int|scalar|triple) (\w+)", scene.split("struct Scene {")[1].split("};")[0], re.M))
+        self.assertGreater(len(fields), 15)
+        self.assertLessEqual(fields, known)
+        self.assertFalse({"a_new_field"} <= known)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

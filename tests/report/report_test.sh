@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# report_test.sh SOURCE: the report's tests, where its Python packages are installed (make python); else 77.
+set -euo pipefail
+cd "$1"
+python=build/venv/bin/python3
+if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, jsonschema, markdown, PIL' 2>/dev/null; then
+    echo "no build/venv with the report's packages: make python"
+    exit 77
+fi
+exec $python tests/report/report_test.py
