@@ -9,8 +9,9 @@ list(TRANSFORM fractal_files REPLACE "\\.h$" "" OUTPUT_VARIABLE MANDELMARCH_FRAC
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000)
 endif()
-set(MANDELMARCH_OPTIONS_packs ${MANDELMARCH_PACKS})
-set(MANDELMARCH_OPTIONS_stages ${MANDELMARCH_PACKS})
+# Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
+set(MANDELMARCH_OPTIONS_packs -ffp-contract=off ${MANDELMARCH_PACKS})
+set(MANDELMARCH_OPTIONS_stages ${MANDELMARCH_OPTIONS_packs})
 
 # mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
 # to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode, is_fast and file.

@@ -7,18 +7,6 @@
 #include "core/kernel/prelude/pack.h"
 #include "core/kernel/text.h"
 
-// In fast mode the compiler fuses multiplications and additions as it sees fit; a ray must come to the same values
-// whichever pack takes its step, so that there is one copy of each step.
-#undef MM_CALLED
-#undef MM_ONE_COPY_LOOP
-#if defined(__clang__)
-#define MM_CALLED __attribute__((noinline))
-#define MM_ONE_COPY_LOOP _Pragma("clang loop unroll(disable)")
-#else
-#define MM_CALLED __attribute__((noinline, noclone))
-#define MM_ONE_COPY_LOOP _Pragma("GCC unroll 1")
-#endif
-
 #include "backends/openmp/rays.h"
 
 constexpr int steps_at_once = 16;
@@ -56,8 +44,8 @@ HWY_INLINE whole bytes_of(const vec3& colour)
 }
 
 // Finished pixels to their places on the canvas.
-MM_CALLED void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
-                            Spent& spent)
+HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
+                               Spent& spent)
 {
     const int lanes = lanes_on(on);
     constexpr int room = pack_lanes + register_lanes;
@@ -98,7 +86,7 @@ MM_CALLED void store_pixels(const Pixel& pixel, const whole& places, const mask&
 }
 
 // Shades all rays of the pool but an incomplete last pack; that one too if `all`.
-MM_CALLED void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent, bool all)
+HWY_NOINLINE void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent, bool all)
 {
     int done = 0;
     while (ended.size - done >= pack_lanes || (all && ended.size > done)) {
@@ -118,7 +106,7 @@ MM_CALLED void shade_pool(const Scene& scene, Pool& ended, const Canvas<MM_REAL>
 }
 
 // One step of refinement for every ray of the pool; those that need no more go to `ended`.
-MM_CALLED void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent)
+HWY_NOINLINE void refine_pool(const Scene& scene, Pool& pool, Pool& ended, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -179,8 +167,8 @@ struct Cones {
 
 // Marches one cone for every block of `side` pixels, from where the larger block's cone came to.
 template <int side, int parent_side>
-MM_CALLED void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
-                           Cones<side>& cones)
+HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
+                              Cones<side>& cones)
 {
     const int blocks = group.count * blocks_of_tile(side);
     for (int from = 0; from < blocks; from += pack_lanes) {
@@ -213,8 +201,8 @@ MM_CALLED void march_cones(const Scene& scene, const Group& group, scalar pitch,
 }
 
 // Begins the rays of tile number `tile` of the group, where its cones of 2 x 2 pixels came to, if there are any.
-MM_CALLED void begin_tile(const Scene& scene, const Group& group, int tile, const Canvas<MM_REAL>& canvas,
-                          const Cones<2>* cones, Pool& pool, Spent& spent)
+HWY_NOINLINE void begin_tile(const Scene& scene, const Group& group, int tile, const Canvas<MM_REAL>& canvas,
+                             const Cones<2>* cones, Pool& pool, Spent& spent)
 {
     const int left = group.left[tile];
     const int bottom = group.bottom[tile];
@@ -258,8 +246,8 @@ MM_CALLED void begin_tile(const Scene& scene, const Group& group, int tile, cons
 }
 
 // Begins a group's tiles, with cones of 8 and of 2 pixels before the rays.
-MM_CALLED void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool,
-                           Spent& spent)
+HWY_NOINLINE void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool,
+                              Spent& spent)
 {
     Cones<8> coarse;
     Cones<2> fine;
@@ -274,8 +262,8 @@ MM_CALLED void begin_group(const Scene& scene, const Group& group, const Canvas<
 }
 
 // One step of marching for every ray of the pool; hits go on to be refined, or to be shaded where none is.
-MM_CALLED void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas,
-                          Spent& spent)
+HWY_NOINLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ended, const Canvas<MM_REAL>& canvas,
+                             Spent& spent)
 {
     const int size = pool.size;
     pool.size = 0;
@@ -286,7 +274,6 @@ MM_CALLED void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& ende
         const int enough = lanes_on(on) * 3 / 4;
         mask go = on;
         int step = 0;
-        MM_ONE_COPY_LOOP
         do {
             a.ray = advance(scene, a.ray, go);
             go = go && marching(scene, a.ray);

@@ -52,8 +52,8 @@ const FRACTALS = {
         constants: (s) => {
             const [scale, inner, fixed] = s.shape;
             const growth = Math.abs(scale), factor = (fixed * fixed) / (inner * inner);
-            return { box_scale: scale, box_growth: growth, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
-                box_fixed_radius2: fixed * fixed, box_inner_factor: factor, box_shell_scale: scale * (fixed * fixed),
+            return { box_scale: scale, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
+                box_fixed_radius2: fixed * fixed, box_shell_scale: scale * (fixed * fixed),
                 box_inner_scale: scale * factor, box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
                 box_remainder: Math.pow(growth, 1 - s.iterations) };
         },

@@ -84,7 +84,6 @@ struct real {
     }
 LANEWISE(real, real, operator+, Add)
 LANEWISE(real, real, operator-, Sub)
-LANEWISE(real, real, operator*, Mul)
 LANEWISE(real, real, quotient, Div)
 LANEWISE_MASK(real, operator<, Lt)
 LANEWISE_MASK(real, operator<=, Le)
@@ -95,6 +94,52 @@ LANEWISE(whole, whole, operator+, Add)
 LANEWISE_MASK(whole, operator<, Lt)
 LANEWISE(mask, mask, operator&&, And)
 LANEWISE(mask, mask, operator||, Or)
+#if MM_FAST
+// Fast mode fuses a product with the sum or difference that it stands in. It is written out here because the compiler,
+// where it may choose, can choose otherwise for another register of the same pack.
+struct factors {
+    real a, b;
+
+    HWY_INLINE operator real() const
+    {
+        real c;
+        EACH_REGISTER(c.of[u] = hn::Mul(a.of[u], b.of[u]);)
+        return c;
+    }
+};
+
+FN factors operator*(const real& a, const real& b) { return {a, b}; }
+
+FN real operator+(const factors& p, const real& c)
+{
+    real d;
+    EACH_REGISTER(d.of[u] = hn::MulAdd(p.a.of[u], p.b.of[u], c.of[u]);)
+    return d;
+}
+
+FN real operator+(const real& c, const factors& p) { return p + c; }
+
+FN real operator+(const factors& p, const factors& q) { return p + real(q); }
+
+FN real operator-(const factors& p, const real& c)
+{
+    real d;
+    EACH_REGISTER(d.of[u] = hn::MulSub(p.a.of[u], p.b.of[u], c.of[u]);)
+    return d;
+}
+
+FN real operator-(const real& c, const factors& p)
+{
+    real d;
+    EACH_REGISTER(d.of[u] = hn::NegMulAdd(p.a.of[u], p.b.of[u], c.of[u]);)
+    return d;
+}
+
+FN real operator-(const factors& p, const factors& q) { return p - real(q); }
+#else
+LANEWISE(real, real, operator*, Mul)
+#endif
+
 #undef LANEWISE
 #undef LANEWISE_MASK
 
