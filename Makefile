@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview kill-test report report-check install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview flight-study kill-test report report-check install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -43,6 +43,12 @@ video: flythrough
 video-preview: flythrough
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
+
+# Ten seeds of both fractals planned and audited, in a table; and what anti-aliasing is worth and costs.
+SEEDS ?= 10
+flight-study: build
+	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
+	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
 
 # A film killed at twenty random moments is the same film.
 kill-test: flythrough

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
@@ -82,13 +83,19 @@ const Backend& choose_backend(const Registry& registry, const Flythrough& option
     return *choice.backend;
 }
 
-// Each rank takes its own device, and its share of the machine's cores.
+// Each rank takes its own GPU where there are some, and its share of the machine's cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
     RendererOptions renderer = options.renderer;
     renderer.threads = options.threads > 0 ? options.threads : threads_for(ranks.local_size());
-    const auto devices = backend.devices().size();
-    if (!options.device_given && devices > 1) renderer.device = ranks.local_rank() % static_cast<int>(devices);
+    std::vector<int> gpus;
+    const std::vector<Device> devices = backend.devices();
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (devices[i].is_gpu) gpus.push_back(static_cast<int>(i));
+    }
+    if (!options.device_given && !gpus.empty()) {
+        renderer.device = gpus[static_cast<std::size_t>(ranks.local_rank()) % gpus.size()];
+    }
     return renderer;
 }
 
