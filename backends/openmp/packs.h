@@ -5,14 +5,14 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
-#define MM_REGISTERS 4
-namespace registers_4 {
+#define MM_REGISTERS 1
+namespace registers_1 {
 #include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
 #if MANDELMARCH_ALL_PACKS
-#define MM_REGISTERS 1
-namespace registers_1 {
+#define MM_REGISTERS 4
+namespace registers_4 {
 #include "backends/openmp/pool.h"
 }
 #undef MM_REGISTERS
@@ -29,7 +29,7 @@ VariantList<MM_REAL> list()
 #if MANDELMARCH_ALL_PACKS
     return {{MM_VARIANT(registers_1), MM_VARIANT(registers_4)}, 2};
 #else
-    return {{MM_VARIANT(registers_4)}, 1};
+    return {{MM_VARIANT(registers_1)}, 1};
 #endif
 }
 #undef MM_VARIANT
