@@ -78,7 +78,7 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     Memory& memory = *static_cast<Memory*>(at);
-    auto& [pool, hits, ended] = memory.pools;
+    auto& [pool, cones, hits, ended] = memory.pools;
     pool.size = hits.size = ended.size = 0;
     Spent spent{0, 0, 0};
     bool more = true;
@@ -96,7 +96,7 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
                 more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
                 group.count += more ? 1 : 0;
             }
-            if (group.count > 0) begin_group(scene, group, canvas, pool, spent);
+            if (group.count > 0) begin_group(scene, group, canvas, pool, cones, spent);
         }
         took(TimedStage::begin);
         march_pool(scene, pool, hits, ended, canvas, spent);

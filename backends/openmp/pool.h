@@ -14,13 +14,12 @@ constexpr int steps_at_once = 16;
 // The lanes that are on, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
-    EACH_REGISTER(hn::StoreU(hn::Compress(from.of[u], hn::RebindMask(Wholes(), on.of[u])), Wholes(), to);
-                  to += hn::CountTrue(Reals(), on.of[u]);)
+    EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Wholes(), to); to += hn::CountTrue(Reals(), on.of[u]);)
 }
 
 HWY_INLINE void store_compact(const real& from, const mask& on, MM_REAL* to)
 {
-    EACH_REGISTER(hn::StoreU(hn::Compress(from.of[u], on.of[u]), Reals(), to); to += hn::CountTrue(Reals(), on.of[u]);)
+    EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Reals(), to); to += hn::CountTrue(Reals(), on.of[u]);)
 }
 
 // trunc(255 c), c cut to [0, 1]; 0 where it is not a number.
@@ -165,9 +164,29 @@ struct Cones {
     Int iterations[most];
 };
 
-// Marches one cone for every block of `side` pixels, from where the larger block's cone came to.
+// Where the cones that are on have come to, to their places.
+template <int side>
+HWY_NOINLINE void store_cones(const Traveller& a, const mask& on, Cones<side>& cones)
+{
+    constexpr int room = pack_lanes + register_lanes;
+    Int at[room];
+    MM_REAL t[room];
+    Int work[2][room];
+    store_compact(a.pixel, on, at);
+    store_compact(a.ray.t, on, t);
+    store_compact(a.ray.estimates, on, work[0]);
+    store_compact(a.ray.iterations, on, work[1]);
+    const int lanes = lanes_on(on);
+    for (int i = 0; i < lanes; ++i) {
+        cones.start[at[i]] = t[i];
+        cones.estimates[at[i]] = work[0][i];
+        cones.iterations[at[i]] = work[1][i];
+    }
+}
+
+// Begins one cone for every block of `side` pixels, where the larger block's cone came to.
 template <int side, int parent_side>
-HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
+HWY_NOINLINE void begin_cones(const Scene& scene, const Group& group, const Cones<parent_side>* parents, Pool& pool,
                               Cones<side>& cones)
 {
     const int blocks = group.count * blocks_of_tile(side);
@@ -188,15 +207,44 @@ HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pit
             lanes.estimates[lane] = parents == nullptr || !first ? Int(0) : parents->estimates[parent];
             lanes.iterations[lane] = parents == nullptr || !first ? Int(0) : parents->iterations[parent];
         }
-        Ray ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
+        Traveller a;
+        a.pixel = lane_numbers() + whole(static_cast<Int>(from));
+        a.ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
         // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
-        ray.t = load_lanes(lanes.start);
-        ray.estimates = load_lanes(lanes.estimates);
-        ray.iterations = load_lanes(lanes.iterations);
-        ray = march_cone(scene, ray, pitch * (MM_REAL(0.5) * (side - 1)));
-        store_lanes(ray.t, cones.start + from);
-        store_lanes(ray.estimates, cones.estimates + from);
-        store_lanes(ray.iterations, cones.iterations + from);
+        a.ray.t = load_lanes(lanes.start);
+        a.ray.estimates = load_lanes(lanes.estimates);
+        a.ray.iterations = load_lanes(lanes.iterations);
+        const mask on = first_lanes(blocks - from);
+        const mask go = on && a.ray.t <= a.ray.end;
+        append(pool, a, go);
+        store_cones(a, on && !go, cones);
+    }
+}
+
+// Marches a cone for every block of `side` pixels.
+template <int side, int parent_side>
+HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
+                              Pool& pool, Cones<side>& cones)
+{
+    const scalar width = pitch * (MM_REAL(0.5) * (side - 1));
+    pool.size = 0;
+    begin_cones(scene, group, parents, pool, cones);
+    while (pool.size > 0) {
+        const int size = pool.size;
+        pool.size = 0;
+        for (int from = 0; from < size; from += pack_lanes) {
+            Traveller a = load(pool, from);
+            const mask on = first_lanes(size - from);
+            const int enough = lanes_on(on) * 3 / 4;
+            mask go = on;
+            int step = 0;
+            do {
+                a.ray = advance_cone(scene, a.ray, width, go);
+                go = go && cone_goes(a.ray);
+            } while (++step < steps_at_once && lanes_on(go) > enough);
+            append(pool, a, go);
+            store_cones(a, on && !go, cones);
+        }
     }
 }
 
@@ -247,14 +295,14 @@ HWY_NOINLINE void begin_tile(const Scene& scene, const Group& group, int tile, c
 
 // Begins a group's tiles, with cones of 8 and of 2 pixels before the rays.
 HWY_NOINLINE void begin_group(const Scene& scene, const Group& group, const Canvas<MM_REAL>& canvas, Pool& pool,
-                              Spent& spent)
+                              Pool& cones, Spent& spent)
 {
     Cones<8> coarse;
     Cones<2> fine;
     const bool with_cones = canvas.pitch > 0;
     if (with_cones) {
-        march_cones<8, tile_side>(scene, group, canvas.pitch, nullptr, coarse);
-        march_cones<2, 8>(scene, group, canvas.pitch, &coarse, fine);
+        march_cones<8, tile_side>(scene, group, canvas.pitch, nullptr, cones, coarse);
+        march_cones<2, 8>(scene, group, canvas.pitch, &coarse, cones, fine);
     }
     for (int tile = 0; tile < group.count; ++tile) {
         begin_tile(scene, group, tile, canvas, with_cones ? &fine : nullptr, pool, spent);
@@ -300,6 +348,7 @@ HWY_NOINLINE void march_pool(const Scene& scene, Pool& pool, Pool& hits, Pool& e
 // A thread's memory.
 struct Pools {
     Pool marching;
+    Pool cones;
     Pool hits;   // to be refined
     Pool ended;  // to be shaded
 };
@@ -309,7 +358,7 @@ Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& t
 {
     Spent spent{0, 0, 0};
     const Scene& scene = *static_cast<const Scene*>(data);
-    auto& [pool, hits, ended] = *static_cast<Pools*>(memory);
+    auto& [pool, cones, hits, ended] = *static_cast<Pools*>(memory);
     pool.size = hits.size = ended.size = 0;
     bool more = true;
     while (more || pool.size > 0) {
@@ -320,7 +369,7 @@ Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& t
                 more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
                 group.count += more;
             }
-            if (group.count > 0) begin_group(scene, group, canvas, pool, spent);
+            if (group.count > 0) begin_group(scene, group, canvas, pool, cones, spent);
         }
         march_pool(scene, pool, hits, ended, canvas, spent);
         while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas, spent);

@@ -17,6 +17,10 @@ struct Traveller {
     whole pixel;
 };
 
+// Lambdas that stay calls cost more than what they do.
+#undef MM_INLINED
+#define MM_INLINED __attribute__((always_inline)) HWY_ATTR
+
 // Calls f(number of the field, its pack) for each field.
 template <class OnReal, class OnWhole>
 HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
@@ -64,8 +68,8 @@ HWY_INLINE Traveller load(const Pool& pool, int from)
 {
     Traveller a;
     each_field(
-        a, [&](int f, real& v) HWY_ATTR { v = load_lanes(pool.real_fields[f] + from); },
-        [&](int f, whole& v) HWY_ATTR { v = load_lanes(pool.whole_fields[f] + from); });
+        a, [&](int f, real& v) MM_INLINED { v = load_lanes(pool.real_fields[f] + from); },
+        [&](int f, whole& v) MM_INLINED { v = load_lanes(pool.whole_fields[f] + from); });
     return a;
 }
 
@@ -76,24 +80,51 @@ HWY_INLINE int lanes_on(const mask& on)
     return lanes;
 }
 
+// The lanes that are on first. Of 64-bit lanes Highway makes a look-up in a table even where there is an instruction.
+HWY_INLINE hn::Vec<Reals> compressed(hn::Vec<Reals> a, hn::Mask<Reals> on)
+{
+#if HWY_TARGET <= HWY_AVX3 && !MM_REAL_IS_FLOAT
+    return hn::Vec<Reals>{_mm512_maskz_compress_pd(on.raw, a.raw)};
+#else
+    return hn::Compress(a, on);
+#endif
+}
+
+HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
+{
+#if HWY_TARGET <= HWY_AVX3 && !MM_REAL_IS_FLOAT
+    return hn::Vec<Wholes>{_mm512_maskz_compress_epi64(on.raw, a.raw)};
+#else
+    return hn::Compress(a, hn::RebindMask(Wholes(), on));
+#endif
+}
+
+// Where compressing is one instruction it is cheapest in place; elsewhere it is too much code for every place.
+#undef MM_APPEND
+#if HWY_TARGET <= HWY_AVX3
+#define MM_APPEND HWY_INLINE
+#else
+#define MM_APPEND HWY_NOINLINE
+#endif
+
 // Appends the lanes that are on. The pool has room for a pack more than it holds.
-HWY_INLINE void append(Pool& pool, Traveller& a, const mask& on)
+MM_APPEND void append(Pool& pool, Traveller& a, const mask& on)
 {
     const int lanes = lanes_on(on);
     const int at = pool.size;
     pool.size = at + lanes;
     if (lanes == pack_lanes) {
         each_field(
-            a, [&](int f, real& v) HWY_ATTR { store_lanes(v, pool.real_fields[f] + at); },
-            [&](int f, whole& v) HWY_ATTR { store_lanes(v, pool.whole_fields[f] + at); });
+            a, [&](int f, real& v) MM_INLINED { store_lanes(v, pool.real_fields[f] + at); },
+            [&](int f, whole& v) MM_INLINED { store_lanes(v, pool.whole_fields[f] + at); });
     } else if (lanes > 0) {
         int to = at;
-        EACH_REGISTER(const auto keep = on.of[u]; const auto keep_wholes = hn::RebindMask(Wholes(), keep); each_field(
+        EACH_REGISTER(const auto keep = on.of[u]; each_field(
                           a,
                           [&](int f, real& v)
-                              HWY_ATTR { hn::StoreU(hn::Compress(v.of[u], keep), Reals(), pool.real_fields[f] + to); },
-                          [&](int f, whole& v) HWY_ATTR {
-                              hn::StoreU(hn::Compress(v.of[u], keep_wholes), Wholes(), pool.whole_fields[f] + to);
+                              MM_INLINED { hn::StoreU(compressed(v.of[u], keep), Reals(), pool.real_fields[f] + to); },
+                          [&](int f, whole& v) MM_INLINED {
+                              hn::StoreU(compressed(v.of[u], keep), Wholes(), pool.whole_fields[f] + to);
                           });
                       to += static_cast<int>(hn::CountTrue(Reals(), keep));)
     }

@@ -80,23 +80,15 @@ FN Ray advance_cone(Scene scene, Ray ray, scalar width, mask on)
     real gap = cone_gap(scene, ray, here.distance, width);
     mask goes = on && gap > width * ray.t;
     ray.t = pick(goes, ray.t + scene.stride * gap, ray.t);
-    ray.last_distance = pick(goes, here.distance, R(0.0));
-    ray.estimates = ray.estimates + count(on);
+    ray.last_distance = pick(on, pick(goes, here.distance, 0), ray.last_distance);
+    ray.steps = tally(ray.steps, on);
+    ray.estimates = tally(ray.estimates, on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
 }
 
-FN Ray march_cone(Scene scene, Ray ray, scalar width)
-{
-    mask on = ray.t <= ray.end;
-    int i = 0;
-    while (i < 100 && any(on)) {
-        ray = advance_cone(scene, ray, width, on);
-        on = on && ray.last_distance > 0 && ray.t <= ray.end;
-        i = i + 1;
-    }
-    return ray;
-}
+// True while the cone has not ended. What a hundred steps do not reach rays go alone.
+FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < 100; }
 
 // At most `steps` steps of every ray that is still marching.
 FN Ray march(Scene scene, Ray ray, int steps)

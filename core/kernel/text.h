@@ -1,6 +1,9 @@
 // The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
 // No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
 #include "core/kernel/scene.h"
+#ifdef MM_SCENE_BY_REFERENCE
+#define Scene const Scene&
+#endif
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
@@ -8,3 +11,4 @@
 #include "core/kernel/march.h"
 #include "core/kernel/looks.h"
 #include "core/kernel/shade.h"
+#undef Scene

@@ -4,6 +4,8 @@
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// A copy of the scene for every call of an estimator is worth avoiding.
+#define MM_SCENE_BY_REFERENCE
 #define FN HWY_API
 #define FN_CALLED HWY_NOINLINE HWY_MAYBE_UNUSED
 // Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.

@@ -9,5 +9,6 @@
 #undef BY_PRECISION
 #undef MM_HAS_LARGER
 #undef MM_HAS_TALLY
+#undef MM_SCENE_BY_REFERENCE
 #undef MM_HAS_CLIPPED
 #undef MM_NEAREST
