@@ -37,7 +37,8 @@ TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the
 AUTHORS ?= made with mandelmarch
 video: flythrough
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) \
-	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json --output video.mp4
+	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
+	    --summary video-summary.json --output video.mp4
 
 # A first look: ten seconds, small.
 video-preview: flythrough

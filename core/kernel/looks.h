@@ -17,7 +17,7 @@ struct Openness {
     whole iterations;
 };
 
-// How open it is from p along n: the estimate at five distances, from 0.4 to 9 % of the way t from the camera, each
+// How open it is from p along n: the estimate at four distances, from 0.4 to 9 % of the way t from the camera, each
 // beside the distance gone. An estimate is a bound, often a third of the truth: half the distance counts as open.
 FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
@@ -26,11 +26,11 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     result.iterations = 0;
     real h = t * R(0.004);
     int i = 0;
-    while (i < 5) {
+    while (i < 4) {
         Estimate there = estimate(scene, along(p, n, h), on);
-        result.share = result.share + R(0.2) * saturated(quotient(2 * there.distance, h));
+        result.share = result.share + R(0.25) * saturated(quotient(2 * there.distance, h));
         result.iterations = result.iterations + there.iterations;
-        h = h * R(2.2);
+        h = h * R(2.85);
         i = i + 1;
     }
     return result;
@@ -114,7 +114,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
-    result.estimates = count(on) + count(on) + count(on) + count(on) + count(on);
+    result.estimates = count(on) + count(on) + count(on) + count(on);
     result.estimates = result.estimates + result.estimates + count(on);
     result.iterations = around.iterations + sunwards.iterations;
     return result;

@@ -129,7 +129,7 @@ FN Ray refine_begin(Scene scene, Ray ray)
 // A root is good where f is a small share of the tolerance: one more secant then brings it closer still.
 FN mask refining(Scene scene, Ray ray)
 {
-    real narrow = root_share() * scene.tolerance * ray.last_t;
+    real narrow = scene.root_share * scene.tolerance * ray.last_t;
     real f = pick(ray.end == tried_above(), ray.before_distance, ray.last_distance);
     return ray.end > no_root() && magnitude(f) > narrow && ray.last_t - ray.before_t > narrow;
 }

@@ -20,7 +20,8 @@ struct Scene {
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
     scalar hull;             // radius or half an edge of what holds the surface; 0: nothing is known
     scalar relaxation;       // the share that a step of over-relaxation goes; not above stride: none
-    scalar fractal[12];      // the fractal's own constants, named in its file
+    scalar root_share;       // a canonical hit is where |DE - tolerance t| is below this share of the tolerance
+    scalar fractal[11];      // the fractal's own constants, named in its file
 
     triple eye;      // camera
     triple forward;  // unit vector

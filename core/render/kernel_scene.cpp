@@ -12,7 +12,6 @@ namespace mandelmarch {
 namespace {
 
 // Constants of the original program.
-constexpr double stride = 0.95;                            // of the distance estimate
 constexpr double relaxation = 1.4;                         // of the distance estimate, in fast mode
 constexpr double end = 1000;                               // largest t of a sample
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
@@ -26,7 +25,7 @@ template <class KernelScene>
 constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(KernelScene::tolerance);
-    return offsetof(KernelScene, tolerance) == 32 && offsetof(KernelScene, fractal) == 32 + 8 * real &&
+    return offsetof(KernelScene, tolerance) == 32 && offsetof(KernelScene, fractal) == 32 + 9 * real &&
            offsetof(KernelScene, eye) == 32 + 20 * real && sizeof(KernelScene) == 32 + 36 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
@@ -69,11 +68,14 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     k.canonical = mode == Mode::fast;
     k.differences = mode == Mode::exact && !is_float<KernelScene>;
     k.tolerance = real(std::pow(10.0, scene.detail));
-    k.stride = real(stride);
+    k.stride = real(scene.stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
     k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
-    k.relaxation = real(mode == Mode::fast && techniques.relaxation ? relaxation : stride);
+    // A scene that asks for short steps gets no longer ones.
+    const bool relaxed = mode == Mode::fast && techniques.relaxation && scene.stride >= default_stride;
+    k.relaxation = real(relaxed ? relaxation : scene.stride);
+    k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->root_share);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);

@@ -48,6 +48,13 @@ FractalConstants julia_constants(const Scene& scene, double)
     return {.values = {a, i, j, scene.escape, escape_radius * escape_radius}};
 }
 
+// z^2 doubles where |z| is 1, as it is about the surface.
+double julia_growth(const Scene&) { return 2; }
+
+double bulb_growth(const Scene& scene) { return scene.shape[2]; }
+
+double box_growth(const Scene& scene) { return std::abs(scene.shape[0]); }
+
 // One row registers a fractal.
 constexpr std::array table{
     Fractal{"mandelbulb",
@@ -56,21 +63,33 @@ constexpr std::array table{
             ignored,
             no_objection,
             bulb_constants,
-            bulb_hull},
+            bulb_hull,
+            bulb_growth,
+            0.8,
+            0.5,
+            0.01},
     Fractal{"mandelbox",
             "box",
             {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
             {"escape time", 0, 1e15, true},
             box_objection,
             box_constants,
-            box_hull},
+            box_hull,
+            box_growth,
+            1,
+            default_stride,
+            0.001},
     Fractal{"julia",
             "julia",
             {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
             {"c's k part", -4, 4},
             no_objection,
             julia_constants,
-            julia_hull},
+            julia_hull,
+            julia_growth,
+            1,
+            default_stride,
+            0.01},
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Meaning {
 
 // What the kernel text of a fractal needs that is the same for all pixels, computed in double.
 struct FractalConstants {
-    std::array<double, 12> values{};
+    std::array<double, 11> values{};
     int exponent = 0;  // see Scene::exponent in core/kernel/scene.h
 };
 
@@ -42,6 +42,15 @@ struct Fractal {
     // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
     // that is not proven.
     double (*hull)(const Scene& scene, const Sight& view);
+    // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
+    double (*growth)(const Scene& scene);
+    // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
+    // close-up: near the surface an estimate can be larger than the distance.
+    double safety;
+    double short_stride;
+    // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
+    // change.
+    double root_share;
 };
 
 std::span<const Fractal> fractals();

@@ -16,6 +16,9 @@ inline constexpr int max_iterations = 10'000;  // of the distance estimator
 inline constexpr double max_field_of_view = 180.0 / 65.0;
 inline constexpr int colouring_types = 5;  // 0 and 1: the original's; from 2: core/kernel/looks.h
 
+// Of the distance estimate: a step of the original program.
+inline constexpr double default_stride = 0.95;
+
 struct Scene {
     const Fractal* fractal = nullptr;
     Vector eye{7, 7, 7};
@@ -30,6 +33,8 @@ struct Scene {
     int colouring = 0;
     double brightness = 1;
     std::string image_file;
+    double stride = default_stride;  // a step's share of the estimate; not in the file
+    double root_share = 0;           // see Fractal::root_share, whose value 0 stands for; not in the file
 };
 
 // The entries of a parameter file, in their order.

@@ -20,8 +20,7 @@ public:
     const Hull& hull() const { return hull_; }
     int threads() const { return threads_; }
 
-    // The share of an estimate that is surely free: 0.8 for the Mandelbulb, whose estimate is no true bound near the
-    // surface, else 1.
+    // The share of an estimate that is surely free.
     double safety() const { return safety_; }
 
     // The distance estimate at p, in the scene's units; 0 where it is negative or no number.

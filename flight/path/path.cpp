@@ -4,11 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/fractal.h"
+
 namespace mandelmarch {
 namespace {
 
 constexpr double footprint = 0.7;  // pixel heights
 constexpr double degrees_per_field = 65;
+constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
+constexpr double film_root_share = 0.2;     // a fifth of a pixel's footprint is not seen
+constexpr int spare_iterations = 1;
+
+// Iterations beyond this make features that are smaller than a pixel's footprint from the least clearance: noise, and
+// what is slowest in a close-up.
+int iterations_in_sight(const Scene& scene)
+{
+    const double growth = std::max(scene.fractal->growth(scene), 1.1);
+    const double smallest = std::pow(10.0, scene.detail) * least_clearance;
+    return static_cast<int>(std::ceil(-std::log(smallest) / std::log(growth))) + spare_iterations;
+}
 
 }  // namespace
 
@@ -29,7 +43,15 @@ Scene scene_of(const Path& path, const Frame& frame, int width, int height)
         scene.detail = static_cast<float>(std::clamp(std::log10(footprint * 2 * tangent / height), -6.0, -1.5));
     }
     if (changes.shape) scene.shape = *changes.shape;
-    if (changes.iterations) scene.iterations = *changes.iterations;
+    if (changes.iterations) {
+        scene.iterations = *changes.iterations;
+    } else if (path.detail_by_size) {
+        scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
+    }
+    if (path.detail_by_size) {
+        scene.stride = std::min(scene.stride, scene.fractal->short_stride);
+        scene.root_share = std::max(scene.fractal->root_share, film_root_share);
+    }
     if (changes.escape) scene.escape = *changes.escape;
     if (changes.colouring) scene.colouring = *changes.colouring;
     if (changes.brightness) scene.brightness = *changes.brightness;

@@ -44,9 +44,6 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures change.
-FN real root_share() { return R(0.01); }
-
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);

@@ -29,9 +29,6 @@ FN real sphere_fold(Scene scene, real r2)
 // Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
-// A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures change.
-FN real root_share() { return R(0.001); }
-
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

@@ -50,9 +50,6 @@ FN vec3 plus(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures change.
-FN real root_share() { return R(0.01); }
-
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
