@@ -74,9 +74,11 @@ intel-opencl: build
 lint: setup
 	@tools/lint
 
-# What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40.
+# What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the time of a frame that follows from it.
 k40: mandelbulb python
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
+	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
+	    --table report/results/k40_expected.txt
 
 # The report on what report/results has, with the pictures that bin/render draws: report/out. docs/report.md explains it.
 RESULTS ?= report/results

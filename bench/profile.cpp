@@ -11,6 +11,7 @@
 #include "backends/openmp/pitch.h"
 #include "bench/stage_kernels.h"
 #include "bench/study.h"
+#include "bench/views.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 

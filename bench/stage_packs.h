@@ -62,11 +62,7 @@ HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<M
         const whole places = load(ended, k * pack_lanes).pixel;
         store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), canvas, spent);
     }
-    const int done = packs * pack_lanes;
-    const int rest = ended.size > done ? ended.size - done : 0;
-    Traveller a = load(ended, done);
-    ended.size = 0;
-    append(ended, a, first_lanes(rest));
+    keep_rest(ended, packs * pack_lanes);
     *place(seconds, TimedStage::normal) += second - first;
     *place(seconds, TimedStage::shade) += third - second;
     *place(seconds, TimedStage::output) += now() - third;
@@ -89,15 +85,7 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
         last = here;
     };
     while (more || pool.size > 0) {
-        while (more && pool.size <= pool_rays - group_tiles * tile_pixels) {
-            Group group;
-            group.count = 0;
-            while (group.count < group_tiles && more) {
-                more = tiles.next(tiles.source, group.left[group.count], group.bottom[group.count]);
-                group.count += more ? 1 : 0;
-            }
-            if (group.count > 0) begin_group(scene, group, canvas, pool, cones, spent);
-        }
+        more = more && begin_tiles(scene, tiles, canvas, pool, cones, spent);
         took(TimedStage::begin);
         march_pool(scene, pool, hits, ended, canvas, spent);
         took(TimedStage::march);

@@ -8,12 +8,11 @@
 #include <thread>
 #include <tuple>
 
-#include "bench/official_scenes.h"
+#include "bench/views.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/number.h"
-#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -173,29 +172,6 @@ const Study& study_named(std::string_view name)
         known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
     }
     throw InputError(fmt::format("--study: '{}' given, expected one of {}", name, known));
-}
-
-Scene official_scene_of(std::string_view nickname, int width, int height)
-{
-    Scene scene = parse_parameters(official_parameters(nickname), std::string(nickname), fractal_named(nickname)).scene;
-    scene.width = width;
-    scene.height = height;
-    return scene;
-}
-
-std::vector<View> views_of(std::string_view nickname, int width, int height)
-{
-    const Scene official = official_scene_of(nickname, width, height);
-    std::vector<View> views{{"official", official}, {"near", official}, {"far", official}, {"coarse", official}};
-    views[1].scene.eye = 0.75 * official.eye;
-    views[2].scene.eye = 3.0 * official.eye;
-    views[3].scene.detail = -2;
-    if (nickname == "bulb") {
-        // A power that is not whole is raised through angles; the picture is all but the official one.
-        views.push_back({"angles", official});
-        views.back().scene.shape[2] += 1e-5;
-    }
-    return views;
 }
 
 std::vector<std::string> fractals_of(const Options& options)

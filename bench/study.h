@@ -36,17 +36,6 @@ struct Case {
 // Throws InputError for an unknown name or a bad size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);
 
-// The official scene of a fractal at a size in pixels, as the repository's parameter file has it.
-Scene official_scene_of(std::string_view nickname, int width, int height);
-
-// Other views of the Mandelbulb and the Mandelbox, for the study box-vs-bulb: both fractals under the same name of
-// scene.
-struct View {
-    std::string_view name;
-    Scene scene;
-};
-std::vector<View> views_of(std::string_view nickname, int width, int height);
-
 // The fractals that the options choose, by nickname.
 std::vector<std::string> fractals_of(const Options& options);
 std::vector<Precision> precisions_of(const Options& options);

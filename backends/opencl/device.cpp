@@ -85,7 +85,9 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const cl_uint native = is_float ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
                                     : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
     constexpr std::array lengths{1, 2, 4, 8, 16};
-    build.lanes = options.pack != 0 ? options.pack : is_cpu && native > 1 ? static_cast<int>(native) : 1;
+    // Two registers hide some of each other's latency.
+    const int suits = is_cpu && native > 1 ? std::min(2 * static_cast<int>(native), lengths.back()) : 1;
+    build.lanes = options.pack != 0 ? options.pack : suits;
     if (std::ranges::find(lengths, build.lanes) == lengths.end()) {
         throw InputError(
             fmt::format("--pack: {} is no vector length of opencl, expected 1, 2, 4, 8 or 16", build.lanes));

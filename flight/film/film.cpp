@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -20,6 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Another build may draw other bits: its segments are not mixed with an earlier one's.
+std::string program_digest()
+{
+    std::ifstream program("/proc/self/exe", std::ios::binary);
+    return digest(std::string(std::istreambuf_iterator<char>(program), {}));
+}
+
 // Everything that a frame's bytes depend on.
 std::string description_of(const Path& path, const Backend& backend, const FilmOptions& options)
 {
@@ -28,12 +37,12 @@ std::string description_of(const Path& path, const Backend& backend, const FilmO
     const auto device = static_cast<std::size_t>(options.renderer.device);
     return fmt::format(
         "{{\"film\": 1, \"path\": \"{}\", \"frames\": {}, \"size\": \"{}x{}\", \"samples\": {}, \"look\": {}, "
-        "\"backend\": \"{}\", "
-        "\"device\": \"{}\", \"precision\": \"{}\", \"mode\": \"{}\", \"title\": \"{}\", \"encoder\": \"{}\"}}\n",
+        "\"backend\": \"{}\", \"program\": \"{}\", \"device\": \"{}\", \"precision\": \"{}\", \"mode\": \"{}\", "
+        "\"title\": \"{}\", \"encoder\": \"{}\"}}\n",
         digest(to_text(path)), path.frames.size(), picture.width, picture.height, picture.samples,
-        picture.look.value_or(-1), backend.name(), device < devices.size() ? devices[device].name : "",
-        name_of(options.renderer.precision), name_of(options.renderer.mode),
-        digest(options.title + "\n" + options.authors), ffmpeg_version());
+        picture.look.value_or(-1), backend.name(), program_digest(),
+        device < devices.size() ? devices[device].name : "", name_of(options.renderer.precision),
+        name_of(options.renderer.mode), digest(options.title + "\n" + options.authors), ffmpeg_version());
 }
 
 void check(const FilmOptions& options, const Workshop& work)

@@ -26,7 +26,7 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
 std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
 {
     // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
-    Scene scene = scene_of(path_, path_.frames[frame], picture_.width, picture_.height);
+    Scene scene = picture_of(path_, path_.frames[frame], picture_.width, picture_.height);
     scene.width = image_.width();
     scene.height = image_.height();
     if (picture_.look) scene.colouring = *picture_.look;

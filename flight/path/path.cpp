@@ -43,18 +43,20 @@ Scene scene_of(const Path& path, const Frame& frame, int width, int height)
         scene.detail = static_cast<float>(std::clamp(std::log10(footprint * 2 * tangent / height), -6.0, -1.5));
     }
     if (changes.shape) scene.shape = *changes.shape;
-    if (changes.iterations) {
-        scene.iterations = *changes.iterations;
-    } else if (path.detail_by_size) {
-        scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
-    }
-    if (path.detail_by_size) {
-        scene.stride = std::min(scene.stride, scene.fractal->short_stride);
-        scene.root_share = std::max(scene.fractal->root_share, film_root_share);
-    }
+    if (changes.iterations) scene.iterations = *changes.iterations;
     if (changes.escape) scene.escape = *changes.escape;
     if (changes.colouring) scene.colouring = *changes.colouring;
     if (changes.brightness) scene.brightness = *changes.brightness;
+    return scene;
+}
+
+Scene picture_of(const Path& path, const Frame& frame, int width, int height)
+{
+    Scene scene = scene_of(path, frame, width, height);
+    if (!path.detail_by_size) return scene;
+    if (!frame.changes.iterations) scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
+    scene.stride = std::min(scene.stride, scene.fractal->short_stride);
+    scene.root_share = std::max(scene.root_share, film_root_share);
     return scene;
 }
 

@@ -40,9 +40,12 @@ struct Path {
 };
 
 // The scene of one frame at a picture size in pixels. Where the path leaves the detail level to the size, it is the
-// logarithm of 0.7 pixel heights at distance 1, no more iterations than such pixels can show are made, and steps are
-// short where the fractal's estimate wants that, and a hit is as exact as such pixels need.
+// logarithm of 0.7 pixel heights at distance 1.
 Scene scene_of(const Path& path, const Frame& frame, int width, int height);
+
+// The same to be drawn: where the detail level follows the size, no more iterations than such pixels can show are made,
+// steps are short where the fractal's estimate wants that, and a hit is as exact as such pixels need.
+Scene picture_of(const Path& path, const Frame& frame, int width, int height);
 
 // The whole path with every number cut to the digits that a path file keeps, so that what is audited is what is
 // written.

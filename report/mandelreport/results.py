@@ -23,10 +23,19 @@ class Results:
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     portability: list[dict[str, Any]] | None = None  # bench portability --json
-    k40: str | None = None  # tools/k40.py's table
+    k40: str | None = None  # the tables of make k40
 
     def study(self, name: str) -> list[Bench]:
         return [bench for bench in self.benches if bench.study == name]
+
+    def machines(self) -> list[Bench]:
+        """One standard study a machine, that with the most launches: machines are compared, not picture sizes."""
+        chosen: dict[str, Bench] = {}
+        for bench in self.study("standard"):
+            kept = chosen.setdefault(bench.machine, bench)
+            if bench.data["launches"] > kept.data["launches"]:
+                chosen[bench.machine] = bench
+        return list(chosen.values())
 
 
 def _add_json(results: Results, name: str, path: Path, text: str) -> None:
@@ -51,8 +60,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
-    if text.startswith("ptxas "):
-        results.k40 = text
+    if text.startswith(("ptxas ", "K40 on paper")):
+        results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
     elif film := film_of_log(name, text):
         results.films.append(film)
 

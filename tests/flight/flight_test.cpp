@@ -199,18 +199,19 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
     path.scene.iterations = 100;
-    const Scene film = scene_of(path, path.frames[0], 1920, 1080);
-    const Scene large = scene_of(path, path.frames[0], 3840, 2160);
+    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // what is flown through
+    const Scene film = picture_of(path, path.frames[0], 1920, 1080);
+    const Scene large = picture_of(path, path.frames[0], 3840, 2160);
     EXPECT_LT(film.iterations, 100);
     EXPECT_GE(large.iterations, film.iterations);
     EXPECT_LT(large.detail, film.detail);
     path.scene.iterations = 2;
-    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 2);
+    EXPECT_EQ(picture_of(path, path.frames[0], 1920, 1080).iterations, 2);
     path.frames[0].changes.iterations = 50;
-    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 50);
+    EXPECT_EQ(picture_of(path, path.frames[0], 1920, 1080).iterations, 50);
     path.detail_by_size = false;
     path.scene.iterations = 100;
-    const Scene asked = scene_of(path, path.frames[1], 1920, 1080);
+    const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
     EXPECT_EQ(asked.iterations, 100);
     EXPECT_EQ(asked.stride, default_stride);
     EXPECT_EQ(asked.root_share, 0);

@@ -8,6 +8,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import k40  # noqa: E402
+import k40_expected  # noqa: E402
 
 # The K40's steps: 10, 6, 7 and 4 blocks of 128 threads on a multiprocessor.
 MOST_REGISTERS = {("march", "float"): 48, ("march", "double"): 88, ("shade", "float"): 80, ("shade", "double"): 120}
@@ -19,6 +20,33 @@ def changed(ptx, kernel, old, new):
     twin = re.sub(old, new, body, count=1)
     assert twin != body, f"{kernel} holds no {old}"
     return ptx.replace(body, twin)
+
+
+LOOPS = """
+$L1:
+mul.rn.f32 %r1,%r2,%r3;
+$L2:
+mov.f32 %r4,%r5;
+fma.rn.f32 %r1,%r2,%r3,%r4;
+add.rn.f32 %r1,%r2,%r3;
+setp.gt.f32 %r6,%r1,%r2;
+@ %r6 bra $L2;
+ld.f32 %r7,[%r8];
+@ ! %r6 bra $L1;
+"""
+
+
+def check_expected():
+    """The K40 on paper: the inner loop's instructions, arithmetic and operations, and what a division becomes."""
+    found = []
+    if k40_expected.densest_loop(LOOPS) != (4, 2, 3):
+        found.append(f"densest loop: {k40_expected.densest_loop(LOOPS)}, expected 4 instructions, 2 of them arithmetic, 3 operations")
+    if k40_expected.densest_loop(LOOPS.replace("bra $L2", "bra $L3")) != (7, 3, 4):
+        found.append("the twin without the inner loop was not seen")
+    single, double = k40_expected.expansion("div", "f32"), k40_expected.expansion("div", "f64")
+    if not 4 < single < double < 100:
+        found.append(f"a division becomes {single} instructions in float, {double} in double")
+    return found
 
 
 def check_text(ptx, fractals):
@@ -61,6 +89,7 @@ def check_assembled(ptx, fractals):
         found.append("the twin with 32 registers spills nothing")
     if (k40.k40_threads(32), k40.k40_threads(33), k40.k40_threads(255)) != (2048, 1536, 256):
         found.append("occupancy differs from the occupancy calculator's")
+    found += check_expected()
     print(k40.table(ptx), end="")  # assembles it for sm_75 and sm_90 too
     return found
 

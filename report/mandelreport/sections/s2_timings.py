@@ -81,7 +81,7 @@ def _bench_table(bench: Bench, fractal: str) -> Table:
 
 def _portability(material: Material) -> list[dict[str, Any]]:
     """The metric over all platforms: from a file, from the one result there is, or from bench over several."""
-    results, standard = material.results, material.results.study("standard")
+    results, standard = material.results, material.results.machines()
     if results.portability is not None or not standard:
         return results.portability or []
     program = material.studio.render.with_name("bench")
@@ -133,6 +133,7 @@ def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
 def _machine(bench: Bench) -> dict[str, Any]:
     """Everything of one result file of the standard study."""
     fractals = [fractal for fractal in dict.fromkeys(row.fractal for row in bench.rows) if fractal != "all"]
+    settings = [row.setting for row in bench.rows if row.timed]
     peaks = Table(
         ["platform", "backend", "number", "multiply-add peak [GFLOP/s]"],
         [
@@ -145,6 +146,7 @@ def _machine(bench: Bench) -> dict[str, Any]:
     return {
         "name": bench.name,
         "machine": bench.machine,
+        "sizes": ", ".join(dict.fromkeys(f"{s['width']} x {s['height']} pixels" for s in settings)),
         "launches": bench.data["launches"],
         "warnings": bench.data["warnings"],
         "tables": [_bench_table(bench, fractal) for fractal in fractals],
@@ -186,7 +188,7 @@ def section(material: Material) -> dict[str, Any]:
     return {
         "machines": machines,
         "missing": Missing("The timings", "make bench"),
-        "together": timings.machines(material.results.study("standard")),
+        "together": timings.machines(material.results.machines()),
         "portability": _portability_table(metric),
         "cascade": portability.cascade(metric),
         "sweeps": _sweeps(material),

@@ -1,0 +1,147 @@
+// The second half of pack.h: roots, reciprocals and powers of two of packs. Included by it.
+
+FN real root(real a)
+{
+    EACH_REGISTER(a.of[u] = hn::Sqrt(a.of[u]);)
+    return a;
+}
+
+#define MM_HAS_TALLY
+FN whole tally(whole a, const mask& on)
+{
+    EACH_REGISTER(
+        a.of[u] = hn::IfThenElse(hn::RebindMask(Wholes(), on.of[u]), hn::Add(a.of[u], hn::Set(Wholes(), 1)), a.of[u]);)
+    return a;
+}
+
+#if HWY_TARGET <= HWY_AVX3
+#define MM_HAS_CLIPPED
+// VRANGEPS with 2: the smaller magnitude, with the sign of the first.
+FN real clipped(real a)
+{
+    const auto one = hn::Set(Reals(), MM_REAL(1));
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(a.of[u].raw = _mm512_range_ps(a.of[u].raw, one.raw, 2);)
+#else
+    EACH_REGISTER(a.of[u].raw = _mm512_range_pd(a.of[u].raw, one.raw, 2);)
+#endif
+    return a;
+}
+#endif
+
+#if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
+// From the hardware's 12 or 14 bits by Newton's steps: a third of the time that division and root take.
+FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
+{
+    const auto two = hn::Set(Reals(), MM_REAL(2));
+#if MM_REAL_IS_FLOAT
+    const auto y = hn::ApproximateReciprocal(b);
+#else
+    const auto first = hn::Vec<Reals>{_mm512_rcp14_pd(b.raw)};
+    const auto y = hn::Mul(first, hn::NegMulAdd(b, first, two));
+#endif
+    return hn::Mul(y, hn::NegMulAdd(b, y, two));
+}
+
+FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a)
+{
+    const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
+    const auto three_halves = hn::Set(Reals(), MM_REAL(1.5));
+#if MM_REAL_IS_FLOAT
+    const auto y = hn::ApproximateReciprocalSqrt(a);
+#else
+    const auto first = hn::Vec<Reals>{_mm512_rsqrt14_pd(a.raw)};
+    const auto y = hn::Mul(first, hn::NegMulAdd(hn::Mul(half, first), first, three_halves));
+#endif
+    return hn::Mul(y, hn::NegMulAdd(hn::Mul(half, y), y, three_halves));
+}
+
+FN real quick_quotient(real a, const real& b)
+{
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal(b.of[u]));)
+    return a;
+}
+
+FN real quick_root(real a)
+{
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u]));)
+    return a;
+}
+
+FN real quick_inverse_root(real a)
+{
+    EACH_REGISTER(a.of[u] = reciprocal_root(a.of[u]);)
+    return a;
+}
+#else
+FN real quick_quotient(const real& a, const real& b) { return quotient(a, b); }
+
+FN real quick_root(const real& a) { return root(a); }
+
+FN real quick_inverse_root(const real& a) { return quotient(1, root(a)); }
+#endif
+
+FN real magnitude(real a)
+{
+    EACH_REGISTER(a.of[u] = hn::Abs(a.of[u]);)
+    return a;
+}
+
+// The nearest whole number, ties to even.
+FN real nearest(real a)
+{
+    EACH_REGISTER(a.of[u] = hn::Round(a.of[u]);)
+    return a;
+}
+
+#if HWY_TARGET <= HWY_AVX3
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a)
+{
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(a.of[u].raw = _mm512_getexp_ps(a.of[u].raw);)
+#else
+    EACH_REGISTER(a.of[u].raw = _mm512_getexp_pd(a.of[u].raw);)
+#endif
+    return a;
+}
+
+// 2^n of a whole number n of the normal range.
+FN real two_to(real n)
+{
+    const auto one = hn::Set(Reals(), MM_REAL(1));
+#if MM_REAL_IS_FLOAT
+    EACH_REGISTER(n.of[u].raw = _mm512_scalef_ps(one.raw, n.of[u].raw);)
+#else
+    EACH_REGISTER(n.of[u].raw = _mm512_scalef_pd(one.raw, n.of[u].raw);)
+#endif
+    return n;
+}
+#else
+#if MM_REAL_IS_FLOAT
+constexpr int mantissa_bits = 23;
+constexpr Int exponent_mask = 0xff;
+constexpr Int exponent_bias = 127;
+#else
+constexpr int mantissa_bits = 52;
+constexpr Int exponent_mask = 0x7ff;
+constexpr Int exponent_bias = 1023;
+#endif
+
+// floor(log2 |a|) of a normal number.
+FN real exponent_of(real a)
+{
+    EACH_REGISTER(auto bits = hn::ShiftRight<mantissa_bits>(hn::BitCast(Wholes(), a.of[u]));
+                  auto field = hn::And(bits, hn::Set(Wholes(), exponent_mask));
+                  a.of[u] = hn::ConvertTo(Reals(), hn::Sub(field, hn::Set(Wholes(), exponent_bias)));)
+    return a;
+}
+
+// 2^n of a whole number n of the normal range.
+FN real two_to(real n)
+{
+    EACH_REGISTER(auto field = hn::Add(hn::ConvertTo(Wholes(), n.of[u]), hn::Set(Wholes(), exponent_bias));
+                  n.of[u] = hn::BitCast(Reals(), hn::ShiftLeft<mantissa_bits>(field));)
+    return n;
+}
+#endif
