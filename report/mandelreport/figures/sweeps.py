@@ -60,7 +60,7 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
         xs = list(labels)
         if ideal:
             axis.plot(xs, [x / xs[0] for x in xs], color="#777777", linewidth=0.8, linestyle=":", label="ideal")
-        axis.set_xscale("log")
+        axis.set_xscale("log" if min(xs) > 0 else "linear")  # detail levels are negative
         axis.set_xticks(xs, list(labels.values()), minor=False, fontsize=7)
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
