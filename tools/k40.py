@@ -150,6 +150,14 @@ def table(ptx):
     return "\n".join(lines) + "\n"
 
 
+def put(text, file_name):
+    """Prints a table, and writes it to a file if one is named."""
+    if file_name:
+        with open(file_name, "w", encoding="utf-8") as file:
+            file.write(text)
+    print(text, end="")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
@@ -161,10 +169,7 @@ def main():
         sys.exit(f"k40: {error}")
     if not text:
         sys.exit(f"k40: {arguments.program} holds no PTX: it was built without openacc")
-    if arguments.table:
-        with open(arguments.table, "w", encoding="utf-8") as file:
-            file.write(text)
-    print(text, end="")
+    put(text, arguments.table)
 
 
 if __name__ == "__main__":

@@ -105,8 +105,11 @@ def costs(ptx, counts):
 
 
 def read(path):
-    with open(path, encoding="utf-8") as file:
-        return json.load(file)
+    try:
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError) as error:
+        sys.exit(f"k40_expected: {path}: {error}, expected a result of bench")
 
 
 def main():
@@ -120,7 +123,10 @@ def main():
     if len(ptx) != 1:
         sys.exit(f"k40_expected: {arguments.program} holds {len(ptx)} texts of PTX, expected one")
     counts = {(c["fractal"], c["precision"]): c for c in read(arguments.lanes)["counts"] if c["setting"]["view"] == "official"}
-    kernels, weight = costs(ptx[0], counts)
+    try:
+        kernels, weight = costs(ptx[0], counts)
+    except k40.Unavailable as error:
+        sys.exit(f"k40_expected: {error}")
     lines = ["K40 on paper, 1920 x 1080, kernel time; "
              + ", ".join(f"{o}.{s}: {w:.1f} instructions" for (o, s), w in weight.items()),
              f"{'fractal':<12}{'number':<8}{'mode':<7}{'operations':>11}{'at the':>9}{'instructions':>14}{'lanes':>8}{'expected':>10}"
@@ -129,7 +135,7 @@ def main():
     for row in read(arguments.rows)["rows"]:
         key = row["fractal"], row["precision"], row["mode"]
         setting = row["setting"]
-        if row["backend"] != "openacc" or key not in kernels or (setting["width"], setting["height"]) != (1920, 1080):
+        if row["backend"] != "openacc" or not row["figures"] or key not in kernels or (setting["width"], setting["height"]) != (1920, 1080):
             continue
         instructions, arithmetic, lanes = kernels[key]
         clocks = instructions / ISSUE_LANES if key[1] == "float" else max(instructions / ISSUE_LANES, arithmetic / DOUBLE_LANES)
@@ -140,10 +146,7 @@ def main():
     if len(lines) == 3:
         sys.exit(f"k40_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
     text = "\n".join(lines) + "\n"
-    if arguments.table:
-        with open(arguments.table, "w", encoding="utf-8") as file:
-            file.write(text)
-    print(text, end="")
+    k40.put(text, arguments.table)
 
 
 if __name__ == "__main__":

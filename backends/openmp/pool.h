@@ -7,9 +7,10 @@
 #include "core/kernel/prelude/pack.h"
 #include "core/kernel/text.h"
 
-// Steps before rays are stored again, at most. (The files below are in the order of their needs.)
+// Steps before rays are stored again, at most.
 constexpr int steps_at_once = 16;
 
+// Each of these needs the one before.
 #include "backends/openmp/rays.h"
 
 #include "backends/openmp/pixels.h"

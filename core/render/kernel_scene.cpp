@@ -11,8 +11,9 @@
 namespace mandelmarch {
 namespace {
 
+constexpr double relaxation = 1.4;  // of the distance estimate, in fast mode; docs/performance.md
+
 // Constants of the original program.
-constexpr double relaxation = 1.4;                         // of the distance estimate, in fast mode
 constexpr double end = 1000;                               // largest t of a sample
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
 constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 from unittest import mock
 
@@ -18,8 +19,9 @@ sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 import made  # noqa: E402
 import made_programs  # noqa: E402
 from mandelreport import flight, shaders  # noqa: E402
-from mandelreport.figures import style, timings  # noqa: E402
+from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.bench import read_bench  # noqa: E402
+from mandelreport.results import read_results  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
@@ -190,6 +192,23 @@ class ReportTest(unittest.TestCase):
         run = self.make({"other.json": {"a": 1}, "list.json": [1, 2]})
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("left out"), 2)
+
+    def test_one_study_a_machine(self) -> None:
+        more = made.bench() | {"launches": made.bench()["launches"] + 2}
+        files = {"a.json": made.bench(), "b.json": more, "c.json": made.bench()}
+        found = read_results(made.write(self.folder / "results", files))
+        self.assertEqual(len(found.study("standard")), 3)
+        self.assertEqual([bench.name for bench in found.machines()], ["b.json"])
+
+    def test_both_tables_of_the_k40(self) -> None:
+        folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})
+        self.assertEqual(read_results(folder).k40, "K40 on paper, x\n\nptxas 11.8, y\n")
+
+    def test_negative_levels_have_an_axis(self) -> None:
+        study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # matplotlib's, where a logarithmic axis loses them
+            self.assertIsNotNone(sweeps.sweep(read_bench("made", Path("made"), study), "D", "ms", "caption"))
 
     def test_film_of_a_log(self) -> None:
         log = (
