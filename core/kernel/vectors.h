@@ -34,8 +34,10 @@ FN real smaller(real a, real b) { return pick(a < b, a, b); }
 FN real clipped(real x) { return smaller(larger(x, -1), 1); }
 #endif
 
-// |a|, which may be 0.
-FN real quick_norm(vec3 a) { return quick_root(larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30))); }
+// |a|^2, which may be 0: then a number whose root has a reciprocal.
+FN real norm2(vec3 a) { return larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
+
+FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 
 // 1 / root(a), and the sum of a counter and the lanes that are on.
 #ifndef MM_HAS_TALLY
@@ -68,6 +70,13 @@ FN Complex squared(Complex a)
     return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
 }
 
+// a^2 where |a|^2 is known, which spares a product: cos 2x = 2 cos^2 x - 1.
+FN Complex squared_within(Complex a, real length2)
+{
+    real twice = a.re + a.re;
+    return complex_number(twice * a.re - length2, twice * a.im);
+}
+
 // a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), n < 1024. A line for each bit,
 // not a loop: where n is known when a device compiles the text only the lines of n's bits are left, and a device that
 // counts an invocation's loops sees none here.
@@ -83,7 +92,6 @@ FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 // n >= 1.
 FN Complex raised(Complex a, int n)
 {
-    if (n == 8) return squared(squared(squared(a)));
     Complex result = raised_by_bit(a, a, n, 256);
     result = raised_by_bit(result, a, n, 128);
     result = raised_by_bit(result, a, n, 64);
@@ -108,7 +116,6 @@ FN real raised_real_by_bit(real result, real a, int n, int bit)
 FN real raised_real(real a, int n)
 {
     real result = a;
-    if (n == 7) return a * a * a * (a * a * a) * a;
     if (n == 0) result = 1;
     result = raised_real_by_bit(result, a, n, 256);
     result = raised_real_by_bit(result, a, n, 128);

@@ -66,7 +66,7 @@ constexpr std::array table{
             bulb_hull,
             bulb_growth,
             0.8,
-            0.5,
+            0.6,
             0.01},
     Fractal{"mandelbox",
             "box",

@@ -16,19 +16,28 @@ struct BulbPower {
 // so that devices that flush subnormal numbers to zero draw the same picture. Its azimuth does not matter.
 FN real axis_radius2() { return BY_PRECISION(1.0e-290, 1.0e-30); }
 
-FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
+FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
 {
     real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
     BulbPower power;
-    power.rho = quick_root(rho2);
-    if (scene.exponent > 0) {
+    if (scene.exponent == 8) {
+        real inverse = quick_inverse_root(rho2);
+        power.rho = rho2 * inverse;
+        real r4 = r2 * r2;
+        power.r_less = r4 * r2 * r;
+        power.polar = squared_within(squared_within(squared_within(complex_number(z.z, power.rho), r2), r4), r4 * r4);
+        Complex direction = complex_number(z.x * inverse, z.y * inverse);
+        power.azimuth = squared_within(squared_within(squared_within(direction, 1), 1), 1);
+    } else if (scene.exponent > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
         real inverse = quick_inverse_root(rho2);
+        power.rho = quick_root(rho2);
         Complex direction = complex_number(z.x * inverse, z.y * inverse);
         power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
         power.azimuth = raised(direction, scene.exponent);
         power.r_less = raised_real(r, scene.exponent - 1);
     } else {
+        power.rho = quick_root(rho2);
         real ln_r = natural_log(r);
         real r_power = exponential(bulb_power(scene) * ln_r);
         Complex turned = cosine_and_sine(bulb_power(scene) * angle_of(power.rho, z.z));
@@ -40,12 +49,11 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r)
     return power;
 }
 
-FN vec3 bulb_point(BulbPower power)
+// z^P + p
+FN vec3 bulb_next(BulbPower power, vec3 p)
 {
-    return vec3(power.polar.im * power.azimuth.re, power.polar.im * power.azimuth.im, power.polar.re);
+    return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
-
-FN vec3 plus(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
@@ -54,19 +62,21 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real dr = 1;
-    real r = quick_norm(z);
+    real r2 = norm2(z);
+    real r = quick_root(r2);
     whole iterations = 0;
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        BulbPower power = bulb_raised(scene, z, r);
-        dr = pick(on, power.r_less * bulb_power(scene) * dr + 1, dr);
+        BulbPower power = bulb_raised(scene, z, r, r2);
+        dr = pick(on, dr * (power.r_less * bulb_power(scene)) + 1, dr);
         // Where a lane is off, z does not matter any more.
-        z = plus(bulb_point(power), p);
+        z = bulb_next(power, p);
         iterations = tally(iterations, on);
         i = i + 1;
         // The radius after the last iteration is not taken: the original leaves with the one before.
-        if (i < scene.max_iterations) r = pick(on, quick_norm(z), r);
+        r2 = norm2(z);
+        if (i < scene.max_iterations) r = pick(on, quick_root(r2), r);
         on = on && r <= bulb_bailout(scene);
     }
     Estimate result;
@@ -142,12 +152,12 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        BulbPower power = bulb_raised(scene, z, r);
+        BulbPower power = bulb_raised(scene, z, r, r * r);
         BulbTangent next_x = bulb_advance(scene, x, vec3(1, 0, 0), z, r, dr, power);
         BulbTangent next_y = bulb_advance(scene, y, vec3(0, 1, 0), z, r, dr, power);
         BulbTangent next_w = bulb_advance(scene, w, vec3(0, 0, 1), z, r, dr, power);
-        dr = pick(on, power.r_less * bulb_power(scene) * dr + 1, dr);
-        z = pick3(on, plus(bulb_point(power), p), z);
+        dr = pick(on, dr * (power.r_less * bulb_power(scene)) + 1, dr);
+        z = pick3(on, bulb_next(power, p), z);
         i = i + 1;
         // The slope of the radius, like the radius, is not taken after the last iteration.
         if (i < scene.max_iterations) {
@@ -182,8 +192,8 @@ FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && i < 6 && any(on)) {
-        BulbPower power = bulb_raised(scene, z, r);
-        z = pick3(on, plus(bulb_point(power), p), z);
+        BulbPower power = bulb_raised(scene, z, r, r * r);
+        z = pick3(on, bulb_next(power, p), z);
         r = pick(on, norm(z), r);
         on = on && r <= bulb_bailout(scene);
         vec3 near = vec3(smaller(trap.x, magnitude(z.x)), smaller(trap.y, magnitude(z.z)), smaller(trap.z, r * r));
