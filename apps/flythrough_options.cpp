@@ -6,41 +6,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
+#include <tuple>
 
+#include "apps/option_values.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
 #include "flight/film/encoder.h"
 #include "flight/film/workshop.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr long long most_frames = 10'000'000;
-
-long long whole_option(const std::string& name, const std::string& text, long long low, long long high)
-{
-    const auto value = parse_whole(text);
-    if (!value || *value < low || *value > high) {
-        throw InputError(fmt::format("--{}: '{}' given, expected a whole number from {} to {}", name, text, low, high));
-    }
-    return *value;
-}
-
-std::pair<long long, long long> pair_option(const std::string& name, const std::string& text, char between,
-                                            long long low, long long high, const char* expected)
-{
-    const auto at = text.find(between);
-    const auto first = parse_whole(text.substr(0, at));
-    const auto second = parse_whole(at == std::string::npos ? "" : text.substr(at + 1));
-    if (!first || !second || std::min(*first, *second) < low || std::max(*first, *second) > high) {
-        throw InputError(fmt::format("--{}: '{}' given, expected {}", name, text, expected));
-    }
-    return {*first, *second};
-}
+constexpr int most_frames = 10'000'000;
 
 struct Texts {
-    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "2", device, threads = "0", look,
+    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "1.5", device, threads = "0", look,
                          segments, every = "1", precision = "float", mode = "fast", kind = "png";
 };
 
@@ -59,7 +39,7 @@ void add_options(CLI::App& app, Flythrough& options, Texts& texts)
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
     app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
-    app.add_option("--samples", texts.samples, "per pixel and side: 2 means 4 samples a pixel")->capture_default_str();
+    app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
     app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
         ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
         ->capture_default_str();
@@ -124,20 +104,17 @@ Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
                       : texts.command == "audit"  ? Command::audit
                                                   : Command::film;
     fractal_named(options.fractal);
-    options.seed = static_cast<std::uint64_t>(whole_option("seed", texts.seed, 0, 1LL << 53));
-    options.frames = static_cast<int>(whole_option("frames", texts.frames, 2, most_frames));
-    const auto [width, height] =
+    options.seed = large_option("seed", texts.seed, 1ULL << 53);
+    options.frames = whole_option("frames", texts.frames, 2, most_frames);
+    std::tie(options.width, options.height) =
         pair_option("size", texts.size, 'x', 1, max_side, "WIDTHxHEIGHT with even sides, 1920x1080, say");
-    options.width = static_cast<int>(width);
-    options.height = static_cast<int>(height);
-    options.samples = static_cast<int>(whole_option("samples", texts.samples, 1, 8));
-    options.threads = static_cast<int>(whole_option("threads", texts.threads, 0, 1024));
+    options.samples = real_option("samples", texts.samples, 1, 8);
+    options.threads = whole_option("threads", texts.threads, 0, 1024);
     options.device_given = !texts.device.empty();
-    if (options.device_given)
-        options.renderer.device = static_cast<int>(whole_option("device", texts.device, 0, 1'000'000));
+    if (options.device_given) options.renderer.device = whole_option("device", texts.device, 0, 1'000'000);
     options.renderer.precision = texts.precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = texts.mode == "fast" ? Mode::fast : Mode::exact;
-    if (!texts.look.empty()) options.look = static_cast<int>(whole_option("look", texts.look, 0, colouring_types - 1));
+    if (!texts.look.empty()) options.look = whole_option("look", texts.look, 0, colouring_types - 1);
     if (!texts.segments.empty()) {
         const auto [a, b] = pair_option("segments", texts.segments, '-', 0, most_frames, "A-B, 0-9, say");
         options.segments = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};

@@ -22,7 +22,8 @@ struct Flythrough {
     std::string fractal = "mandelbulb";
     std::uint64_t seed = 1;
     int frames = 7200;
-    int width = 1920, height = 1080, samples = 2;
+    int width = 1920, height = 1080;
+    double samples = 1.5;
     std::string backend = "auto";
     RendererOptions renderer;
     bool device_given = false;

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <tuple>
 
+#include "apps/option_values.h"
 #include "apps/progress_bar.h"
 #include "apps/stats.h"
 #include "backends/all.h"
@@ -15,7 +17,6 @@
 #include "core/base/output_file.h"
 #include "core/image/image_file.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
 #include "core/scene/parameter_file.h"
 
 namespace mandelmarch {
@@ -36,15 +37,6 @@ struct Options {
     std::string stats;
     bool list_devices = false;
 };
-
-int whole_option(const std::string& name, const std::string& text, int low, int high)
-{
-    const auto value = parse_whole(text);
-    if (!value || *value < low || *value > high) {
-        throw InputError(fmt::format("--{}: '{}' given, expected a whole number from {} to {}", name, text, low, high));
-    }
-    return static_cast<int>(*value);
-}
 
 Options parse_options(const char* program, const char* fractal, int argc, char** argv, std::optional<int>& done)
 {
@@ -116,16 +108,7 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
 void apply_size(const std::string& size, Scene& scene)
 {
     if (size.empty()) return;
-    const auto cross = size.find('x');
-    const auto width = parse_whole(size.substr(0, cross));
-    const auto height = parse_whole(cross == std::string::npos ? "" : size.substr(cross + 1));
-    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side ||
-        height.value_or(0) > max_side) {
-        throw InputError(
-            fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", size, max_side));
-    }
-    scene.width = static_cast<int>(width.value_or(0));
-    scene.height = static_cast<int>(height.value_or(0));
+    std::tie(scene.width, scene.height) = size_option(size);
 }
 
 ImageFormat format_of(const std::string& path)

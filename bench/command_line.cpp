@@ -4,22 +4,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/option_values.h"
 #include "bench/study.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-int whole_option(const std::string& name, const std::string& text, int low, int high)
-{
-    const auto value = parse_whole(text);
-    if (!value || *value < low || *value > high) {
-        throw InputError(fmt::format("--{}: '{}' given, expected a whole number from {} to {}", name, text, low, high));
-    }
-    return static_cast<int>(*value);
-}
 
 constexpr int most_repetitions = 100'000;
 
@@ -157,7 +148,7 @@ CommandLine parse_command_line(int argc, char** argv)
     if (!repetitions.empty()) o.repetitions = whole_option("repetitions", repetitions, 1, most_repetitions);
     if (!launches.empty()) o.launches = whole_option("launches", launches, 1, 1000);
     if (!launch.empty()) o.launch = whole_option("launch", launch, 0, 1000);
-    if (!seed.empty()) o.seed = static_cast<std::uint64_t>(whole_option("seed", seed, 0, 1'000'000'000));
+    if (!seed.empty()) o.seed = large_option("seed", seed, 1'000'000'000);
     if (compare->parsed()) line.command = Command::compare;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;

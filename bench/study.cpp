@@ -8,11 +8,11 @@
 #include <thread>
 #include <tuple>
 
+#include "apps/option_values.h"
 #include "bench/views.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -203,15 +203,7 @@ std::pair<int, int> size_of(const Options& options)
         const int side = options.study == "frames" ? frames_side : usual_side;
         return {side, side};
     }
-    const auto cross = options.size.find('x');
-    const auto width = parse_whole(options.size.substr(0, cross));
-    const auto height = parse_whole(cross == std::string::npos ? "" : options.size.substr(cross + 1));
-    if (width.value_or(0) < 1 || height.value_or(0) < 1 || width.value_or(0) > max_side ||
-        height.value_or(0) > max_side) {
-        throw InputError(
-            fmt::format("--size: '{}' given, expected WIDTHxHEIGHT with sides from 1 to {}", options.size, max_side));
-    }
-    return {static_cast<int>(width.value_or(0)), static_cast<int>(height.value_or(0))};
+    return size_option(options.size);
 }
 
 std::string platform_of(const Device& device) { return device.is_gpu ? device.name : cpu_name(); }

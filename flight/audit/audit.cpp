@@ -1,7 +1,5 @@
 #include "flight/audit/audit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,7 +7,7 @@
 
 #include "core/scene/fractal.h"
 #include "flight/audit/passages.h"
-#include "flight/audit/views.h"
+#include "flight/audit/view_rows.h"
 #include "flight/plan/tour.h"
 
 namespace mandelmarch {
@@ -19,10 +17,6 @@ constexpr double solid = 1e-5;            // hull sizes: an estimate under it is
 constexpr double turn_cap = 1.2;          // degrees a frame
 constexpr double aside = 60;              // degrees off the motion
 constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
-constexpr double same_view = 0.95;        // correlation
-constexpr double minute = 60;             // seconds
-constexpr int view_every = 15;            // frames between views that are compared for likeness
-constexpr double moved_on = 0.5;          // a view is seen again only after one that is less like it than this
 constexpr double official_frames = 7200;  // that the bar on passages is for
 
 struct Bars {
@@ -34,8 +28,6 @@ Bars bars_of(const Fractal& fractal)
     if (fractal.nickname == "box") return {0.25, 2, 8, 25};
     return {0.2, 10, 12, 20};
 }
-
-std::string at_frame(std::size_t frame) { return fmt::format("frame {}", frame); }
 
 // Frames that have the same fractal constants one after another, with their field.
 struct Run {
@@ -204,76 +196,16 @@ private:
     void views()
     {
         // Runs are short where the fractal changes in flight: there a view is taken of every frame of a run.
-        std::vector<std::size_t> of;
-        std::vector<Glimpse> views;
+        Seen seen;
         for (const Run& run : runs_) {
             const auto part = views_of(*run.field, std::span(path_.frames).subspan(run.first, run.last - run.first),
                                        static_cast<int>(stride_));
-            for (std::size_t i = 0; i < part.size(); ++i) of.push_back(run.first + i * stride_);
-            views.insert(views.end(), part.begin(), part.end());
+            for (std::size_t i = 0; i < part.size(); ++i) seen.frames.push_back(run.first + i * stride_);
+            seen.views.insert(seen.views.end(), part.begin(), part.end());
         }
-        motion(of, views);
-        dullness(of, views);
-        again(of, views);
-    }
-
-    void motion(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
-    {
-        std::vector<double> moved;
-        for (std::size_t v = 0; v < views.size(); ++v) {
-            if (of[v] + 1 >= places_.size()) break;
-            moved.push_back(median_motion(views[v], path_.frames[of[v]], path_.frames[of[v] + 1]));
-        }
-        if (moved.empty()) moved.push_back(0);
-        std::vector<double> sorted = moved;
-        std::ranges::sort(sorted);
-        const double median = sorted[sorted.size() / 2];
-        const auto fine = std::ranges::count_if(moved, [&](double m) { return m >= median / 3 && m <= 3 * median; });
-        add({"frames with apparent motion within 3 times its median",
-             100.0 * static_cast<double>(fine) / static_cast<double>(moved.size()), 95, false, false, "%",
-             fmt::format("median {:.2f} % of the height a frame", 100 * median)});
-    }
-
-    void dullness(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
-    {
-        std::size_t count = 0;
-        std::size_t longest = 0;
-        std::size_t where = 0;
-        std::size_t on_end = 0;
-        for (std::size_t v = 0; v < views.size(); ++v) {
-            on_end = views[v].dull(clearances_[of[v]]) ? on_end + 1 : 0;
-            count += on_end > 0 ? 1 : 0;
-            if (on_end > longest) {
-                longest = on_end;
-                where = of[v + 1 - on_end];
-            }
-        }
-        add({"dull frames", 100.0 * static_cast<double>(count) / static_cast<double>(views.size()), 3, true, false, "%",
-             ""});
-        add({"longest time of dull frames on end", seconds(longest * stride_), 1, true, false, "s",
-             longest > 0 ? at_frame(where) : ""});
-    }
-
-    void again(const std::vector<std::size_t>& of, const std::vector<Glimpse>& views)
-    {
-        std::vector<std::size_t> some;  // views, half a second apart
-        for (std::size_t v = 0; v < views.size(); ++v) {
-            if (some.empty() || of[v] >= of[some.back()] + view_every) some.push_back(v);
-        }
-        std::size_t seen = 0;
-        std::string first;
-        for (std::size_t i = 0; i < some.size(); ++i) {
-            bool other = false;
-            for (std::size_t j = i + 1; j < some.size() && of[some[j]] - of[some[i]] <= minute * frames_per_second;
-                 ++j) {
-                const double like = likeness(views[some[i]], views[some[j]]);
-                other = other || like < moved_on;
-                if (!other || like <= same_view) continue;
-                if (seen++ == 0) first = fmt::format("frames {} and {}", of[some[i]], of[some[j]]);
-                break;
-            }
-        }
-        add({"the same view again within a minute", static_cast<double>(seen), 0, true, false, "", first});
+        add(motion_row(path_, seen));
+        for (Row& row : dull_rows(seen, clearances_, stride_)) add(std::move(row));
+        add(again_row(seen));
     }
 
     const Path& path_;

@@ -21,7 +21,7 @@ std::vector<std::string> encoding()
     return {"-c:v",
             "libx264",
             "-preset",
-            "medium",
+            "faster",
             "-crf",
             "18",
             "-threads",

@@ -13,7 +13,7 @@ namespace mandelmarch {
 struct Picture {
     int width = 1920;         // pixels
     int height = 1080;        // pixels
-    int samples = 2;          // per pixel and side: 2 draws at twice the size and takes the mean of 2 x 2
+    double samples = 1.5;     // per pixel and side, 1 or more: 2 draws at twice the size and takes means of 2 x 2
     std::optional<int> look;  // a colouring type instead of the path's
 };
 
@@ -29,6 +29,7 @@ public:
 private:
     const Path& path_;
     Picture picture_;
+    int threads_;
     std::unique_ptr<Renderer> renderer_;
     Image image_;
 };

@@ -9,7 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double footprint = 0.7;  // pixel heights
+constexpr double footprint = 1;  // pixel heights
 constexpr double degrees_per_field = 65;
 constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
 constexpr double film_root_share = 0.2;     // a fifth of a pixel's footprint is not seen

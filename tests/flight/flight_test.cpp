@@ -8,6 +8,7 @@
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
 #include "flight/audit/views.h"
+#include "flight/film/shrink.h"
 #include "flight/plan/planner.h"
 #include "tests/scenes.h"
 
@@ -238,6 +239,36 @@ TEST(PathFile, SaysWhatIsWrong)
     says(text, "\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
     says(text, "\"up\"", "\"down\"", "\"up\" is missing");
     says(text, "{\"location\"", "{{\"location\"", "a.json");
+}
+
+// Pixels of one and a half samples: the sample in the middle counts half in each. Row 0 of an image is its bottom row.
+TEST(Shrunk, IsTheMeanOverAPixelsArea)
+{
+    Image picture(3, 3, Image::Layers::bytes);
+    for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) picture.bytes()[3 * i + c] = static_cast<std::uint8_t>(10 * i + 80 * c);
+    }
+    // Weights 2 1 and 1 2 of 3, both ways; the samples are 0 10 20 / 30 40 50 / 60 70 80 from the bottom.
+    const std::vector<std::uint8_t> red{53, 67, 13, 27};
+    for (const int threads : {1, 3}) {
+        const auto rgb = shrunk(picture, 2, 2, threads);
+        ASSERT_EQ(rgb.size(), 12U);
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_EQ(rgb[3 * i], red[i]);
+            EXPECT_EQ(rgb[3 * i + 2], red[i] + 160);
+        }
+    }
+    EXPECT_EQ(shrunk(picture, 1, 1, 1)[0], 40);
+    EXPECT_EQ(shrunk(picture, 3, 3, 1)[6], 80);
+}
+
+TEST(Shrunk, LeavesALargeEvenPictureEven)
+{
+    for (const auto& [width, height] : {std::pair{1919, 7}, {640, 1081}, {97, 13}}) {
+        Image picture(width, height, Image::Layers::bytes);
+        std::ranges::fill(picture.bytes(), 255);
+        for (const std::uint8_t byte : shrunk(picture, width * 2 / 3, height - 5, 2)) ASSERT_EQ(byte, 255);
+    }
 }
 
 TEST(Views, KnowThemselvesAndTheirMirrorImages)

@@ -1,0 +1,63 @@
+#include "apps/option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/scene/number.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected)
+{
+    throw InputError(fmt::format("--{}: '{}' given, expected {}", name, text, expected));
+}
+
+}  // namespace
+
+int whole_option(const std::string& name, const std::string& text, int low, int high)
+{
+    const auto value = parse_whole(text);
+    if (!value || *value < low || *value > high) {
+        refuse(name, text, fmt::format("a whole number from {} to {}", low, high));
+    }
+    return static_cast<int>(*value);
+}
+
+std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high)
+{
+    const auto value = parse_whole(text);
+    if (!value || *value < 0 || static_cast<std::uint64_t>(*value) > high) {
+        refuse(name, text, fmt::format("a whole number from 0 to {}", high));
+    }
+    return static_cast<std::uint64_t>(*value);
+}
+
+double real_option(const std::string& name, const std::string& text, double low, double high)
+{
+    const auto value = parse_real(text);
+    if (!value || *value < low || *value > high) refuse(name, text, fmt::format("a number from {} to {}", low, high));
+    return *value;
+}
+
+std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
+                                const std::string& expected)
+{
+    const auto at = text.find(between);
+    const auto first = parse_whole(text.substr(0, at));
+    const auto second = parse_whole(at == std::string::npos ? "" : text.substr(at + 1));
+    if (!first || !second || std::min(*first, *second) < low || std::max(*first, *second) > high) {
+        refuse(name, text, expected);
+    }
+    return {static_cast<int>(*first), static_cast<int>(*second)};
+}
+
+std::pair<int, int> size_option(const std::string& text)
+{
+    return pair_option("size", text, 'x', 1, max_side, fmt::format("WIDTHxHEIGHT with sides from 1 to {}", max_side));
+}
+
+}  // namespace mandelmarch

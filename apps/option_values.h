@@ -1,0 +1,26 @@
+// Values of command line options. Each throws InputError, which names the option, what was given and what is expected.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace mandelmarch {
+
+// A whole number from `low` to `high`; `name` without the dashes.
+int whole_option(const std::string& name, const std::string& text, int low, int high);
+
+// A whole number from 0 to `high`, for what an int does not hold.
+std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high);
+
+// A number from `low` to `high`.
+double real_option(const std::string& name, const std::string& text, double low, double high);
+
+// Two whole numbers from `low` to `high` with a character between them; `expected` says so in words.
+std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
+                                const std::string& expected);
+
+// WIDTHxHEIGHT of a picture, in pixels.
+std::pair<int, int> size_option(const std::string& text);
+
+}  // namespace mandelmarch

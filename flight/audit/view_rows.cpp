@@ -1,0 +1,83 @@
+#include "flight/audit/view_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mandelmarch {
+namespace {
+
+constexpr double same_view = 0.95;  // correlation
+constexpr double moved_on = 0.5;    // a view is seen again only after one that is less like it than this
+constexpr double minute = 60;       // seconds
+constexpr int view_every = 15;      // frames between views that are compared for likeness
+
+}  // namespace
+
+std::string at_frame(std::size_t frame) { return fmt::format("frame {}", frame); }
+
+Row motion_row(const Path& path, const Seen& seen)
+{
+    std::vector<double> moved;
+    for (std::size_t v = 0; v < seen.views.size(); ++v) {
+        const std::size_t frame = seen.frames[v];
+        if (frame + 1 >= path.frames.size()) break;
+        moved.push_back(median_motion(seen.views[v], path.frames[frame], path.frames[frame + 1]));
+    }
+    if (moved.empty()) moved.push_back(0);
+    std::vector<double> sorted = moved;
+    std::ranges::sort(sorted);
+    const double median = sorted[sorted.size() / 2];
+    const auto fine = std::ranges::count_if(moved, [&](double m) { return m >= median / 3 && m <= 3 * median; });
+    return {"frames with apparent motion within 3 times its median",
+            100.0 * static_cast<double>(fine) / static_cast<double>(moved.size()),
+            95,
+            false,
+            false,
+            "%",
+            fmt::format("median {:.2f} % of the height a frame", 100 * median)};
+}
+
+std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
+{
+    std::size_t count = 0;
+    std::size_t longest = 0;
+    std::size_t where = 0;
+    std::size_t on_end = 0;
+    for (std::size_t v = 0; v < seen.views.size(); ++v) {
+        on_end = seen.views[v].dull(clearances[seen.frames[v]]) ? on_end + 1 : 0;
+        count += on_end > 0 ? 1 : 0;
+        if (on_end > longest) {
+            longest = on_end;
+            where = seen.frames[v + 1 - on_end];
+        }
+    }
+    const double share = 100.0 * static_cast<double>(count) / static_cast<double>(seen.views.size());
+    const double seconds = static_cast<double>(longest * stride) / frames_per_second;
+    return {{"dull frames", share, 3, true, false, "%", ""},
+            {"longest time of dull frames on end", seconds, 1, true, false, "s", longest > 0 ? at_frame(where) : ""}};
+}
+
+Row again_row(const Seen& seen)
+{
+    std::vector<std::size_t> some;  // views, half a second apart
+    for (std::size_t v = 0; v < seen.views.size(); ++v) {
+        if (some.empty() || seen.frames[v] >= seen.frames[some.back()] + view_every) some.push_back(v);
+    }
+    const auto frame = [&](std::size_t i) { return seen.frames[some[i]]; };
+    std::size_t again = 0;
+    std::string first;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        bool other = false;
+        for (std::size_t j = i + 1; j < some.size() && frame(j) - frame(i) <= minute * frames_per_second; ++j) {
+            const double like = likeness(seen.views[some[i]], seen.views[some[j]]);
+            other = other || like < moved_on;
+            if (!other || like <= same_view) continue;
+            if (again++ == 0) first = fmt::format("frames {} and {}", frame(i), frame(j));
+            break;
+        }
+    }
+    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", first};
+}
+
+}  // namespace mandelmarch
