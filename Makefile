@@ -45,11 +45,12 @@ video-preview: flythrough
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
-# Ten seeds of both fractals planned and audited, in a table; and what anti-aliasing is worth and costs.
+# Ten seeds of both fractals planned and audited, in a table; what anti-aliasing is worth and costs; what a segment costs.
 SEEDS ?= 10
 flight-study: build
 	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
 	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
+	@python3 tools/flight_overhead.py bin/flythrough report/results
 
 # A film killed at twenty random moments is the same film.
 kill-test: flythrough

@@ -47,7 +47,7 @@ def main():
         sys.exit(__doc__)
     program, folder = os.path.abspath(sys.argv[1]), sys.argv[2]
     seeds = int(sys.argv[3]) if len(sys.argv) == 4 else 10
-    text, broken = [], False
+    text, broken = [f"flight study: {seeds} seeds of both fractals\n"], False
     for fractal, short in (("mandelbulb", "bulb"), ("mandelbox", "box")):
         audits = []
         for seed in range(1, seeds + 1):

@@ -70,6 +70,8 @@ def section(material: Material) -> dict[str, Any]:
         "no_maps": Missing("The map, the path and what was measured on it", command),
         "audits": [_audit_table(audit) for audit in results.audits],
         "no_audits": Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json"),
+        "studies": results.flight_studies,
+        "no_studies": Missing("The study of many seeds, of anti-aliasing and of segments", "make flight-study"),
         "sheets": [_sheet(path) for path in results.contact_sheets],
         "no_sheets": Missing(
             "The contact sheet",
