@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 flythrough video video-preview flight-study kill-test report report-check install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 loop-mix flythrough video video-preview flight-study kill-test report report-check install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -80,6 +80,10 @@ k40: mandelbulb python
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
 	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
 	    --table report/results/k40_expected.txt
+
+# What the loops of openmp's estimators consist of on this build, and how near the multiply-add peak that lets them come.
+loop-mix: build
+	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
 # The report on what report/results has, with the pictures that bin/render draws: report/out. docs/report.md explains it.
 RESULTS ?= report/results

@@ -24,6 +24,7 @@ class Results:
     contact_sheets: list[Path] = field(default_factory=list)
     portability: list[dict[str, Any]] | None = None  # bench portability --json
     k40: str | None = None  # the tables of make k40
+    loop_mix: str | None = None  # the table of make loop-mix
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
 
     def study(self, name: str) -> list[Bench]:
@@ -63,6 +64,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
 def _add_text(results: Results, name: str, text: str) -> None:
     if text.startswith(("ptxas ", "K40 on paper")):
         results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
+    elif text.startswith("loop mix: "):
+        results.loop_mix = text
     elif text.startswith("flight study: "):
         results.flight_studies.append(text)
     elif film := film_of_log(name, text):

@@ -191,6 +191,8 @@ def section(material: Material) -> dict[str, Any]:
         "together": timings.machines(material.results.machines()),
         "portability": _portability_table(metric),
         "cascade": portability.cascade(metric),
+        "loop_mix": material.results.loop_mix,
+        "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
         "sweeps": _sweeps(material),
         "ablation": ablations
         or [Missing("The ablation", "bin/bench --study techniques --json report/results/ablation.json")],

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""loop_mix_test.py: the way round a loop, and what its instructions are counted as. Each check has a twin that must fail."""
+import os
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import loop_mix  # noqa: E402
+
+# From 0x14 the official way goes through 0x20; the one through 0x18 has no reciprocal, the one through 0x30 is longer.
+CODE = [
+    (0x10, "vmovaps %zmm1,%zmm2"),
+    (0x14, "vpaddd %zmm1,%zmm2,%zmm3{%k1}"),
+    (0x15, "je 30"),
+    (0x16, "jne 20"),
+    (0x18, "jmp 14"),
+    (0x20, "vrcp14ps %zmm1,%zmm2"),
+    (0x24, "vfmadd231ps %zmm1,%zmm2,%zmm3{%k1}"),
+    (0x28, "jmp 14"),
+    (0x30, "vrcp14ps %zmm1,%zmm2"),
+    (0x34, "vmulps %zmm1,%zmm2,%zmm3"),
+    (0x38, "vmulps %zmm1,%zmm2,%zmm3"),
+    (0x3c, "vmulps %zmm1,%zmm2,%zmm3"),
+    (0x40, "jmp 14"),
+    (0x44, "ret"),
+]
+
+
+class LoopMixTest(unittest.TestCase):
+    def test_the_shortest_way_that_has_the_marks(self) -> None:
+        way = loop_mix.loop(CODE, {"vrcp14": 1})
+        self.assertEqual([text.split()[0] for text in way], ["vpaddd", "je", "jne", "vrcp14ps", "vfmadd231ps", "jmp"])
+        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marks the short cut is taken
+        longer = loop_mix.loop(CODE, {"vrcp14": 1, "vmulp": 3})
+        self.assertEqual(sum(text.startswith("vmulps") for text in longer), 3)
+
+    def test_no_such_way(self) -> None:
+        for marks in ({"vrsqrt14": 1}, {"vdivp": 1}):
+            with self.assertRaises(SystemExit):
+                loop_mix.loop(CODE, marks)
+        with self.assertRaises(SystemExit):
+            loop_mix.loop([code for code in CODE if not code[1].startswith("vpadd")], {})
+
+    def test_kinds(self) -> None:
+        kinds = loop_mix.mix(
+            [
+                "vfnmadd132ps %zmm1,%zmm2,%zmm3",
+                "vaddps %zmm1,%zmm2,%zmm3",
+                "vmulps (%rax),%zmm2,%zmm3{%k2}",
+                "vmovaps %zmm1,%zmm2",  # no port's work
+                "vmovaps %zmm1,%zmm2{%k3}",
+                "vcmplt_oqps %zmm1,%zmm2,%k0{%k1}",
+                "vrangeps $0x2,%zmm1,%zmm2,%zmm3",
+                "kortestw %k1,%k2",
+                "cmp %eax,%ebx",
+            ]
+        )
+        self.assertEqual(
+            {name: n for name, n in kinds.items() if n},
+            {
+                "multiply-add": 1,
+                "sum": 1,
+                "product": 1,
+                "choice": 1,
+                "comparison": 1,
+                "smaller, larger, clip, sign": 1,
+                "mask": 1,
+            },
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""loop_mix.py FOLDER [--table FILE]: what the loop of the estimators consists of in AVX-512 packs of four registers, fast
+mode. FOLDER has openmp's object files. Counts the instructions of one iteration by what they do, and how near the
+multiply-add peak they can come: a processor with two 512-bit ports starts two of them a cycle, of any kind."""
+import argparse
+import heapq
+import os
+import re
+import subprocess
+import sys
+
+REGISTERS = 4
+# The way round the loop that draws the official scene is the shortest one with so many of these: the sphere fold's
+# reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, the six doublings of the squares and the sum with p.z.
+MARKS = {
+    "mandelbox": {"vrcp14": REGISTERS},
+    "mandelbulb": {"vrsqrt14": 2 * REGISTERS, "vaddp": 7 * REGISTERS},
+}
+KINDS = (
+    ("multiply-add", r"vfn?m(add|sub)"),
+    ("sum", r"v(add|sub)p"),
+    ("product", r"vmulp"),
+    ("first bits of 1/x, 1/root", r"v(rcp|rsqrt)14"),
+    ("smaller, larger, clip, sign", r"v(min|max|range|and|xor|or)p"),
+    ("comparison", r"vcmp"),
+    ("choice", r"vblendm|vmovap[sd]\b.*\{%k"),
+    ("count", r"vpadd"),
+    ("mask", r"k(and|or|mov|ortest|not|unpck|xor)"),
+)
+PORTS = 2
+
+
+def instructions(path):
+    """(address, text) of `estimate` in packs of four AVX-512 registers."""
+    done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"loop_mix: {done.stderr.strip()}")
+    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*registers_4::estimate\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
+    if found is None:
+        sys.exit(f"loop_mix: {path}: no estimate in AVX-512 packs of four registers")
+    lines = (re.match(r"\s*([0-9a-f]+):\s+(.*)", line) for line in found[1].splitlines())
+    return [(int(line[1], 16), re.sub(r"\s*#.*", "", line[2]).strip()) for line in lines if line]
+
+
+def loop(code, marks):
+    """The shortest way from the first masked count of iterations round to it again with all of `marks` on it."""
+    at = {address: i for i, (address, _) in enumerate(code)}
+    start = next((i for i, (_, text) in enumerate(code) if re.match(r"vpadd[dq]\b.*\{%k", text)), None)
+    if start is None:
+        sys.exit("loop_mix: no count of iterations in the loop")
+    wanted = tuple(marks.values())
+    queue = [(0, start, tuple(0 for _ in marks), ())]
+    seen = set()
+    while queue:
+        length, i, met, way = heapq.heappop(queue)
+        if i == start and way and met == wanted:
+            return [code[j][1] for j in way]
+        if (i, met) in seen and way:
+            continue
+        seen.add((i, met))
+        text = code[i][1]
+        met = tuple(min(most, n + text.startswith(mark)) for n, (mark, most) in zip(met, marks.items()))
+        jump = re.match(r"(j\w+)\s+([0-9a-f]+)", text)
+        following = [at[int(jump[2], 16)]] if jump and int(jump[2], 16) in at else []
+        if not text.startswith(("ret", "jmp")) and i + 1 < len(code):
+            following.append(i + 1)
+        for j in following:
+            heapq.heappush(queue, (length + 1, j, met, (*way, i)))
+    sys.exit("loop_mix: no way round the loop has what is looked for")
+
+
+def mix(way):
+    """Instructions by kind."""
+    return {name: sum(re.match(pattern, text) is not None for text in way) for name, pattern in KINDS}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder")
+    parser.add_argument("--table")
+    args = parser.parse_args()
+    columns = {}
+    for fractal, marks in MARKS.items():
+        for number in ("float", "double"):
+            path = os.path.join(args.folder, f"packs_{fractal}_{number}_fast.cpp.o")
+            columns[f"{fractal[6:]}, {number}"] = mix(loop(instructions(path), marks))
+    lines = ["loop mix: one iteration of the estimators, AVX-512, packs of four registers, fast mode", ""]
+    lines.append(f"{'instructions':28}" + "".join(f"{name:>14}" for name in columns))
+    for kind, _ in KINDS:
+        lines.append(f"{kind:28}" + "".join(f"{found[kind]:>14}" for found in columns.values()))
+    totals = [sum(found.values()) for found in columns.values()]
+    lines.append(f"{'all':28}" + "".join(f"{total:>14}" for total in totals))
+    lines.append(f"{f'cycles at {PORTS} a cycle':28}" + "".join(f"{total / PORTS:>14.1f}" for total in totals))
+    shares = [100 * (2 * found["multiply-add"] + found["sum"] + found["product"]) / (2 * total)
+              for found, total in zip(columns.values(), totals)]
+    lines.append(f"{'of the peak at most, %':28}" + "".join(f"{share:>14.1f}" for share in shares))
+    lines.append("")
+    lines.append("The last line: sums and products, a multiply-add for two, over two operations for every instruction, in this loop")
+    lines.append("and with every lane at work. First bits take more than one start on some processors, which is not counted.")
+    text = "\n".join(lines) + "\n"
+    if args.table:
+        with open(args.table + ".part", "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(args.table + ".part", args.table)
+    print(text, end="")
+
+
+if __name__ == "__main__":
+    main()
