@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 loop-mix flythrough video video-preview flight-study kill-test report report-check install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 loop-mix flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -44,6 +44,13 @@ video: flythrough
 video-preview: flythrough
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
+
+# A small frame of every tenth second of video.mp4, the title first, and what the film's making said, for the report.
+contact-sheet:
+	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
+	    -frames:v 1 report/results/contact.jpg
+	cp video-summary.json report/results/film.json
+	cp video-audit.json report/results/flight_bulb.json
 
 # Ten seeds of both fractals planned and audited, in a table; what anti-aliasing is worth and costs; what a segment costs.
 SEEDS ?= 10

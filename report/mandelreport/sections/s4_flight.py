@@ -73,8 +73,5 @@ def section(material: Material) -> dict[str, Any]:
         "studies": results.flight_studies,
         "no_studies": Missing("The study of many seeds, of anti-aliasing and of segments", "make flight-study"),
         "sheets": [_sheet(path) for path in results.contact_sheets],
-        "no_sheets": Missing(
-            "The contact sheet",
-            "ffmpeg -i video.mp4 -vf fps=1/10,scale=320:-2,tile=6x5 -frames:v 1 report/results/contact.jpg",
-        ),
+        "no_sheets": Missing("The contact sheet", "make contact-sheet"),
     }
