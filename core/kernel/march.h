@@ -45,6 +45,18 @@ FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(sce
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
 
+// The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
+// slope) is where the spheres of a step's ends just touch (Ban and Valasek, "Automatic step size relaxation in sphere
+// tracing", Eurographics 2023); somewhat less misses less. Near a hit what is thin would be stepped over: no longer
+// steps there.
+FN real relaxed(Scene scene, Ray ray)
+{
+    real slope = quick_quotient(ray.last_distance - ray.before_distance, ray.last_t - ray.before_t);
+    slope = pick(ray.last_t > ray.before_t, smaller(slope, 0), 0);
+    real factor = larger(quick_quotient(scene.relaxation, 1 - slope), R(1.2));
+    return pick(ray.last_distance > 2 * scene.tolerance * ray.last_t, factor, scene.stride);
+}
+
 // One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on, with
 // over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is taken back
 // where the spheres of its two ends do not overlap.
@@ -58,7 +70,9 @@ FN Ray advance(Scene scene, Ray ray, mask on)
     ray.before_distance = pick(taken, ray.last_distance, ray.before_distance);
     ray.last_t = pick(taken, ray.t, ray.last_t);
     ray.last_distance = pick(taken, here.distance, ray.last_distance);
-    ray.t = pick(on, ray.last_t + pick(over, scene.stride, scene.relaxation) * ray.last_distance, ray.t);
+    real step = scene.stride;
+    if (scene.relaxation > scene.stride) step = pick(over, scene.stride, relaxed(scene, ray));
+    ray.t = pick(on, ray.last_t + step * ray.last_distance, ray.t);
     ray.steps = ray.steps + count(on);
     ray.estimates = ray.estimates + count(on);
     ray.iterations = ray.iterations + here.iterations;

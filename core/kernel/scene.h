@@ -19,7 +19,7 @@ struct Scene {
     scalar brightness;
     scalar difference_step;  // of the central differences, relative to max(|p|, 1)
     scalar hull;             // radius or half an edge of what holds the surface; 0: nothing is known
-    scalar relaxation;       // the share that a step of over-relaxation goes; not above stride: none
+    scalar relaxation;       // how far steps go over the estimate: relaxed(); not above stride: not at all
     scalar root_share;       // a canonical hit is where |DE - tolerance t| is below this share of the tolerance
     scalar fractal[11];      // the fractal's own constants, named in its file
 

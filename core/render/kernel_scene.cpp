@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double relaxation = 1.4;  // of the distance estimate, in fast mode; docs/performance.md
+constexpr double relaxation = 1.7;  // in fast mode: core/kernel/march.h, relaxed(); docs/performance.md
 
 // Constants of the original program.
 constexpr double end = 1000;                               // largest t of a sample

@@ -81,7 +81,7 @@ function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) 
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float has no digits for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
-        tolerance: Math.pow(10, Math.fround(s.detail)), stride: 0.95, relaxation: fast ? 1.4 : 0.95, end: 1000, miss: Infinity,
+        tolerance: Math.pow(10, Math.fround(s.detail)), stride: 0.95, relaxation: fast ? 1.7 : 0.95, end: 1000, miss: Infinity,
         brightness: s.brightness, root_share: fractal === "mandelbox" ? 0.001 : 0.01, fractal: constants, eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }
