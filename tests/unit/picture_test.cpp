@@ -93,8 +93,8 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
 }
 
 // All random scenes of a fractal together: a single one has too few pixels for shares of some hundredths of a percent.
-// The constants of relaxed() were chosen on scenes of this seed, so other seeds do worse: this guards what is reached, it
-// does not show the 0.02 % wanted of hit or miss.
+// The constants of relaxed() were chosen on scenes of this seed, so other seeds do worse: this guards what is reached,
+// it does not show the 0.02 % wanted of hit or miss.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
     const Registry registry = all_backends();
