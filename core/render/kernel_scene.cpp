@@ -1,5 +1,6 @@
 #include "core/render/kernel_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -58,6 +59,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     const auto real = [](double value) { return static_cast<Real>(value); };
     const FractalConstants constants = scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
     const Camera camera = camera_of(scene);
+    const bool fast = mode == Mode::fast;
 
     KernelScene k{};
     k.width = scene.width;
@@ -66,16 +68,16 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     k.max_steps = max_steps;
     k.exponent = constants.exponent;
     k.colouring = scene.colouring;
-    k.canonical = mode == Mode::fast;
-    k.differences = mode == Mode::exact && !is_float<KernelScene>;
+    k.canonical = fast;
+    k.differences = !fast && !is_float<KernelScene>;
     k.tolerance = real(std::pow(10.0, scene.detail));
-    k.stride = real(scene.stride);
+    const double stride = fast ? std::min(scene.stride, scene.fractal->fast_stride(scene)) : scene.stride;
+    k.stride = real(stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
     k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
     // A scene that asks for short steps gets no longer ones.
-    const bool relaxed = mode == Mode::fast && techniques.relaxation && scene.stride >= default_stride;
-    k.relaxation = real(relaxed ? relaxation : scene.stride);
+    k.relaxation = real(fast && techniques.relaxation && stride >= default_stride ? relaxation : stride);
     k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->root_share);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);

@@ -76,12 +76,13 @@ function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) 
         if (!(name in values)) throw new Error(`the viewer does not know the constant ${name} of the ${fractal}`);
         constants[at] = values[name];
     }
+    const stride = fast && fractal === "mandelbulb" && power < 4.5 ? 0.6 : 0.95;
     const tangent = Math.tan(camera.field * 65 / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, exponent: Number.isInteger(power) ? power : 0,
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float has no digits for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
-        tolerance: Math.pow(10, Math.fround(s.detail)), stride: 0.95, relaxation: fast ? 1.7 : 0.95, end: 1000, miss: Infinity,
+        tolerance: Math.pow(10, Math.fround(s.detail)), stride, relaxation: fast && stride === 0.95 ? 1.7 : stride, end: 1000, miss: Infinity,
         brightness: s.brightness, root_share: fractal === "mandelbox" ? 0.001 : 0.01, fractal: constants, eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }

@@ -93,12 +93,11 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
 }
 
 // All random scenes of a fractal together: a single one has too few pixels for shares of some hundredths of a percent.
-// The constants of relaxed() were chosen on scenes of this seed, so other seeds do worse: this guards what is reached,
-// it does not show the 0.02 % wanted of hit or miss.
+// The constants of relaxed() and fast_stride were chosen on scenes of other seeds.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
     const Registry registry = all_backends();
-    const std::vector<NamedScene> scenes = random_scenes(24, 815);
+    const std::vector<NamedScene> scenes = random_scenes(24, 2002);
     for (const std::string fractal : {"bulb", "box"}) {
         for (const Precision precision : {Precision::f64, Precision::f32}) {
             Comparison sum;
@@ -106,21 +105,21 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             for (const auto& [name, scene] : scenes) {
                 if (scene.fractal->nickname != fractal) continue;
                 const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
-                const auto add = [&](Comparison& to, Mode mode) {
-                    const Image image = render(*registry.find("openmp"), scene, {.precision = precision, .mode = mode});
+                const auto add = [&](Comparison& to, const Scene& drawn, Mode mode) {
+                    const Image image = render(*registry.find("openmp"), drawn, {.precision = precision, .mode = mode});
                     const Comparison c = compare(canonical, image);
                     to.pixels += c.pixels;
                     to.visibly_differing += c.visibly_differing;
                     to.hit_or_miss += c.hit_or_miss;
                 };
-                add(sum, Mode::fast);
-                add(twin, Mode::exact);
+                add(sum, scene, Mode::fast);
+                add(twin, scene, Mode::exact);
             }
             const auto per_million = [](std::size_t count, const Comparison& c) {
                 return 1'000'000 * count / c.pixels;
             };
             EXPECT_LE(per_million(sum.visibly_differing, sum), 20'000U) << fractal << ", " << name_of(precision);
-            EXPECT_LE(per_million(sum.hit_or_miss, sum), 300U) << fractal << ", " << name_of(precision);
+            EXPECT_LE(per_million(sum.hit_or_miss, sum), 200U) << fractal << ", " << name_of(precision);
             // The plain hit is another picture.
             EXPECT_GT(per_million(twin.visibly_differing, twin), 20'000U) << fractal << ", " << name_of(precision);
         }
