@@ -51,9 +51,9 @@ FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), r
 // steps there.
 FN real relaxed(Scene scene, Ray ray)
 {
-    real slope = quick_quotient(ray.last_distance - ray.before_distance, ray.last_t - ray.before_t);
-    slope = pick(ray.last_t > ray.before_t, smaller(slope, 0), 0);
-    real factor = larger(quick_quotient(scene.relaxation, 1 - slope), R(1.2));
+    real way = ray.last_t - ray.before_t;
+    real fall = larger(ray.before_distance - ray.last_distance, 0);  // -slope * way
+    real factor = larger(quick_quotient(scene.relaxation * way, way + fall), R(1.2));
     return pick(ray.last_distance > 2 * scene.tolerance * ray.last_t, factor, scene.stride);
 }
 
