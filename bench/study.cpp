@@ -29,7 +29,7 @@ constexpr std::array<Study, 11> all_studies{{
     {"tiles", "chunk", "tiles that a thread takes at once (openmp)"},
     {"threads", "threads", "threads on the host (openmp)"},
     {"packs", "pack", "pixels at once on a core (openmp, opencl)"},
-    {"techniques", "without", "what makes a picture cheaper, switched off one by one and together"},
+    {"ablation", "without", "what makes a picture cheaper or better, switched off one by one"},
     {"profile", "", "where a picture's time goes: begin, march, refine, normal, shade, output"},
     {"box-vs-bulb", "scene",
      "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
@@ -54,7 +54,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     if (study == "resolution") {
         std::vector<Point> made;
         for (const auto& [width, height] :
-             {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {4096, 2160}}) {
+             {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {2160, 2160}, {4096, 2160}}) {
             made.push_back({fmt::format("size={}x{}", width, height), {.width = width, .height = height}});
         }
         return made;
@@ -73,11 +73,13 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     }
     if (study == "tiles") return points("chunk", &Setting::chunk, {1, 2, 4, 8, 16, 32, 64});
     if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 32, 64});
-    if (study == "techniques") {
+    if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
         for (const auto& [name, techniques] : {std::pair("hull", "hull"),
                                                {"relax", "relaxation"},
                                                {"cones", "cones"},
+                                               {"root", "root"},
+                                               {"normal", "normal"},
                                                {"all", "hull,relaxation,cones"}}) {
             made.push_back({fmt::format("without={}", name), {.without = techniques}});
         }
@@ -192,7 +194,7 @@ std::vector<Mode> modes_of(const Options& options)
     const std::string& mode = options.mode;
     if (mode == "fast") return {Mode::fast};
     // Relaxation is fast mode's.
-    if (mode.empty() && options.study == "techniques") return {Mode::fast};
+    if (mode.empty() && options.study == "ablation") return {Mode::fast};
     if (mode == "exact" || (mode.empty() && !study_named(options.study).varies.empty())) return {Mode::exact};
     return {Mode::exact, Mode::fast};
 }

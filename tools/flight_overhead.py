@@ -9,6 +9,8 @@ import sys
 import tempfile
 import time
 
+from table_file import put
+
 FRAMES = 60  # a segment
 FEW, MANY = 10, 40  # segments
 ROUNDS = 3
@@ -58,11 +60,7 @@ def main():
     lines.append(f"Films of 64 x 36 on {os.cpu_count()} cores, the median of {ROUNDS} runs. A segment is {FRAMES} frames: asking")
     lines.append("for it, starting the encoder, drawing and encoding tiny frames, syncing and renaming the file.")
     text = "\n".join(lines) + "\n"
-    target = os.path.join(folder, "flight_overhead.txt")
-    with open(target + ".part", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(target + ".part", target)
-    print(text, end="")
+    put(text, os.path.join(folder, "flight_overhead.txt"))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import sys
 import tempfile
 import time
 
+from table_file import put
+
 EVERY = 720  # frames between stills: ten of the film
 SIDES = (1, 1.5, 2, 3, 8)  # samples a pixel and side, the last is the yardstick
 
@@ -54,11 +56,7 @@ def main():
                 figures = f"{rms:>12.2f}{100 * off:>14.1f} %" if side != SIDES[-1] else f"{'yardstick':>12}{'':>16}"
                 lines.append(f"{fractal:12}{side * side:>8g}{figures}{seconds[side]:>11.3f}")
     text = "\n".join(lines) + f"\n1920 x 1080, {len(names)} frames of each fractal's film, seed 1; seconds with reading the path and writing PNG\n"
-    target = os.path.join(folder, "flight_samples.txt")
-    with open(target + ".part", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(target + ".part", target)
-    print(text, end="")
+    put(text, os.path.join(folder, "flight_samples.txt"))
 
 
 if __name__ == "__main__":

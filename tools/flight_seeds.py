@@ -8,6 +8,8 @@ import sys
 import tempfile
 import time
 
+from table_file import put
+
 
 def plan(program, fractal, seed, scratch, extra):
     """The audit of one planned path, a dict, and the seconds that planning and auditing took."""
@@ -63,11 +65,7 @@ def main():
                     os.replace(target + ".part", target)
         broken |= not all(audit["promises_kept"] for audit, _ in audits)
         text.append(table(fractal, audits))
-    path = os.path.join(folder, "flight_seeds.txt")
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write("\n".join(text))
-    os.replace(path + ".part", path)
-    print("\n".join(text), end="")
+    put("\n".join(text), os.path.join(folder, "flight_seeds.txt"))
     return 1 if broken else 0
 
 

@@ -9,6 +9,8 @@ import subprocess
 import sys
 import tempfile
 
+from table_file import put
+
 PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
 BLOCK = 128  # threads: block_threads in backends/openacc/kernels.h
 KERNEL = re.compile(r"(march|shade)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
@@ -148,14 +150,6 @@ def table(ptx):
         lines.append(f"{architecture}, ptxas {'.'.join(map(str, release(newer)))}: {len(results)} kernels, at most "
                      f"{max(r for r, _, _ in results)} registers, {sum(s for _, _, s in results)} bytes of spills")
     return "\n".join(lines) + "\n"
-
-
-def put(text, file_name):
-    """Prints a table, and writes it to a file if one is named."""
-    if file_name:
-        with open(file_name, "w", encoding="utf-8") as file:
-            file.write(text)
-    print(text, end="")
 
 
 def main():

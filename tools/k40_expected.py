@@ -13,6 +13,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import k40
+from table_file import put
 
 # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013: 15 multiprocessors at 745 MHz; 4.29 and 1.43
 # TFLOP/s. A multiprocessor of Kepler has four schedulers, each a warp of 32 an instruction a clock, and 64 lanes for
@@ -145,8 +146,7 @@ def main():
                      f"{instructions:>14.2f}{lanes:>8.0%}{1e3 * seconds:>10.1f}{bound / seconds:>10.1%}")
     if len(lines) == 3:
         sys.exit(f"k40_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
-    text = "\n".join(lines) + "\n"
-    k40.put(text, arguments.table)
+    put("\n".join(lines) + "\n", arguments.table)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 
+from table_file import put
+
 REGISTERS = 4
 # The way round the loop that draws the official scene is the shortest one with so many of these: the sphere fold's
 # reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, the six doublings of the squares and the sum with p.z.
@@ -97,12 +99,7 @@ def main():
     lines.append("")
     lines.append("The last line: sums and products, a multiply-add for two, over two operations for every instruction, in this loop")
     lines.append("and with every lane at work. First bits take more than one start on some processors, which is not counted.")
-    text = "\n".join(lines) + "\n"
-    if args.table:
-        with open(args.table + ".part", "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(args.table + ".part", args.table)
-    print(text, end="")
+    put("\n".join(lines) + "\n", args.table)
 
 
 if __name__ == "__main__":

@@ -27,12 +27,14 @@ struct Device {
     bool is_gpu = false;
 };
 
-// What makes a picture cheaper, each to be switched off by its name, so that its worth can be measured. None changes a
-// bit of an exact picture.
+// What makes a picture cheaper or (root) better, each to be switched off by its name, so that its worth can be measured.
+// None changes a bit of an exact picture.
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
     bool relaxation = true;  // fast: steps longer than the estimate
     bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
+    bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
+    bool normal = true;      // fast, double: normals from the gradient, else from differences of six estimates
 };
 
 // All but those named, `hull,cones`, say. Throws InputError with the known names.

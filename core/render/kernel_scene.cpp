@@ -6,6 +6,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
 
@@ -13,6 +14,8 @@ namespace mandelmarch {
 namespace {
 
 constexpr double relaxation = 1.7;  // in fast mode: core/kernel/march.h, relaxed(); docs/performance.md
+
+constexpr double any_root = 1e9;  // a share of the tolerance that every sample keeps
 
 // Constants of the original program.
 constexpr double end = 1000;                               // largest t of a sample
@@ -57,6 +60,9 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
 {
     using Real = decltype(KernelScene::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
+    if (is_float<KernelScene> && !techniques.normal) {
+        throw InputError("technique normal: float has no digits for differences, expected double without it");
+    }
     const FractalConstants constants = scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
     const Camera camera = camera_of(scene);
     const bool fast = mode == Mode::fast;
@@ -69,7 +75,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     k.exponent = constants.exponent;
     k.colouring = scene.colouring;
     k.canonical = fast;
-    k.differences = !fast && !is_float<KernelScene>;
+    k.differences = (!fast || !techniques.normal) && !is_float<KernelScene>;
     k.tolerance = real(std::pow(10.0, scene.detail));
     const double stride = fast ? std::min(scene.stride, scene.fractal->fast_stride(scene)) : scene.stride;
     k.stride = real(stride);
@@ -79,6 +85,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     // A scene that asks for short steps gets no longer ones.
     k.relaxation = real(fast && techniques.relaxation && stride >= default_stride ? relaxation : stride);
     k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->root_share);
+    if (!techniques.root) k.root_share = real(any_root);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);

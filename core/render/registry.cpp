@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 
@@ -25,6 +26,16 @@ private:
     std::string name_;
 };
 
+struct NamedTechnique {
+    std::string_view name;
+    bool Techniques::*member;
+};
+
+constexpr std::array names_of_techniques{
+    NamedTechnique{"hull", &Techniques::hull}, NamedTechnique{"relaxation", &Techniques::relaxation},
+    NamedTechnique{"cones", &Techniques::cones}, NamedTechnique{"root", &Techniques::root},
+    NamedTechnique{"normal", &Techniques::normal}};
+
 }  // namespace
 
 std::string_view name_of(Precision precision) { return precision == Precision::f64 ? "double" : "float"; }
@@ -37,15 +48,12 @@ Techniques techniques_without(std::string_view names)
     while (!names.empty()) {
         const std::size_t comma = std::min(names.find(','), names.size());
         const std::string_view name = names.substr(0, comma);
-        if (name == "hull") {
-            techniques.hull = false;
-        } else if (name == "relaxation") {
-            techniques.relaxation = false;
-        } else if (name == "cones") {
-            techniques.cones = false;
-        } else {
-            throw InputError(fmt::format("no technique is called '{}', expected hull, relaxation or cones", name));
+        const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
+        if (found == names_of_techniques.end()) {
+            throw InputError(
+                fmt::format("no technique is called '{}', expected hull, relaxation, cones, root or normal", name));
         }
+        techniques.*found->member = false;
         names.remove_prefix(std::min(comma + 1, names.size()));
     }
     return techniques;

@@ -242,7 +242,7 @@ def everything() -> dict[str, Any]:
         "bench.json": bench(),
         "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
         "profile.json": bench("profile"),
-        "ablation.json": sweep("techniques", "without", ["none", "hull"]),
+        "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),
         "map.json": flight_map(),
         "flight.json": audit(),

@@ -184,7 +184,7 @@ def _sweeps(material: Material) -> list[tuple[str, list[Block]]]:
 def section(material: Material) -> dict[str, Any]:
     metric = _portability(material)
     machines = [_machine(bench) for bench in material.results.study("standard")]
-    ablations = [figure for bench in material.results.study("techniques") if (figure := sweeps.ablation(bench))]
+    ablations = [figure for bench in material.results.study("ablation") if (figure := sweeps.ablation(bench))]
     return {
         "machines": machines,
         "missing": Missing("The timings", "make bench"),
@@ -195,5 +195,5 @@ def section(material: Material) -> dict[str, Any]:
         "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
         "sweeps": _sweeps(material),
         "ablation": ablations
-        or [Missing("The ablation", "bin/bench --study techniques --json report/results/ablation.json")],
+        or [Missing("The ablation", "bin/bench --study ablation --json report/results/ablation.json")],
     }
