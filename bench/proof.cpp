@@ -73,7 +73,7 @@ void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick)
     proof.fine = found.level <= required;
     // Without refinement the same rays hit, not quite where they should.
     if (!techniques_without(row.setting.without).root) {
-        proof.fine = found.comparison.values_compared && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
+        proof.fine = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
     }
     proof.level = name_of(found.level);
     proof.text = summary(found);

@@ -74,7 +74,8 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
         precision == Precision::f32 ? largest_ulps<float>(expected, image) : largest_ulps<double>(expected, image);
     const Comparison& c = result.comparison;
     const double visible_percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
-    if (!c.values_compared || has_nan(image)) {
+    result.numbers = c.values_compared && !has_nan(image);
+    if (!result.numbers) {
         result.level = Level::different;
     } else if (c.same()) {
         result.level = Level::same_bits;

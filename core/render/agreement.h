@@ -21,6 +21,7 @@ std::string_view name_of(Level level);  // "same bits", "ULP", "perceptual", "di
 struct Agreement {
     Level level = Level::different;
     Comparison comparison;
+    bool numbers = false;     // both have values, and the second no NaN
     double largest_ulps = 0;  // of a colour or depth, in the precision's units; +infinity where one is not a number
 };
 

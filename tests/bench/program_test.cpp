@@ -166,6 +166,31 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
+// Without the root's refinement the picture is another one: what is hit is proven, and that it holds numbers.
+TEST(BenchProgram, AblationProvesWhatIsHit)
+{
+    const auto without = [](const Ran& ran, const std::string& technique) {
+        for (const auto& row : ran.json["rows"]) {
+            if (row["backend"] == "broken" && row["setting"]["without"] == technique) return row;
+        }
+        return nlohmann::ordered_json{};
+    };
+    std::vector<std::string> arguments = small("fast");
+    arguments.insert(arguments.end(), {"--study", "ablation"});
+    const Ran sound = run(Defect::none, arguments);
+    EXPECT_EQ(sound.code, exit_fine) << sound.err;
+    EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
+    EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
+    EXPECT_FALSE(without(sound, "root")["figures"].is_null());
+    // Float has no digits for normals from differences.
+    EXPECT_NE(without(sound, "normal")["unavailable"], "");
+    for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
+        const Ran broken = run(defect, arguments);
+        EXPECT_EQ(broken.code, exit_failure);
+        EXPECT_FALSE(without(broken, "root")["proof"]["fine"]);
+    }
+}
+
 TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
 {
     const Ran ran = run(Defect::hidden, small("exact"));
