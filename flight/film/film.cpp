@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "flight/film/encoder.h"
+#include "flight/film/mp4.h"
 #include "flight/film/progress.h"
 #include "flight/film/title.h"
 #include "flight/film/workshop.h"
@@ -163,6 +164,10 @@ private:
     {
         try {
             write(part);
+            if (!whole_mp4(work_.folder() + "/" + part)) {
+                throw Error(
+                    fmt::format("{}/{}: ffmpeg left half a file, is there room on the disk?", work_.folder(), part));
+            }
             work_.finish(part, file);
         } catch (...) {
             work_.discard(part);

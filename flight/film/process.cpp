@@ -33,6 +33,8 @@ std::string contents(int descriptor)
     return text;
 }
 
+constexpr const char* no_space = "No space left on device";
+
 // ffmpeg says what is wrong first and repeats it in more general words; of a full disk it says so somewhere.
 std::string cause_of(const std::string& errors)
 {
@@ -40,7 +42,7 @@ std::string cause_of(const std::string& errors)
     for (std::size_t at = 0; at < errors.size();) {
         const auto end = std::min(errors.find('\n', at), errors.size());
         const std::string line = errors.substr(at, end - at);
-        if (line.find("No space left") != std::string::npos) return "No space left on device";
+        if (line.find(no_space) != std::string::npos) return no_space;
         if (first.empty()) first = line;
         at = end + 1;
     }
@@ -119,9 +121,13 @@ Process::Result Process::finish()
     child_ = -1;
     Result result;
     result.output = contents(output_);
-    result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    if (result.fine) return result;
     result.cause = cause_of(contents(errors_));
+    // ffmpeg may end well although it could not write the end of its file.
+    result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0 && result.cause != no_space;
+    if (result.fine) {
+        result.cause.clear();
+        return result;
+    }
     if (WIFSIGNALED(status)) {
         result.cause = fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
     } else if (result.cause.empty()) {

@@ -79,9 +79,23 @@ cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
 (ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
 [ $? = 1 ] || fail "a full disk gives another exit code than 1"
 [ "$(wc -l <stderr)" -le 3 ] || fail "a full disk says too much: $(cat stderr)"
-says 'the encoder failed|ffmpeg failed'
+says 'the encoder failed|half a file'
 ls full.mp4.parts/*/.part-* >/dev/null 2>&1 && fail "a full disk leaves parts"
 [ -e full.mp4 ] && fail "a full disk leaves half a film"
+
+# An encoder that ends well with half a file, as ffmpeg does where there is no room for the file's end.
+cat >halving <<'END'
+#!/bin/sh
+ffmpeg "$@" || exit 1
+for last; do :; done
+case "$last" in .part-0*) truncate -s -100 "$last" ;; esac
+END
+chmod +x halving
+MANDELMARCH_FFMPEG=$PWD/halving "$program" render path.json $small --output half.mp4 2>stderr
+[ $? = 1 ] || fail "half a file gives another exit code than 1"
+says 'half a file'
+"$program" render path.json $small --output half.mp4 2>stderr || fail "after half a file: $(cat stderr)"
+cmp whole.mp4 half.mp4 || fail "the film after half a file is another one"
 
 # A missing and a failing encoder, before the first frame.
 MANDELMARCH_FFMPEG=/nowhere/ffmpeg "$program" render path.json $small --output none.mp4 2>stderr
