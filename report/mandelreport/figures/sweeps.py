@@ -65,7 +65,8 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
         axis.set(xlabel=x_title, ylabel=y_title, title=fractal)
-        axis.legend(fontsize=8)
+    handles, names = axes[0][0].get_legend_handles_labels()
+    figure.legend(handles, names, fontsize=8, loc="outside lower center", ncols=4)
     return style.block(figure, f"Lines: {y_title} over {x_title}. " + "; ".join(said) + ".", caption)
 
 
@@ -111,5 +112,5 @@ def ablation(bench: Bench) -> Figure | None:
         figure,
         "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
         "Ablation: kernel time without a technique, as a multiple of the time with all of them, with the 95 % "
-        "interval of the former. 1: it is worth nothing there.",
+        "interval of the former. 1: it is worth nothing there. Without root the picture is another one.",
     )

@@ -19,7 +19,8 @@ SWEEPS = [
         "resolution",
         "picture [pixels]",
         "rate",
-        "Pixels a second over the picture's size: where a line is flat, twice the pixels take twice the time.",
+        "Pixels a second over the picture's size: where a line is flat, twice the pixels take twice the time. Wide ones have "
+        "more background.",
     ),
     (
         "threads",
@@ -148,6 +149,9 @@ def _machine(bench: Bench) -> dict[str, Any]:
         "machine": bench.machine,
         "sizes": ", ".join(dict.fromkeys(f"{s['width']} x {s['height']} pixels" for s in settings)),
         "launches": bench.data["launches"],
+        "instructions": ", ".join(
+            dict.fromkeys(row["instruction_set"] for row in bench.data["rows"] if row["backend"] == "openmp" and row["figures"])
+        ),
         "warnings": bench.data["warnings"],
         "tables": [_bench_table(bench, fractal) for fractal in fractals],
         "bars": timings.kernel_bars(bench),
@@ -173,7 +177,8 @@ def _sweeps(material: Material) -> list[tuple[str, list[Block]]]:
     for study, x_title, y, caption in SWEEPS:
         blocks: list[Block] = []
         for bench in material.results.study(study):
-            figure = sweeps.sweep(bench, x_title, Y_TITLES[y], f"{caption} {bench.machine}.", y, ideal=study == "threads")
+            about = f"{caption} {' and '.join(bench.values('mode')).capitalize()} mode; {bench.machine}."
+            figure = sweeps.sweep(bench, x_title, Y_TITLES[y], about, y, ideal=study == "threads")
             if figure:
                 blocks.append(figure)
         command = f"bin/bench --study {study} --json report/results/{study}.json"
