@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mandelmarch {
 namespace {
@@ -40,21 +41,30 @@ Row motion_row(const Path& path, const Seen& seen)
 
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
 {
-    std::size_t count = 0;
+    std::array<std::size_t, 4> counts{};  // of each Dullness
     std::size_t longest = 0;
     std::size_t where = 0;
     std::size_t on_end = 0;
     for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        on_end = seen.views[v].dull(clearances[seen.frames[v]]) ? on_end + 1 : 0;
-        count += on_end > 0 ? 1 : 0;
+        const Dullness dullness = seen.views[v].dullness(clearances[seen.frames[v]]);
+        ++counts[static_cast<std::size_t>(dullness)];
+        on_end = dullness != Dullness::lively ? on_end + 1 : 0;
         if (on_end > longest) {
             longest = on_end;
             where = seen.frames[v + 1 - on_end];
         }
     }
-    const double share = 100.0 * static_cast<double>(count) / static_cast<double>(seen.views.size());
+    const auto share = [&](Dullness dullness) {
+        return 100.0 * static_cast<double>(counts[static_cast<std::size_t>(dullness)]) /
+               static_cast<double>(seen.views.size());
+    };
+    const double dull = share(Dullness::empty) + share(Dullness::one_depth) + share(Dullness::wall);
+    const std::string why = dull > 0
+                                ? fmt::format("empty {:.1f} %, one depth {:.1f} %, a wall {:.1f} %",
+                                              share(Dullness::empty), share(Dullness::one_depth), share(Dullness::wall))
+                                : "";
     const double seconds = static_cast<double>(longest * stride) / frames_per_second;
-    return {{"dull frames", share, 3, true, false, "%", ""},
+    return {{"dull frames", dull, 3, true, false, "%", why},
             {"longest time of dull frames on end", seconds, 1, true, false, "s", longest > 0 ? at_frame(where) : ""}};
 }
 

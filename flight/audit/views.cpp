@@ -43,15 +43,16 @@ double Glimpse::hit_share() const
     return static_cast<double>(hits) / view_pixels;
 }
 
-bool Glimpse::dull(double clearance) const
+Dullness Glimpse::dullness(double clearance) const
 {
-    if (hit_share() < least_hits) return true;
+    if (hit_share() < least_hits) return Dullness::empty;
     std::array<float, view_pixels> sorted = depth;
     std::ranges::sort(sorted);
     const auto at = [&](double share) {
         return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]);
     };
-    return at(0.975) < one_depth * at(0.025) || at(filling) < near_wall * clearance;
+    if (at(filling) < near_wall * clearance) return Dullness::wall;
+    return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
 
 std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames, int stride)

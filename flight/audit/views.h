@@ -14,13 +14,16 @@ inline constexpr int view_width = 32;   // pixels
 inline constexpr int view_height = 18;  // pixels
 inline constexpr int view_pixels = view_width * view_height;
 
+// Why a view shows little: under 15 % of the pixels hit something, 95 % of the depths lie within a quarter of each
+// other, or a wall nearer than 2 clearances fills nine tenths of the picture.
+enum class Dullness { lively, empty, one_depth, wall };
+
 struct Glimpse {
     std::array<float, view_pixels> depth;  // along the ray, in the scene's units; +infinity: nothing hit
 
     double hit_share() const;
-    // True if the eye sees little: under 15 % of the pixels hit something, or 95 % of the depths lie within a quarter
-    // of each other, or a wall nearer than 2 `clearance`s fills nine tenths of the picture.
-    bool dull(double clearance) const;
+    Dullness dullness(double clearance) const;
+    bool dull(double clearance) const { return dullness(clearance) != Dullness::lively; }
 };
 
 // The unit vector through a pixel of a view.
