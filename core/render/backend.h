@@ -27,8 +27,8 @@ struct Device {
     bool is_gpu = false;
 };
 
-// What makes a picture cheaper or (root) better, each to be switched off by its name, so that its worth can be measured.
-// None changes a bit of an exact picture.
+// What makes a picture cheaper or (root) better, each to be switched off by its name, so that its worth can be
+// measured. None changes a bit of an exact picture.
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
     bool relaxation = true;  // fast: steps longer than the estimate
