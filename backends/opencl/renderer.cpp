@@ -135,7 +135,8 @@ private:
         const int side_x = session_.is_cpu ? tile_side / wide : 8;
         const int side_y = session_.is_cpu ? tile_side / high : 8;
         const auto groups = [](int pixels, int item, int side) {
-            return static_cast<std::size_t>((pixels + item * side - 1) / (item * side) * side);
+            const int count = (pixels + item * side - 1) / (item * side);
+            return static_cast<std::size_t>(count) * static_cast<std::size_t>(side);
         };
         kernel_.setArg(0, constants_);
         kernel_.setArg(1, band.first_row);

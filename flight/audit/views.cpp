@@ -28,13 +28,23 @@ Camera camera_at(const Frame& frame)
     return camera_of(scene);
 }
 
+// Of a pixel's middle: from -1 to 1 over the view.
+struct Place {
+    double u, v;
+};
+
+Place place_of(int pixel)
+{
+    const int row = pixel / view_width;
+    return {(2 * (pixel % view_width) + 1.0) / view_width - 1, (2 * row + 1.0) / view_height - 1};
+}
+
 }  // namespace
 
 Vector direction_of(const Camera& camera, int pixel)
 {
-    const double u = (2 * (pixel % view_width) + 1.0) / view_width - 1;
-    const double v = (2 * (pixel / view_width) + 1.0) / view_height - 1;
-    return unit(camera.forward + u * camera.across + v * camera.upward);
+    const Place place = place_of(pixel);
+    return unit(camera.forward + place.u * camera.across + place.v * camera.upward);
 }
 
 double Glimpse::hit_share() const
@@ -98,8 +108,7 @@ double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
                                      ? from.eye + static_cast<double>(seen.depth[n]) * direction - to.eye
                                      : direction;
         const double ahead = dot(seen_from, after.forward);
-        const double u = (2 * (k % view_width) + 1.0) / view_width - 1;
-        const double v = (2 * (k / view_width) + 1.0) / view_height - 1;
+        const auto [u, v] = place_of(k);
         if (!(ahead > 0)) {
             moved[count++] = 1;
             continue;

@@ -13,8 +13,6 @@
 
 #include "core/base/error.h"
 
-extern char** environ;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): POSIX's
-
 namespace mandelmarch {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace mandelmarch {
@@ -15,7 +16,7 @@ constexpr auto line = std::chrono::seconds(15);        // between two lines wher
 
 std::string clock(double seconds)
 {
-    const auto whole = static_cast<long long>(std::max(seconds, 0.0) + 0.5);
+    const auto whole = std::llround(std::max(seconds, 0.0));
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 

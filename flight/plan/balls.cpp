@@ -179,6 +179,7 @@ void Balls::link()
         }
     }
     std::vector<Vector> middles;
+    middles.reserve(gaps.size());
     for (const Gap& gap : gaps) middles.push_back(gap.middle);
     std::vector<double> clear(middles.size());
     field_.distances(middles, clear);
