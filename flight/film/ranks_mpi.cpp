@@ -87,15 +87,16 @@ public:
                 MPI_Request request = MPI_REQUEST_NULL;
                 MPI_Send(&done_before, 1, MPI_LONG_LONG, 0, ask_tag, MPI_COMM_WORLD);
                 MPI_Irecv(&answer, 1, MPI_LONG_LONG, 0, answer_tag, MPI_COMM_WORLD, &request);
-                wait_for(request);  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker): it tests until the end
+                wait_for(request);
                 if (answer < 0) break;
-                body(static_cast<std::size_t>(answer));
+                // wait_for() tests until it is there, which the checker does not see; as below.
+                body(static_cast<std::size_t>(answer));  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
                 done_before = answer;
             }
         }
-        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Request request = MPI_REQUEST_NULL;  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
         MPI_Ibarrier(MPI_COMM_WORLD, &request);
-        wait_for(request);  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker): as above
+        wait_for(request);
     }
 
     void abort(int code) override { MPI_Abort(MPI_COMM_WORLD, code); }

@@ -93,7 +93,8 @@ void relax(const Field& field, Band& band)
                 // Forwards and backwards in turn.
                 const int i = sweep % 2 == 0 ? k : count - 1 - k;
                 const int step = std::min({stride, i, count - 1 - i});
-                const auto point = [&](int offset) { return band.at[static_cast<std::size_t>(i + offset)]; };
+                const auto middle = band.at.begin() + i;
+                const auto point = [&](int offset) { return middle[offset]; };
                 // Straight between its neighbours; or, where there are four, on the cubic through them, which keeps
                 // bends round.
                 Vector aim = 0.5 * (point(-step) + point(step));

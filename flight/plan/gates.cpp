@@ -25,7 +25,9 @@ std::array<Vector, 13> compass()
     std::array<Vector, 13> directions;
     std::size_t n = 0;
     for (int code = 14; code < 27; ++code) {
-        directions[n++] = unit({code % 3 - 1.0, code / 3 % 3 - 1.0, code / 9 - 1.0});
+        const int plane = code / 9;
+        const int row = code / 3 % 3;
+        directions[n++] = unit({code % 3 - 1.0, row - 1.0, plane - 1.0});
     }
     return directions;
 }

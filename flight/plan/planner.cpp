@@ -110,6 +110,7 @@ private:
     static std::vector<Vector> tilts(const Ride& ride, const std::vector<Vector>& of_sample, int frames)
     {
         std::vector<Vector> result;
+        result.reserve(static_cast<std::size_t>(frames));
         for (int i = 0; i < frames; ++i) {
             result.push_back(of_sample[static_cast<std::size_t>(ride.sample[static_cast<std::size_t>(i)])]);
         }
