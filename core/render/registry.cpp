@@ -50,8 +50,11 @@ Techniques techniques_without(std::string_view names)
         const std::string_view name = names.substr(0, comma);
         const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
         if (found == names_of_techniques.end()) {
-            throw InputError(
-                fmt::format("no technique is called '{}', expected hull, relaxation, cones, root or normal", name));
+            std::string known;
+            for (const NamedTechnique& one : names_of_techniques) {
+                known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
+            }
+            throw InputError(fmt::format("no technique is called '{}', expected some of {}", name, known));
         }
         techniques.*found->member = false;
         names.remove_prefix(std::min(comma + 1, names.size()));

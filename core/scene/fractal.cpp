@@ -54,7 +54,7 @@ double julia_growth(const Scene&) { return 2; }
 
 double any_stride(const Scene&) { return default_stride; }
 
-// At low powers the estimate is larger than the distance more often: docs/performance.md.
+// At low powers longer steps miss more of what is thin: docs/performance.md.
 double bulb_fast_stride(const Scene& scene) { return scene.shape[2] < 4.5 ? bulb_short_stride : default_stride; }
 
 double bulb_growth(const Scene& scene) { return scene.shape[2]; }

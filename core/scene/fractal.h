@@ -45,7 +45,7 @@ struct Fractal {
     // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
     double (*growth)(const Scene& scene);
     // The share of an estimate that a step of fast mode takes; less than default_stride, and none is over-relaxed:
-    // for scenes whose estimate is often larger than the distance.
+    // for scenes whose rays would pass what is thin.
     double (*fast_stride)(const Scene& scene);
     // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
     // close-up: near the surface an estimate can be larger than the distance.
