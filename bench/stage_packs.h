@@ -6,12 +6,15 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using openmp::Canvas;
+using openmp::most_lanes;
+using openmp::pool_rays;
+using openmp::RayPool;
 using openmp::Spent;
 using openmp::Tiles;
 
-#define MM_REGISTERS 4
-#include "backends/openmp/pool.h"
-#undef MM_REGISTERS
+#include "backends/openmp/widths.h"
+
+using namespace pools;
 
 constexpr int most_packs = pool_rays / pack_lanes + 2;
 
@@ -42,10 +45,10 @@ HWY_NOINLINE Pixel shaded(const Scene& scene, const Ray& ray, const vec3& normal
 }
 
 // shade_pool() in three passes, each timed.
-HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<MM_REAL>& canvas, Spent& spent, bool all,
-                              double (*now)(), double* seconds)
+HWY_NOINLINE void shade_apart(Drawing& d, Memory& memory, bool all, double (*now)(), double* seconds)
 {
-    Pool& ended = memory.pools.ended;
+    const Scene& scene = d.scene;
+    Pool& ended = d.pools.ended;
     const int packs = all ? (ended.size + pack_lanes - 1) / pack_lanes : ended.size / pack_lanes;
     const double first = now();
     for (int k = 0; k < packs; ++k) {
@@ -60,7 +63,7 @@ HWY_NOINLINE void shade_apart(const Scene& scene, Memory& memory, const Canvas<M
     const double third = now();
     for (int k = 0; k < packs; ++k) {
         const whole places = load(ended, k * pack_lanes).pixel;
-        store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), canvas, spent);
+        store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), d.canvas, d.spent);
     }
     keep_rest(ended, packs * pack_lanes);
     *place(seconds, TimedStage::normal) += second - first;
@@ -74,9 +77,8 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     Memory& memory = *static_cast<Memory*>(at);
+    Drawing d = drawing(scene, canvas, tiles, memory.pools, wide::width);
     auto& [pool, cones, hits, ended] = memory.pools;
-    pool.size = hits.size = ended.size = 0;
-    Spent spent{0, 0, 0};
     bool more = true;
     double last = now();
     const auto took = [&](TimedStage stage) {
@@ -85,27 +87,32 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
         last = here;
     };
     while (more || pool.size > 0) {
-        more = more && begin_tiles(scene, tiles, canvas, pool, cones, spent);
+        more = more && begin_tiles(d);
         took(TimedStage::begin);
-        march_pool(scene, pool, hits, ended, canvas, spent);
+        march_pool(d);
         took(TimedStage::march);
-        while (hits.size > pool_rays / 2) refine_pool(scene, hits, ended, canvas, spent);
+        while (hits.size > pool_rays / 2) refine_pool(d);
         took(TimedStage::refine);
-        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, spent, false, now, seconds);
+        if (ended.size > pool_rays / 4) shade_apart(d, memory, false, now, seconds);
         last = now();
     }
     while (hits.size > 0) {
-        refine_pool(scene, hits, ended, canvas, spent);
+        refine_pool(d);
         took(TimedStage::refine);
-        if (ended.size > pool_rays / 4) shade_apart(scene, memory, canvas, spent, false, now, seconds);
+        if (ended.size > pool_rays / 4) shade_apart(d, memory, false, now, seconds);
         last = now();
     }
-    shade_apart(scene, memory, canvas, spent, true, now, seconds);
+    shade_apart(d, memory, true, now, seconds);
+}
+
+Spent draw_wide(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+{
+    return draw_tiles(scene, canvas, tiles, memory, wide::width);
 }
 
 StageKernel<MM_REAL> kernel()
 {
-    return {hwy::TargetName(HWY_TARGET), pack_lanes, sizeof(Memory), profile_tiles, draw_tiles};
+    return {hwy::TargetName(HWY_TARGET), wide::pack_lanes, sizeof(Memory), profile_tiles, draw_wide};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr int blocks_of_tile(int side) { return blocks_across(side) * blocks_acr
 // Where a group's cones came to. What a cone cost is counted for one of its rays.
 template <int side>
 struct Cones {
-    static constexpr int most = (group_tiles * blocks_of_tile(side) + pack_lanes - 1) / pack_lanes * pack_lanes;
+    static constexpr int most = group_tiles * blocks_of_tile(side) + register_lanes;  // whole registers can be read
     MM_REAL start[most];
     Int estimates[most];
     Int iterations[most];
@@ -53,8 +53,7 @@ HWY_NOINLINE void store_cones(const Traveller& a, const mask& on, Cones<side>& c
 
 // Begins one cone for every block of `side` pixels, where the larger block's cone came to.
 template <int side, int parent_side>
-HWY_NOINLINE void begin_cones(const Scene& scene, const Group& group, const Cones<parent_side>* parents, Pool& pool,
-                              Cones<side>& cones)
+HWY_NOINLINE void begin_cones(Drawing& d, const Group& group, const Cones<parent_side>* parents, Cones<side>& cones)
 {
     const int blocks = group.count * blocks_of_tile(side);
     for (int from = 0; from < blocks; from += pack_lanes) {
@@ -76,41 +75,49 @@ HWY_NOINLINE void begin_cones(const Scene& scene, const Group& group, const Cone
         }
         Traveller a;
         a.pixel = lane_numbers() + whole(static_cast<Int>(from));
-        a.ray = begin(scene, load_lanes(lanes.i), load_lanes(lanes.j));
+        a.ray = begin(d.scene, load_lanes(lanes.i), load_lanes(lanes.j));
         // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
         a.ray.t = load_lanes(lanes.start);
         a.ray.estimates = load_lanes(lanes.estimates);
         a.ray.iterations = load_lanes(lanes.iterations);
         const mask on = first_lanes(blocks - from);
         const mask go = on && a.ray.t <= a.ray.end;
-        append(pool, a, go);
-        store_cones(a, on && !go, cones);
+        append(d.pools.cones, a, go);
+        if (any(on && !go)) store_cones(a, on && !go, cones);
     }
 }
 
 // Marches a cone for every block of `side` pixels.
 template <int side, int parent_side>
-HWY_NOINLINE void march_cones(const Scene& scene, const Group& group, scalar pitch, const Cones<parent_side>* parents,
-                              Pool& pool, Cones<side>& cones)
+HWY_NOINLINE void march_cones(Drawing& d, const Group& group, const Cones<parent_side>* parents, Cones<side>& cones)
 {
-    const scalar width = pitch * (MM_REAL(0.5) * (side - 1));
+    const scalar span = d.canvas.pitch * (MM_REAL(0.5) * (side - 1));
+    Pool& pool = d.pools.cones;
     pool.size = 0;
-    begin_cones(scene, group, parents, pool, cones);
+    begin_cones(d, group, parents, cones);
     while (pool.size > 0) {
         const int size = pool.size;
         pool.size = 0;
-        for (int from = 0; from < size; from += pack_lanes) {
-            Traveller a = load(pool, from);
-            const mask on = first_lanes(size - from);
-            const int enough = lanes_on(on) * 3 / 4;
-            mask go = on;
+        for (int from = 0; from < size; from += d.lanes()) {
+            PackLanes on(d, size - from);
+            const int enough = (size - from < d.lanes() ? size - from : d.lanes()) * 3 / 4;
             int step = 0;
+            int going = 0;
             do {
-                a.ray = advance_cone(scene, a.ray, width, go);
-                go = go && cone_goes(a.ray);
-            } while (++step < steps_at_once && lanes_on(go) > enough);
-            append(pool, a, go);
-            store_cones(a, on && !go, cones);
+                going =
+                    take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
+                        ray = advanced_cone(d.scene, ray, span, here, lanes);
+                        return lanes && cone_goes(ray);
+                    });
+            } while (++step < steps_at_once && going > enough);
+            for (int u = 0; u < d.wide.registers; ++u) {
+                const int at = from + u * register_lanes;
+                Traveller a = load(pool, at);
+                const mask go = mask_of(on.of[u]);
+                append(pool, a, go);
+                const mask stopped = first_lanes(size - at) && !go;
+                if (any(stopped)) store_cones(a, stopped, cones);
+            }
         }
     }
 }

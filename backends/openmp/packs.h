@@ -5,34 +5,25 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
-#define MM_REGISTERS 1
-namespace registers_1 {
-#include "backends/openmp/pool.h"
-}
-#undef MM_REGISTERS
-#if MANDELMARCH_ALL_PACKS
-#define MM_REGISTERS 4
-namespace registers_4 {
-#include "backends/openmp/pool.h"
-}
-#undef MM_REGISTERS
-#endif
+#include "backends/openmp/widths.h"
 
-#define MM_VARIANT(pack)                                                                     \
-    {                                                                                        \
-        hwy::TargetName(HWY_TARGET), pack::pack_lanes, pack::draw_tiles, sizeof(pack::Pools) \
-    }
+template <const Width& width>
+Spent draw_with(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+{
+    return pools::draw_tiles(scene, canvas, tiles, memory, width);
+}
 
 // The best last: four independent registers hide the arithmetic's latency, at the price of some spilled values.
 VariantList<MM_REAL> list()
 {
-#if MANDELMARCH_ALL_PACKS
-    return {{MM_VARIANT(registers_1), MM_VARIANT(registers_4)}, 2};
-#else
-    return {{MM_VARIANT(registers_1)}, 1};
+    const char* name = hwy::TargetName(HWY_TARGET);
+    constexpr std::size_t memory = sizeof(pools::Pools);
+    VariantList<MM_REAL> variants{{{name, pools::pack_lanes, draw_with<pools::width>, memory}}, 1};
+#ifndef MANDELMARCH_ONE_WIDTH
+    variants.of[variants.count++] = {name, wide::pack_lanes, draw_with<wide::width>, memory};
 #endif
+    return variants;
 }
-#undef MM_VARIANT
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

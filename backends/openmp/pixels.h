@@ -1,4 +1,4 @@
-// Finished pixels, from packs to the canvas. Included by pool.h, in its namespace; no guard.
+// Finished pixels, from packs to the canvas. Included by samples.h, in its namespace; no guard.
 
 // The lanes that are on, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)

@@ -1,15 +1,7 @@
-// Rays that wait for a step, structure of arrays. Included by pool.h, in its namespace; no guard.
+// Packs of rays to and from pools. Included by samples.h, in its namespace; no guard.
 
-// Rays in a pool: enough that few packs have gaps, few enough to stay in a core's cache.
-constexpr int pool_rays = 4096;
-
-struct Pool {
-    static constexpr int reals = 9;
-    static constexpr int wholes = 4;
-    MM_REAL real_fields[reals][pool_rays + 2 * pack_lanes];
-    Int whole_fields[wholes][pool_rays + 2 * pack_lanes];
-    int size;
-};
+using Pool = RayPool<MM_REAL>;
+static_assert(pack_lanes <= most_lanes);
 
 // A ray with the place of its pixel in the canvas.
 struct Traveller {
@@ -73,6 +65,19 @@ HWY_INLINE Traveller load(const Pool& pool, int from)
     return a;
 }
 
+// Back to its place, what samples change: not where the ray comes from and where its pixel is.
+HWY_INLINE void store_changed(Traveller& a, Pool& pool, int at)
+{
+    each_field(
+        a,
+        [&](int f, real& v) MM_INLINED {
+            if (f > 2) store_lanes(v, pool.real_fields[f] + at);
+        },
+        [&](int f, whole& v) MM_INLINED {
+            if (f < 3) store_lanes(v, pool.whole_fields[f] + at);
+        });
+}
+
 HWY_INLINE int lanes_on(const mask& on)
 {
     int lanes = 0;
@@ -104,7 +109,7 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 #if HWY_TARGET <= HWY_AVX3
 #define MM_APPEND HWY_INLINE
 #else
-#define MM_APPEND HWY_NOINLINE
+#define MM_APPEND HWY_NOINLINE HWY_MAYBE_UNUSED
 #endif
 
 // Appends the lanes that are on. The pool has room for a pack more than it holds.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "backends/openmp/ray_pool.h"
 #include "core/image/tile.h"
 
 namespace mandelmarch::openmp {

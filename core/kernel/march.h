@@ -3,8 +3,8 @@
 // The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
 FN Ray begin(Scene scene, real i, real j)
 {
-    real u = quotient(2 * i, scene.width) - 1;
-    real v = quotient(2 * j, scene.height) - 1;
+    real u = quick_quotient(2 * i, scene.width) - 1;
+    real v = quick_quotient(2 * j, scene.height) - 1;
     Ray ray;
     ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
     ray.end = scene.end;
@@ -57,12 +57,15 @@ FN real relaxed(Scene scene, Ray ray)
     return pick(ray.last_distance > 2 * scene.tolerance * ray.last_t, factor, scene.stride);
 }
 
+// The ray's next sample. What steps do with a sample are functions of their own, so that a backend can take samples of
+// more rays at once than it handles otherwise.
+FN Estimate probe(Scene scene, Ray ray, mask on) { return estimate(scene, point_at(scene, ray, ray.t), on); }
+
 // One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on, with
 // over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is taken back
 // where the spheres of its two ends do not overlap.
-FN Ray advance(Scene scene, Ray ray, mask on)
+FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 {
-    Estimate here = estimate(scene, point_at(scene, ray, ray.t), on);
     real reach = ray.t - ray.last_t;
     mask over = reach > ray.last_distance && here.distance + ray.last_distance < reach;
     mask taken = on && !over;
@@ -79,18 +82,19 @@ FN Ray advance(Scene scene, Ray ray, mask on)
     return ray;
 }
 
+FN Ray advance(Scene scene, Ray ray, mask on) { return advanced(scene, ray, probe(scene, ray, on), on); }
+
 // A cone of rays, at most `width` apart from its axis at distance 1, goes as far as none of them can hit: within the
 // sphere of radius DE around a point of its axis DE is at least what is left of that radius. (Fractal distance
 // estimates can change faster than the distance, so that this is for fast mode.)
 FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
 {
-    return quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
+    return quick_quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
 }
 
 // A cone's step; `last_distance` becomes 0 where it ends, as a step would be short beside its own width.
-FN Ray advance_cone(Scene scene, Ray ray, scalar width, mask on)
+FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 {
-    Estimate here = estimate(scene, point_at(scene, ray, ray.t), on);
     real gap = cone_gap(scene, ray, here.distance, width);
     mask goes = on && gap > width * ray.t;
     ray.t = pick(goes, ray.t + scene.stride * gap, ray.t);
@@ -151,20 +155,25 @@ FN mask refining(Scene scene, Ray ray)
 FN real secant(Ray ray)
 {
     real rise = ray.last_distance - ray.before_distance;
-    return ray.last_t - quotient(ray.last_distance * (ray.last_t - ray.before_t), rise);
+    return ray.last_t - quick_quotient(ray.last_distance * (ray.last_t - ray.before_t), rise);
 }
 
 FN mask in_bracket(Ray ray, real t) { return t > ray.before_t && t < ray.last_t; }
 
-FN Ray refine_step(Scene scene, Ray ray, mask on)
+// Where the next root is tried; none is where no number is left between the ends.
+FN Ray aimed(Ray ray, mask on)
 {
     real t = secant(ray);
     t = pick(in_bracket(ray, t), t, R(0.5) * (ray.before_t + ray.last_t));
-    mask splits = in_bracket(ray, t);
-    ray.end = pick(on && !splits, no_root(), ray.end);
-    on = on && splits;
-    Estimate here = estimate(scene, point_at(scene, ray, t), on);
-    real f = here.distance - scene.tolerance * t;
+    ray.end = pick(on && !in_bracket(ray, t), no_root(), ray.end);
+    ray.t = pick(on && ray.end > no_root(), t, ray.t);
+    return ray;
+}
+
+// What the root that was tried tells.
+FN Ray narrowed(Scene scene, Ray ray, Estimate here, mask on)
+{
+    real f = here.distance - scene.tolerance * ray.t;
     mask below = on && f < 0;
     mask above = on && !below;
     // An end that stays a second time counts half.
@@ -172,12 +181,11 @@ FN Ray refine_step(Scene scene, Ray ray, mask on)
     mask twice_above = above && ray.end == tried_above();
     ray.before_distance = pick(twice_below, R(0.5) * ray.before_distance, ray.before_distance);
     ray.last_distance = pick(twice_above, R(0.5) * ray.last_distance, ray.last_distance);
-    ray.before_t = pick(above, t, ray.before_t);
+    ray.before_t = pick(above, ray.t, ray.before_t);
     ray.before_distance = pick(above, f, ray.before_distance);
-    ray.last_t = pick(below, t, ray.last_t);
+    ray.last_t = pick(below, ray.t, ray.last_t);
     ray.last_distance = pick(below, f, ray.last_distance);
     ray.end = pick(on, pick(below, tried_below(), tried_above()), ray.end);
-    ray.t = pick(on, t, ray.t);
     ray.estimates = ray.estimates + count(on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
@@ -190,7 +198,9 @@ FN Ray refine_by(Scene scene, Ray ray, int steps)
     mask on = refining(scene, ray);
     int i = 0;
     while (i < steps && any(on)) {
-        ray = refine_step(scene, ray, on);
+        ray = aimed(ray, on);
+        on = on && ray.end > no_root();
+        ray = narrowed(scene, ray, probe(scene, ray, on), on);
         on = on && refining(scene, ray);
         i = i + 1;
     }

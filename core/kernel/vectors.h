@@ -39,9 +39,16 @@ FN real norm2(vec3 a) { return larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-3
 
 FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 
-// 1 / root(a), and the sum of a counter and the lanes that are on.
+// Where 14 bits are enough: what only scales an estimate, but not where a point goes.
+#ifndef MM_HAS_ROUGH
+FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
+
+FN real rough_root(real a) { return quick_root(a); }
+#endif
+
+// s / root(a), and the sum of a counter and the lanes that are on.
 #ifndef MM_HAS_TALLY
-FN real quick_inverse_root(real a) { return quick_quotient(1, quick_root(a)); }
+FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_root(a)); }
 
 FN whole tally(whole a, mask on) { return a + count(on); }
 #endif

@@ -14,6 +14,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double huge = 1e6;
+constexpr double largest = 1e37;  // of a float, with room
 constexpr double bulb_short_stride = 0.6;
 constexpr Meaning ignored{"a number (ignored)", -1e300, 1e300};
 
@@ -21,23 +22,27 @@ std::string_view no_objection(const Scene&) { return {}; }
 
 std::string_view box_objection(const Scene& scene)
 {
-    const double scale = scene.shape[0];
-    return scale == 0 || scale == 1 ? "scale must not be 0 or 1, expected 2 or -1.5, say" : std::string_view{};
+    const auto [scale, inner, fixed] = scene.shape;
+    if (scale == 0 || scale == 1) return "scale must not be 0 or 1, expected 2 or -1.5, say";
+    const double ratio = fixed / inner;
+    if (!(std::abs(scale) * ratio * ratio < largest)) return "rMin is too small beside rFixed, expected a larger one";
+    return {};
 }
 
-FractalConstants bulb_constants(const Scene& scene, double largest)
+FractalConstants bulb_constants(const Scene& scene, double most)
 {
     const double power = scene.shape[2];
-    // r^P must stay finite while the loop runs, so the bailout radius is at most largest^(1/P).
-    const double bailout = std::min(scene.shape[1], std::pow(largest, 1 / power));
+    // r^P must stay finite while the loop runs, so the bailout radius is at most most^(1/P).
+    const double bailout = std::min(scene.shape[1], std::pow(most, 1 / power));
     return {.values = {bailout, power}, .exponent = power == std::floor(power) ? static_cast<int>(power) : 0};
 }
 
 FractalConstants box_constants(const Scene& scene, double)
 {
     const auto [scale, inner, fixed] = scene.shape;
-    return {.values = {scale, std::copysign(1, scale), inner * inner, fixed * fixed, scale * (fixed * fixed),
-                       scale * ((fixed * fixed) / (inner * inner)), scene.escape * scene.escape, std::abs(scale - 1),
+    const double outer = std::max(inner, fixed);
+    return {.values = {scale, std::copysign(1, scale), inner * inner, outer * outer, scale * (fixed * fixed),
+                       scene.escape * scene.escape, std::abs(scale - 1),
                        std::pow(std::abs(scale), 1 - scene.iterations)}};
 }
 
@@ -132,7 +137,6 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     if (const std::string_view objection = scene.fractal->objection(scene); !objection.empty()) {
         throw InputError(fmt::format("{}: {}", where(Item::shape), objection));
     }
-    constexpr double largest = 1e37;  // of a float, with room
     for (const double value : scene.fractal->constants(scene, largest).values) {
         if (!(std::abs(value) < largest)) {
             throw InputError(where(Item::iterations) +

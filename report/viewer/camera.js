@@ -51,11 +51,11 @@ const FRACTALS = {
         power: () => 0,
         constants: (s) => {
             const [scale, inner, fixed] = s.shape;
-            const growth = Math.abs(scale), factor = (fixed * fixed) / (inner * inner);
+            const outer = Math.max(inner, fixed);
             return { box_scale: scale, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
-                box_fixed_radius2: fixed * fixed, box_shell_scale: scale * (fixed * fixed),
-                box_inner_scale: scale * factor, box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
-                box_remainder: Math.pow(growth, 1 - s.iterations) };
+                box_outer_radius2: outer * outer, box_shell_scale: scale * (fixed * fixed),
+                box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
+                box_remainder: Math.pow(Math.abs(scale), 1 - s.iterations) };
         },
     },
     julia: {

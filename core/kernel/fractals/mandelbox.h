@@ -5,12 +5,11 @@
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // s
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
-FN scalar box_fixed_radius2(Scene scene) { return scene.fractal[3]; }  // rFixed^2
+FN scalar box_outer_radius2(Scene scene) { return scene.fractal[3]; }  // the larger of rMin^2 and rFixed^2
 FN scalar box_shell_scale(Scene scene) { return scene.fractal[4]; }    // s rFixed^2
-FN scalar box_inner_scale(Scene scene) { return scene.fractal[5]; }    // s rFixed^2 / rMin^2
-FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
-FN scalar box_offset(Scene scene) { return scene.fractal[7]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[8]; }      // |s|^(1 - n)
+FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }        // escape radius^2
+FN scalar box_offset(Scene scene) { return scene.fractal[6]; }         // |s - 1|
+FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }      // |s|^(1 - n)
 
 // c > 1: 2 - c; c < -1: -2 - c; else c.
 FN real folded(real c) { return 2 * clipped(c) - c; }
@@ -20,10 +19,8 @@ FN vec3 box_fold(vec3 z) { return vec3(folded(z.x), folded(z.y), folded(z.z)); }
 // s times the factor of the sphere fold at squared radius r2.
 FN real sphere_fold(Scene scene, real r2)
 {
-    // Zero or not a number only where the shell is not picked.
-    real shell = quick_quotient(box_shell_scale(scene), r2);
-    return pick(r2 < box_inner_radius2(scene), box_inner_scale(scene),
-                pick(r2 < box_fixed_radius2(scene), shell, box_scale(scene)));
+    real shell = quick_quotient(box_shell_scale(scene), larger(r2, box_inner_radius2(scene)));
+    return pick(r2 < box_outer_radius2(scene), shell, box_scale(scene));
 }
 
 // Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
@@ -46,7 +43,7 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
         i = i + 1;
     }
     Estimate result;
-    result.distance = quick_quotient(quick_norm(z) - box_offset(scene), smaller(k, BY_PRECISION(1.0e300, 1.0e30))) -
+    result.distance = rough_quotient(quick_norm(z) - box_offset(scene), smaller(k, BY_PRECISION(1.0e300, 1.0e30))) -
                       box_remainder(scene);
     result.iterations = iterations;
     return result;
@@ -95,7 +92,8 @@ FN BoxTangent box_tangent(vec3 axis)
 // The derivative of DE, times k > 0.
 FN real box_slope(Scene scene, vec3 z, real length, real k, BoxTangent v)
 {
-    return quotient(quotient(inner(z, v.z), length) - quotient(length - box_offset(scene), k) * v.k, k);
+    return quick_quotient(quick_quotient(inner(z, v.z), length) - quick_quotient(length - box_offset(scene), k) * v.k,
+                          k);
 }
 
 // The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
@@ -117,8 +115,9 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         real r2 = inner(turn.f, turn.f);
         turn.factor = sphere_fold(scene, r2);
         turn.growth = magnitude(turn.factor);
-        mask shell = r2 >= box_inner_radius2(scene) && r2 < box_fixed_radius2(scene);
-        turn.slope = pick(shell, -2 * quick_quotient(turn.factor, r2), 0);
+        mask shell = r2 >= box_inner_radius2(scene) && r2 < box_outer_radius2(scene);
+        // Not r2 itself: its reciprocal is there already.
+        turn.slope = pick(shell, -2 * quick_quotient(turn.factor, larger(r2, box_inner_radius2(scene))), 0);
         turn.k = k * box_sign(scene);
         x = box_advance(x, vec3(1, 0, 0), turn);
         y = box_advance(y, vec3(0, 1, 0), turn);
@@ -128,7 +127,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         on = on && r2 < box_escape2(scene);
         i = i + 1;
     }
-    real length = norm(z);
+    real length = quick_norm(z);
     return vec3(box_slope(scene, z, length, k, x), box_slope(scene, z, length, k, y),
                 box_slope(scene, z, length, k, w));
 }

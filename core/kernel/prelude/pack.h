@@ -7,7 +7,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 // A copy of the scene for every call of an estimator is worth avoiding.
 #define MM_SCENE_BY_REFERENCE
 #define FN HWY_API
+#if MM_REGISTERS == 1
 #define FN_CALLED HWY_NOINLINE HWY_MAYBE_UNUSED
+#else
+#define FN_CALLED HWY_API
+#endif
 // Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
 #if MM_REGISTERS == 1
 #define EACH_REGISTER(...)   \
@@ -159,9 +163,19 @@ FN real operator-(real a)
 
 FN bool any(const mask& on)
 {
+#if MM_REGISTERS == 4 && HWY_TARGET <= HWY_AVX3
+    // One instruction joins two masks and tests them.
+#if MM_REAL_IS_FLOAT
+    const auto any_of = [](__mmask16 a, __mmask16 b) HWY_ATTR { return !_kortestz_mask16_u8(a, b); };
+#else
+    const auto any_of = [](__mmask8 a, __mmask8 b) HWY_ATTR { return !_kortestz_mask8_u8(a, b); };
+#endif
+    return any_of(on.of[0].raw, on.of[1].raw) || any_of(on.of[2].raw, on.of[3].raw);
+#else
     hn::Mask<Reals> all = on.of[0];
     EACH_REGISTER(all = hn::Or(all, on.of[u]);)
     return !hn::AllFalse(Reals(), all);
+#endif
 }
 
 FN real pick(const mask& on, const real& a, const real& b)

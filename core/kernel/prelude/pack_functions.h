@@ -43,17 +43,18 @@ FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
     return hn::Mul(y, hn::NegMulAdd(b, y, two));
 }
 
-FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a)
+// s / root(a); the last step of Newton's scales, too.
+FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a, MM_REAL s)
 {
-    const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
-    const auto three_halves = hn::Set(Reals(), MM_REAL(1.5));
 #if MM_REAL_IS_FLOAT
     const auto y = hn::ApproximateReciprocalSqrt(a);
 #else
     const auto first = hn::Vec<Reals>{_mm512_rsqrt14_pd(a.raw)};
-    const auto y = hn::Mul(first, hn::NegMulAdd(hn::Mul(half, first), first, three_halves));
+    const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
+    const auto y = hn::Mul(first, hn::NegMulAdd(hn::Mul(half, first), first, hn::Set(Reals(), MM_REAL(1.5))));
 #endif
-    return hn::Mul(y, hn::NegMulAdd(hn::Mul(half, y), y, three_halves));
+    const auto scaled = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5) * s));
+    return hn::Mul(y, hn::NegMulAdd(hn::Mul(scaled, y), y, hn::Set(Reals(), MM_REAL(1.5) * s)));
 }
 
 FN real quick_quotient(real a, const real& b)
@@ -64,13 +65,13 @@ FN real quick_quotient(real a, const real& b)
 
 FN real quick_root(real a)
 {
-    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u]));)
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], reciprocal_root(a.of[u], 1));)
     return a;
 }
 
-FN real quick_inverse_root(real a)
+FN real scaled_inverse_root(real a, scalar s)
 {
-    EACH_REGISTER(a.of[u] = reciprocal_root(a.of[u]);)
+    EACH_REGISTER(a.of[u] = reciprocal_root(a.of[u], s);)
     return a;
 }
 #else
@@ -78,7 +79,22 @@ FN real quick_quotient(const real& a, const real& b) { return quotient(a, b); }
 
 FN real quick_root(const real& a) { return root(a); }
 
-FN real quick_inverse_root(const real& a) { return quotient(1, root(a)); }
+FN real scaled_inverse_root(const real& a, scalar s) { return quotient(s, root(a)); }
+#endif
+
+#if MM_FAST && MM_REAL_IS_FLOAT
+#define MM_HAS_ROUGH
+FN real rough_quotient(real a, const real& b)
+{
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocal(b.of[u]));)
+    return a;
+}
+
+FN real rough_root(real a)
+{
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocalSqrt(a.of[u]));)
+    return a;
+}
 #endif
 
 FN real magnitude(real a)

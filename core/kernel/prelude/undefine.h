@@ -11,4 +11,5 @@
 #undef MM_HAS_TALLY
 #undef MM_SCENE_BY_REFERENCE
 #undef MM_HAS_CLIPPED
+#undef MM_HAS_ROUGH
 #undef MM_NEAREST

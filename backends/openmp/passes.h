@@ -1,0 +1,152 @@
+// What is done to all rays of a pool: marching, refining, shading. Included by pool.h, in its namespace; no guard.
+
+// Empty pools. A look at a hit, and differences, take samples of their own, which want wide packs.
+HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, Pools& pools,
+                           const Width& wide)
+{
+    pools.marching.size = pools.hits.size = pools.ended.size = 0;
+    const bool sampling = scene.colouring > 1 || scene.differences != 0;
+    return {scene, canvas, tiles, pools, wide, sampling ? wide : width, {0, 0, 0}};
+}
+
+// The lanes of a pack that are on, a mask for each of its registers.
+struct PackLanes {
+    hn::Mask<Reals> of[most_lanes / register_lanes];
+
+    HWY_INLINE PackLanes(const Drawing& d, int lanes)
+    {
+        for (int u = 0; u < d.wide.registers; ++u) of[u] = first_lanes(lanes - u * register_lanes).of[0];
+    }
+};
+
+HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
+{
+    mask on;
+    on.of[0] = lanes;
+    return on;
+}
+
+// One sample for each ray of a pack that is on. take(ray, estimate, on) changes the rays of a register and returns
+// which stay on. Returns how many do.
+template <class Take>
+HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& on, Take take)
+{
+    alignas(64) MM_REAL distances[most_lanes];
+    alignas(64) Int iterations[most_lanes];
+    d.wide.probe(&d.scene, pool, from, on.of, distances, iterations);
+    int lanes = 0;
+    for (int u = 0; u < d.wide.registers; ++u) {
+        const int at = from + u * register_lanes;
+        Traveller a = load(pool, at);
+        Estimate here;
+        here.distance = load_lanes(distances + u * register_lanes);
+        here.iterations = load_lanes(iterations + u * register_lanes);
+        const mask stay = take(a.ray, here, mask_of(on.of[u]));
+        store_changed(a, pool, at);
+        on.of[u] = stay.of[0];
+        lanes += lanes_on(stay);
+    }
+    return lanes;
+}
+
+// Forgets the first `done` rays of a pool that has less than a pack more.
+HWY_INLINE void keep_rest(Pool& pool, int done)
+{
+    const int size = pool.size;
+    pool.size = 0;
+    for (int from = done; from < size; from += pack_lanes) {
+        Traveller a = load(pool, from);
+        append(pool, a, first_lanes(size - from));
+    }
+}
+
+// Shades all rays that have ended but an incomplete last pack; that one too if `all`.
+HWY_NOINLINE void shade_pool(Drawing& d, bool all)
+{
+    Pool& ended = d.pools.ended;
+    const int pack = d.shading.registers * register_lanes;
+    const int count = all ? ended.size : ended.size / pack * pack;
+    d.shading.shade(&d.scene, ended, count, d.canvas, d.spent);
+    keep_rest(ended, count);
+}
+
+HWY_INLINE void append_ended(Drawing& d, Traveller& a, const mask& on)
+{
+    append(d.pools.ended, a, on);
+    if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
+}
+
+// One step of refinement for every hit; those that need no more are shaded next.
+HWY_NOINLINE void refine_pool(Drawing& d)
+{
+    Pool& pool = d.pools.hits;
+    const Scene& scene = d.scene;
+    const int size = pool.size;
+    pool.size = 0;
+    for (int from = 0; from < size; from += d.lanes()) {
+        PackLanes on(d, size - from);
+        for (int u = 0; u < d.wide.registers; ++u) {
+            const int at = from + u * register_lanes;
+            Traveller a = load(pool, at);
+            a.ray = aimed(a.ray, mask_of(on.of[u]));
+            store_changed(a, pool, at);
+            on.of[u] = (mask_of(on.of[u]) && a.ray.end > no_root()).of[0];
+        }
+        take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
+            ray = narrowed(scene, ray, here, lanes);
+            return lanes && refining(scene, ray);
+        });
+        for (int u = 0; u < d.wide.registers; ++u) {
+            const int at = from + u * register_lanes;
+            Traveller a = load(pool, at);
+            const mask go = mask_of(on.of[u]);
+            append(pool, a, go);
+            append_ended(d, a, first_lanes(size - at) && !go);
+        }
+    }
+}
+
+// What becomes of rays that neither go on nor are off.
+HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
+{
+    const Scene& scene = d.scene;
+    const mask hit = stopped && has_hit(scene, a.ray);
+    const mask gone = stopped && !hit;
+    if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
+    if (scene.canonical == 0) return append_ended(d, a, hit);
+    a.ray = refine_begin(scene, a.ray);
+    const mask coarse = hit && refining(scene, a.ray);
+    append(d.pools.hits, a, coarse);
+    while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
+    append_ended(d, a, hit && !coarse);
+}
+
+// Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.
+HWY_NOINLINE void march_pool(Drawing& d)
+{
+    Pool& pool = d.pools.marching;
+    const Scene& scene = d.scene;
+    const int size = pool.size;
+    pool.size = 0;
+    for (int from = 0; from < size; from += d.lanes()) {
+        PackLanes on(d, size - from);
+        // Until a quarter of the lanes has ended.
+        const int enough = (size - from < d.lanes() ? size - from : d.lanes()) * 3 / 4;
+        int step = 0;
+        int going = 0;
+        do {
+            going = take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
+                ray = advanced(scene, ray, here, lanes);
+                return lanes && marching(scene, ray);
+            });
+        } while (++step < steps_at_once && going > enough);
+        for (int u = 0; u < d.wide.registers; ++u) {
+            const int at = from + u * register_lanes;
+            Traveller a = load(pool, at);
+            const mask go = mask_of(on.of[u]);
+            append(pool, a, go);
+            const mask stopped = first_lanes(size - at) && !go;
+            if (any(stopped)) stop_marching(d, a, stopped);
+        }
+    }
+}

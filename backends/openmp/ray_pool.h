@@ -1,0 +1,24 @@
+// Rays that wait for a step, structure of arrays. Plain data: code of several pack widths works on it.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+namespace mandelmarch::openmp {
+
+constexpr int pool_rays = 4096;  // enough that few packs have gaps, few enough to stay in a core's cache
+constexpr int most_lanes = 64;   // of a pack
+
+template <class Real>
+struct RayPool {
+    using Whole = std::conditional_t<std::is_same_v<Real, float>, std::int32_t, std::int64_t>;
+
+    static constexpr int reals = 9;
+    static constexpr int wholes = 4;
+    static constexpr int room = pool_rays + 2 * most_lanes;
+    Real real_fields[reals][room];
+    Whole whole_fields[wholes][room];
+    int size;
+};
+
+}  // namespace mandelmarch::openmp

@@ -1,0 +1,37 @@
+// What pools ask of a pack width: samples, and finished pixels. Included in a namespace of its own, with MM_REGISTERS,
+// the registers of a pack; no guard.
+#include "core/kernel/prelude/pack.h"
+#include "core/kernel/text.h"
+
+// Each of these needs the one before.
+#include "backends/openmp/rays.h"
+
+#include "backends/openmp/pixels.h"
+
+// The next sample of each ray of a pack that is on; `on` has a mask for each register.
+HWY_NOINLINE void probe_pack(const void* data, const Pool& pool, int from, const hn::Mask<Reals>* on,
+                             MM_REAL* distances, Int* iterations)
+{
+    const Scene& scene = *static_cast<const Scene*>(data);
+    const Ray ray = load(pool, from).ray;
+    mask lanes;
+    EACH_REGISTER(lanes.of[u] = on[u];)
+    const Estimate here = probe(scene, ray, lanes);
+    store_lanes(here.distance, distances);
+    store_lanes(here.iterations, iterations);
+}
+
+// Shades `count` rays of a pool that have hit.
+HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
+{
+    const Scene& scene = *static_cast<const Scene*>(data);
+    for (int from = 0; from < count; from += pack_lanes) {
+        Traveller a = load(pool, from);
+        const mask on = first_lanes(count - from);
+        // Lanes beyond the last ray hit nothing.
+        a.ray.last_distance = pick(on, a.ray.last_distance, scene.end);
+        store_pixels(shade(scene, a.ray), a.pixel, on, canvas, spent);
+    }
+}
+
+constexpr Width width{MM_REGISTERS, probe_pack, shade_rays};

@@ -1,0 +1,33 @@
+// The kernel text in packs of one register, with the pools, and in packs of four. Included once for each instruction
+// set; no guard.
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What pools ask of a pack width: a sample of each ray of a pack that is on, and the pixels of rays that have hit.
+struct Width {
+    int registers;  // of a pack
+    void (*probe)(const void* scene, const RayPool<MM_REAL>& pool, int from,
+                  const hn::Mask<hn::ScalableTag<MM_REAL>>* on, MM_REAL* distances,
+                  RayPool<MM_REAL>::Whole* iterations);
+    void (*shade)(const void* scene, const RayPool<MM_REAL>& pool, int count, const Canvas<MM_REAL>& canvas,
+                  Spent& spent);
+};
+
+#define MM_REGISTERS 1
+namespace pools {
+#include "backends/openmp/pool.h"
+#include "core/kernel/prelude/undefine.h"
+#undef EACH_REGISTER
+}  // namespace pools
+#undef MM_REGISTERS
+
+#ifndef MANDELMARCH_ONE_WIDTH
+#define MM_REGISTERS 4
+namespace wide {
+#include "backends/openmp/samples.h"
+#include "core/kernel/prelude/undefine.h"
+#undef EACH_REGISTER
+}  // namespace wide
+#undef MM_REGISTERS
+#else
+namespace wide = pools;
+#endif
