@@ -13,10 +13,10 @@ from table_file import put
 
 REGISTERS = 4
 # The way round the loop that draws the official scene is the shortest one with so many of these: the sphere fold's
-# reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, the six doublings of the squares and the sum with p.z.
+# reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, the three doublings of the squares and the sum with p.z.
 MARKS = {
     "mandelbox": {"vrcp14": REGISTERS},
-    "mandelbulb": {"vrsqrt14": 2 * REGISTERS, "vaddp": 7 * REGISTERS},
+    "mandelbulb": {"vrsqrt14": 2 * REGISTERS, "vaddp": 4 * REGISTERS},
 }
 KINDS = (
     ("multiply-add", r"vfn?m(add|sub)"),
@@ -33,13 +33,13 @@ PORTS = 2
 
 
 def instructions(path):
-    """(address, text) of `estimate` in packs of four AVX-512 registers."""
+    """(address, text) of what takes samples in packs of four AVX-512 registers."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
-    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*registers_4::estimate\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
+    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*wide::probe_pack\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
     if found is None:
-        sys.exit(f"loop_mix: {path}: no estimate in AVX-512 packs of four registers")
+        sys.exit(f"loop_mix: {path}: no samples in AVX-512 packs of four registers")
     lines = (re.match(r"\s*([0-9a-f]+):\s+(.*)", line) for line in found[1].splitlines())
     return [(int(line[1], 16), re.sub(r"\s*#.*", "", line[2]).strip()) for line in lines if line]
 

@@ -7,6 +7,7 @@ FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }  // P
 // z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
     real rho;         // sqrt(x^2 + y^2)
+    real per_rho;     // its reciprocal
     real r_less;      // r^(P-1)
     Complex polar;    // r^P (cos P0 + i sin P0)
     Complex azimuth;  // cos P1 + i sin P1
@@ -21,22 +22,23 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
     real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
     BulbPower power;
     if (scene.exponent == 8) {
-        real inverse = scaled_inverse_root(rho2, 1);
-        power.rho = rho2 * inverse;
+        power.per_rho = scaled_inverse_root(rho2, 1);
+        power.rho = rho2 * power.per_rho;
         real r4 = r2 * r2;
         power.r_less = r4 * r2 * r;
         power.polar = squared_within(squared_within(squared_within(complex_number(z.z, power.rho), r2), r4), r4 * r4);
-        Complex direction = complex_number(z.x * inverse, z.y * inverse);
+        Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
         power.azimuth = squared_within(squared_within(squared_within(direction, 1), 1), 1);
     } else if (scene.exponent > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
-        real inverse = scaled_inverse_root(rho2, 1);
+        power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
-        Complex direction = complex_number(z.x * inverse, z.y * inverse);
+        Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
         power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
         power.azimuth = raised(direction, scene.exponent);
         power.r_less = raised_real(r, scene.exponent - 1);
     } else {
+        power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
         real ln_r = natural_log(r);
         real r_power = exponential(bulb_power(scene) * ln_r);
@@ -160,15 +162,13 @@ FN BulbTangent bulb_tangent(vec3 axis, real r_slope)
 
 // One iteration of a tangent: the chain rule through (r, 0, 1), each angle's slope taken from z and dz; on the axis the
 // azimuth stands still.
-FN BulbTangent bulb_advance(Scene scene, BulbTangent v, vec3 axis, vec3 z, real r, real dr, BulbPower power)
+FN BulbTangent bulb_advance(Scene scene, BulbTangent v, vec3 axis, vec3 z, real per_r2, real dr, BulbPower power)
 {
-    real rho = power.rho;
-    mask off_axis = rho * rho > 2 * axis_radius2();
-    real r2 = r * r;
-    real d_rho = pick(off_axis, quick_quotient(z.x * v.z.x + z.y * v.z.y, rho), v.z.x);
-    real d_polar = quick_quotient(z.z * d_rho - power.rho * v.z.z, r2);
-    real d_azimuth = pick(off_axis, quick_quotient(quick_quotient(z.x * v.z.y - z.y * v.z.x, rho), rho), R(0.0));
-    real d_ln_r = quick_quotient(inner(z, v.z), r2);
+    mask off_axis = power.rho * power.rho > 2 * axis_radius2();
+    real d_rho = pick(off_axis, (z.x * v.z.x + z.y * v.z.y) * power.per_rho, v.z.x);
+    real d_polar = (z.z * d_rho - power.rho * v.z.z) * per_r2;
+    real d_azimuth = pick(off_axis, (z.x * v.z.y - z.y * v.z.x) * power.per_rho * power.per_rho, R(0.0));
+    real d_ln_r = inner(z, v.z) * per_r2;
     // Slopes of polar and azimuth, both without the factor P.
     Complex polar = complex_number(power.polar.re * d_ln_r - power.polar.im * d_polar,
                                    power.polar.im * d_ln_r + power.polar.re * d_polar);
@@ -210,18 +210,20 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
         BulbPower power = bulb_raised(scene, z, r, r * r);
-        BulbTangent next_x = bulb_advance(scene, x, vec3(1, 0, 0), z, r, dr, power);
-        BulbTangent next_y = bulb_advance(scene, y, vec3(0, 1, 0), z, r, dr, power);
-        BulbTangent next_w = bulb_advance(scene, w, vec3(0, 0, 1), z, r, dr, power);
+        real per_r2 = quick_quotient(1, r * r);
+        BulbTangent next_x = bulb_advance(scene, x, vec3(1, 0, 0), z, per_r2, dr, power);
+        BulbTangent next_y = bulb_advance(scene, y, vec3(0, 1, 0), z, per_r2, dr, power);
+        BulbTangent next_w = bulb_advance(scene, w, vec3(0, 0, 1), z, per_r2, dr, power);
         dr = pick(on, dr * (power.r_less * bulb_power(scene)) + 1, dr);
         z = pick3(on, bulb_next(power, p), z);
         i = i + 1;
         // The slope of the radius, like the radius, is not taken after the last iteration.
         if (i < scene.max_iterations) {
             r = pick(on, quick_norm(z), r);
-            next_x.r = quick_quotient(inner(z, next_x.z), r);
-            next_y.r = quick_quotient(inner(z, next_y.z), r);
-            next_w.r = quick_quotient(inner(z, next_w.z), r);
+            real per_r = quick_quotient(1, r);
+            next_x.r = inner(z, next_x.z) * per_r;
+            next_y.r = inner(z, next_y.z) * per_r;
+            next_w.r = inner(z, next_w.z) * per_r;
         } else {
             next_x.r = x.r;
             next_y.r = y.r;
