@@ -96,28 +96,12 @@ HWY_NOINLINE void march_cones(Drawing& d, const Group& group, const Cones<parent
     pool.size = 0;
     begin_cones(d, group, parents, cones);
     while (pool.size > 0) {
-        const int size = pool.size;
-        pool.size = 0;
-        for (int from = 0; from < size; from += d.lanes()) {
-            PackLanes on(d, size - from);
-            const int enough = (size - from < d.lanes() ? size - from : d.lanes()) * 3 / 4;
-            int step = 0;
-            int going = 0;
-            do {
-                going =
-                    take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
-                        ray = advanced_cone(d.scene, ray, span, here, lanes);
-                        return lanes && cone_goes(ray);
-                    });
-            } while (++step < steps_at_once && going > enough);
-            for (int u = 0; u < d.wide.registers; ++u) {
-                const int at = from + u * register_lanes;
-                Traveller a = load(pool, at);
-                const mask go = mask_of(on.of[u]);
-                append(pool, a, go);
-                const mask stopped = first_lanes(size - at) && !go;
-                if (any(stopped)) store_cones(a, stopped, cones);
-            }
-        }
+        sample_pool(
+            d, pool, steps_at_once,
+            [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
+                ray = advanced_cone(d.scene, ray, span, here, on);
+                return on && cone_goes(ray);
+            },
+            [&](Traveller& a, const mask& stopped) MM_INLINED { store_cones(a, stopped, cones); });
     }
 }

@@ -49,6 +49,32 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
     return lanes;
 }
 
+// Samples for every ray of a pool, at most `at_once` a ray, pack by pack until a quarter of a pack's lanes has ended.
+// Rays that go on are stored without gaps; ended(rays, lanes) gets the others.
+template <class Take, class Ended>
+HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ended ended)
+{
+    const int size = pool.size;
+    pool.size = 0;
+    for (int from = 0; from < size; from += d.lanes()) {
+        PackLanes on(d, size - from);
+        const int enough = (size - from < d.lanes() ? size - from : d.lanes()) * 3 / 4;
+        int step = 0;
+        int going = 0;
+        do {
+            going = take_samples(d, pool, from, on, take);
+        } while (++step < at_once && going > enough);
+        for (int u = 0; u < d.wide.registers; ++u) {
+            const int at = from + u * register_lanes;
+            Traveller a = load(pool, at);
+            const mask go = mask_of(on.of[u]);
+            append(pool, a, go);
+            const mask stopped = first_lanes(size - at) && !go;
+            if (any(stopped)) ended(a, stopped);
+        }
+    }
+}
+
 // Forgets the first `done` rays of a pool that has less than a pack more.
 HWY_INLINE void keep_rest(Pool& pool, int done)
 {
@@ -76,34 +102,25 @@ HWY_INLINE void append_ended(Drawing& d, Traveller& a, const mask& on)
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
 }
 
+// The next root of the rays that are on and need one; returns which those are.
+HWY_INLINE mask aim(const Scene& scene, Ray& ray, const mask& on)
+{
+    const mask coarse = on && refining(scene, ray);
+    ray = aimed(ray, coarse);
+    return coarse && ray.end > no_root();
+}
+
 // One step of refinement for every hit; those that need no more are shaded next.
 HWY_NOINLINE void refine_pool(Drawing& d)
 {
-    Pool& pool = d.pools.hits;
     const Scene& scene = d.scene;
-    const int size = pool.size;
-    pool.size = 0;
-    for (int from = 0; from < size; from += d.lanes()) {
-        PackLanes on(d, size - from);
-        for (int u = 0; u < d.wide.registers; ++u) {
-            const int at = from + u * register_lanes;
-            Traveller a = load(pool, at);
-            a.ray = aimed(a.ray, mask_of(on.of[u]));
-            store_changed(a, pool, at);
-            on.of[u] = (mask_of(on.of[u]) && a.ray.end > no_root()).of[0];
-        }
-        take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
-            ray = narrowed(scene, ray, here, lanes);
-            return lanes && refining(scene, ray);
-        });
-        for (int u = 0; u < d.wide.registers; ++u) {
-            const int at = from + u * register_lanes;
-            Traveller a = load(pool, at);
-            const mask go = mask_of(on.of[u]);
-            append(pool, a, go);
-            append_ended(d, a, first_lanes(size - at) && !go);
-        }
-    }
+    sample_pool(
+        d, d.pools.hits, 1,
+        [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
+            ray = narrowed(scene, ray, here, on);
+            return aim(scene, ray, on);
+        },
+        [&](Traveller& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
 }
 
 // What becomes of rays that neither go on nor are off.
@@ -115,7 +132,7 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
     if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, a, hit);
     a.ray = refine_begin(scene, a.ray);
-    const mask coarse = hit && refining(scene, a.ray);
+    const mask coarse = aim(scene, a.ray, hit);
     append(d.pools.hits, a, coarse);
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
     append_ended(d, a, hit && !coarse);
@@ -124,29 +141,12 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
 // Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.
 HWY_NOINLINE void march_pool(Drawing& d)
 {
-    Pool& pool = d.pools.marching;
     const Scene& scene = d.scene;
-    const int size = pool.size;
-    pool.size = 0;
-    for (int from = 0; from < size; from += d.lanes()) {
-        PackLanes on(d, size - from);
-        // Until a quarter of the lanes has ended.
-        const int enough = (size - from < d.lanes() ? size - from : d.lanes()) * 3 / 4;
-        int step = 0;
-        int going = 0;
-        do {
-            going = take_samples(d, pool, from, on, [&](Ray& ray, const Estimate& here, const mask& lanes) MM_INLINED {
-                ray = advanced(scene, ray, here, lanes);
-                return lanes && marching(scene, ray);
-            });
-        } while (++step < steps_at_once && going > enough);
-        for (int u = 0; u < d.wide.registers; ++u) {
-            const int at = from + u * register_lanes;
-            Traveller a = load(pool, at);
-            const mask go = mask_of(on.of[u]);
-            append(pool, a, go);
-            const mask stopped = first_lanes(size - at) && !go;
-            if (any(stopped)) stop_marching(d, a, stopped);
-        }
-    }
+    sample_pool(
+        d, d.pools.marching, steps_at_once,
+        [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
+            ray = advanced(scene, ray, here, on);
+            return on && marching(scene, ray);
+        },
+        [&](Traveller& a, const mask& stopped) MM_INLINED { stop_marching(d, a, stopped); });
 }

@@ -82,7 +82,8 @@ FN real quick_root(const real& a) { return root(a); }
 FN real scaled_inverse_root(const real& a, scalar s) { return quotient(s, root(a)); }
 #endif
 
-#if MM_FAST && MM_REAL_IS_FLOAT
+// Earlier instruction sets have 12 bits, which show.
+#if MM_FAST && MM_REAL_IS_FLOAT && HWY_TARGET <= HWY_AVX3
 #define MM_HAS_ROUGH
 FN real rough_quotient(real a, const real& b)
 {
