@@ -1,10 +1,10 @@
 // Kernel text, part 6: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
 
-// The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1 over the picture.
+// The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1; their last bits show in the picture.
 FN Ray begin(Scene scene, real i, real j)
 {
-    real u = quick_quotient(2 * i, scene.width) - 1;
-    real v = quick_quotient(2 * j, scene.height) - 1;
+    real u = quotient(2 * i, scene.width) - 1;
+    real v = quotient(2 * j, scene.height) - 1;
     Ray ray;
     ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
     ray.end = scene.end;
