@@ -79,8 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"bulb", 8, "1.5 0"}, BadLine{"bulb", 9, "5"}, BadLine{"bulb", 9, "-1"},
                     BadLine{"bulb", 9, "red"}, BadLine{"bulb", 10, "-1"}, BadLine{"bulb", 10, "nan"},
                     BadLine{"box", 7, "0 0.5 1"}, BadLine{"box", 7, "1 0.5 1"}, BadLine{"box", 7, "2 0 1"},
-                    BadLine{"box", 7, "2 0.5 0"}, BadLine{"box", 8, "18 0"}, BadLine{"box", 8, "18 -1"},
-                    BadLine{"box", 8, "18"}, BadLine{"bulb", 11, "12"}));
+                    BadLine{"box", 7, "2 0.5 0"}, BadLine{"box", 7, "2 1e-30 1"}, BadLine{"box", 8, "18 0"},
+                    BadLine{"box", 8, "18 -1"}, BadLine{"box", 8, "18"}, BadLine{"bulb", 11, "12"}));
 
 TEST(ParameterFile, ConstantsThatOverflowAreRefused)
 {
