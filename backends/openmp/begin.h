@@ -4,7 +4,6 @@
 constexpr int square_side = 8;
 constexpr int across_lanes = register_lanes < square_side ? register_lanes : square_side;
 constexpr int up_lanes = register_lanes / across_lanes;
-constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 static_assert(tile_side % square_side == 0 && square_side % up_lanes == 0);
 
 HWY_INLINE whole lane_across()
@@ -21,12 +20,17 @@ HWY_INLINE whole lane_up()
     return a;
 }
 
-// What stands for each lane's block of 2 x 2 pixels, counted from the rectangle's first.
-template <class D>
-HWY_INLINE hn::Vec<D> of_blocks(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> blocks)
-{
-    return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, blocks));
-}
+// The places in the picture of a tile's columns or rows, from `first` on.
+struct Places {
+    MM_REAL at[tile_side + register_lanes];  // whole registers can be read
+
+    HWY_INLINE Places(int first, int size)
+    {
+        for (int n = 0; n < tile_side; n += register_lanes) {
+            store_lanes(picture_place(real_of(lane_numbers() + whole(static_cast<Int>(first + n))), size), at + n);
+        }
+    }
+};
 
 // Rays of a rectangle, (x, y) its first pixel in the tile, after the cones of their blocks. What a cone cost is counted
 // for one of its rays.
@@ -38,9 +42,9 @@ HWY_INLINE Ray after_cones(Ray ray, const Cones<2>& cones, int tile, int x, int 
     EACH_REGISTER(const auto blocks = hn::ShiftRight<1>(across.of[u]);
                   const auto odd = hn::And(hn::Or(across.of[u], up.of[u]), hn::Set(Wholes(), 1));
                   const auto counts = hn::Eq(odd, hn::Zero(Wholes()));
-                  const auto start = of_blocks(Reals(), cones.start + first, blocks);
-                  const auto estimates = of_blocks(Wholes(), cones.estimates + first, blocks);
-                  const auto iterations = of_blocks(Wholes(), cones.iterations + first, blocks);
+                  const auto start = looked_up(Reals(), cones.start + first, blocks);
+                  const auto estimates = looked_up(Wholes(), cones.estimates + first, blocks);
+                  const auto iterations = looked_up(Wholes(), cones.iterations + first, blocks);
                   ray.t.of[u] = hn::Max(ray.t.of[u], start);
                   ray.estimates.of[u] = hn::IfThenElseZero(counts, estimates);
                   ray.iterations.of[u] = hn::IfThenElseZero(counts, iterations);)
@@ -55,6 +59,8 @@ HWY_NOINLINE void begin_tile(Drawing& d, const Group& group, int tile, const Con
     for (int n = 0; n < pack_lanes; ++n) {
         places[n] = static_cast<Int>(n / across_lanes) * scene.width + n % across_lanes;
     }
+    const Places us(group.left[tile], scene.width);
+    const Places vs(group.bottom[tile], scene.height);
     for (int n = 0; n < tile_pixels; n += pack_lanes) {
         // Squares, and their rectangles, in rows.
         const int square = n / (square_side * square_side);
@@ -71,7 +77,11 @@ HWY_NOINLINE void begin_tile(Drawing& d, const Group& group, int tile, const Con
         Traveller a;
         a.pixel = load_lanes(places) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const mask on = i < scene.width && j < d.canvas.end_row;
-        a.ray = begin(scene, i, j);
+        real u;
+        real v;
+        u.of[0] = looked_up(Reals(), us.at + x, lane_across().of[0]);
+        v.of[0] = looked_up(Reals(), vs.at + y, lane_up().of[0]);
+        a.ray = begin_at(scene, u, v);
         if (cones != nullptr) a.ray = after_cones(a.ray, *cones, tile, x, y);
         const mask go = marching(scene, a.ray);
         append(d.pools.marching, a, on && go);
@@ -86,8 +96,10 @@ HWY_NOINLINE void begin_group(Drawing& d, const Group& group)
     Cones<2> fine;
     const bool with_cones = d.canvas.pitch > 0;
     if (with_cones) {
-        march_cones<8, tile_side>(d, group, nullptr, coarse);
-        march_cones<2, 8>(d, group, &coarse, fine);
+        begin_all_cones(d, group, coarse);
+        march_cones(d, coarse);
+        begin_all_cones(d, group, coarse, fine);
+        march_cones(d, fine);
     }
     for (int tile = 0; tile < group.count; ++tile) begin_tile(d, group, tile, with_cones ? &fine : nullptr);
 }

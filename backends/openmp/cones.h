@@ -1,14 +1,14 @@
 // Cones before rays: how far the rays of a block of pixels can go together. Included by pool.h, in its namespace; no
 // guard.
 
-// A pack's values, lane by lane.
-struct Lanes {
-    MM_REAL i[pack_lanes];
-    MM_REAL j[pack_lanes];
-    MM_REAL start[pack_lanes];  // no ray hits before this t
-    Int estimates[pack_lanes];  // made for it by cones
-    Int iterations[pack_lanes];
-};
+constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
+
+// What stands at each lane's place.
+template <class D>
+HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> places)
+{
+    return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
+}
 
 // Some tiles, begun together so that their cones fill packs.
 constexpr int group_tiles = 8;
@@ -51,53 +51,94 @@ HWY_NOINLINE void store_cones(const Traveller& a, const mask& on, Cones<side>& c
     }
 }
 
-// Begins one cone for every block of `side` pixels, where the larger block's cone came to.
-template <int side, int parent_side>
-HWY_NOINLINE void begin_cones(Drawing& d, const Group& group, const Cones<parent_side>* parents, Cones<side>& cones)
+// Begins the cones that are on, (i, j) the pixels of their axes. Each has its place among the group's, where it starts
+// and what was spent on it already.
+template <int side>
+HWY_INLINE void begin_cones(Drawing& d, Traveller& a, const real& i, const real& j, const mask& on, Cones<side>& cones)
+{
+    const Ray from = a.ray;
+    a.ray = begin(d.scene, i, j);
+    // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
+    a.ray.t = from.t;
+    a.ray.estimates = from.estimates;
+    a.ray.iterations = from.iterations;
+    const mask go = on && a.ray.t <= a.ray.end;
+    append(d.pools.cones, a, go);
+    if (any(on && !go)) store_cones(a, on && !go, cones);
+}
+
+// The middle of the first of `side` pixels.
+template <int side>
+HWY_INLINE real middle_of(const whole& first)
+{
+    return real_of(first) + real(MM_REAL(0.5) * (side - 1));
+}
+
+// Begins one cone for every block of the group.
+template <int side>
+HWY_NOINLINE void begin_all_cones(Drawing& d, const Group& group, Cones<side>& cones)
 {
     const int blocks = group.count * blocks_of_tile(side);
     for (int from = 0; from < blocks; from += pack_lanes) {
-        Lanes lanes;
+        Int left[pack_lanes];
+        Int bottom[pack_lanes];
         for (int lane = 0; lane < pack_lanes; ++lane) {
             const int block = from + lane < blocks ? from + lane : blocks - 1;
-            const int tile = block / blocks_of_tile(side);
-            const int x = block % blocks_of_tile(side) % blocks_across(side) * side;
-            const int y = block % blocks_of_tile(side) / blocks_across(side) * side;
-            constexpr MM_REAL middle = MM_REAL(0.5) * (side - 1);
-            lanes.i[lane] = static_cast<MM_REAL>(group.left[tile] + x) + middle;
-            lanes.j[lane] = static_cast<MM_REAL>(group.bottom[tile] + y) + middle;
-            const int parent =
-                tile * blocks_of_tile(parent_side) + y / parent_side * blocks_across(parent_side) + x / parent_side;
-            const bool first = x % parent_side == 0 && y % parent_side == 0;
-            lanes.start[lane] = parents == nullptr ? MM_REAL(0) : parents->start[parent];
-            lanes.estimates[lane] = parents == nullptr || !first ? Int(0) : parents->estimates[parent];
-            lanes.iterations[lane] = parents == nullptr || !first ? Int(0) : parents->iterations[parent];
+            const int in_tile = block % blocks_of_tile(side);
+            left[lane] = group.left[block / blocks_of_tile(side)] + in_tile % blocks_across(side) * side;
+            bottom[lane] = group.bottom[block / blocks_of_tile(side)] + in_tile / blocks_across(side) * side;
         }
         Traveller a;
         a.pixel = lane_numbers() + whole(static_cast<Int>(from));
-        a.ray = begin(d.scene, load_lanes(lanes.i), load_lanes(lanes.j));
-        // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
-        a.ray.t = load_lanes(lanes.start);
-        a.ray.estimates = load_lanes(lanes.estimates);
-        a.ray.iterations = load_lanes(lanes.iterations);
-        const mask on = first_lanes(blocks - from);
-        const mask go = on && a.ray.t <= a.ray.end;
-        append(d.pools.cones, a, go);
-        if (any(on && !go)) store_cones(a, on && !go, cones);
+        a.ray.t = 0;
+        a.ray.estimates = 0;
+        a.ray.iterations = 0;
+        begin_cones(d, a, middle_of<side>(load_lanes(left)), middle_of<side>(load_lanes(bottom)),
+                    first_lanes(blocks - from), cones);
     }
 }
 
-// Marches a cone for every block of `side` pixels.
+// Begins one cone for every block of the group, where the larger block's cone came to.
 template <int side, int parent_side>
-HWY_NOINLINE void march_cones(Drawing& d, const Group& group, const Cones<parent_side>* parents, Cones<side>& cones)
+HWY_NOINLINE void begin_all_cones(Drawing& d, const Group& group, const Cones<parent_side>& parents, Cones<side>& cones)
+{
+    static_assert(blocks_of_tile(side) % register_lanes == 0);
+    constexpr int across = log2_of(blocks_across(side));
+    constexpr int parents_across = log2_of(blocks_across(parent_side));
+    constexpr int parent = log2_of(parent_side / side);
+    for (int from = 0; from < group.count * blocks_of_tile(side); from += register_lanes) {
+        const int tile = from / blocks_of_tile(side);
+        const int first = tile * blocks_of_tile(parent_side);
+        const auto block = hn::Iota(Wholes(), static_cast<Int>(from % blocks_of_tile(side)));
+        const auto x = hn::And(block, hn::Set(Wholes(), blocks_across(side) - 1));
+        const auto y = hn::ShiftRight<across>(block);
+        const auto before =
+            hn::Add(hn::ShiftLeft<parents_across>(hn::ShiftRight<parent>(y)), hn::ShiftRight<parent>(x));
+        const auto inside = hn::And(hn::Or(x, y), hn::Set(Wholes(), parent_side / side - 1));
+        const auto counts = hn::Eq(inside, hn::Zero(Wholes()));
+        Traveller a;
+        a.pixel = lane_numbers() + whole(static_cast<Int>(from));
+        a.ray.t.of[0] = looked_up(Reals(), parents.start + first, before);
+        a.ray.estimates.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), parents.estimates + first, before));
+        a.ray.iterations.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), parents.iterations + first, before));
+        whole left;
+        whole bottom;
+        left.of[0] = hn::ShiftLeft<log2_of(side)>(x);
+        bottom.of[0] = hn::ShiftLeft<log2_of(side)>(y);
+        begin_cones(d, a, middle_of<side>(left + whole(static_cast<Int>(group.left[tile]))),
+                    middle_of<side>(bottom + whole(static_cast<Int>(group.bottom[tile]))), first_lanes(register_lanes),
+                    cones);
+    }
+}
+
+// Marches the cones that have begun.
+template <int side>
+HWY_NOINLINE void march_cones(Drawing& d, Cones<side>& cones)
 {
     const scalar span = d.canvas.pitch * (MM_REAL(0.5) * (side - 1));
-    Pool& pool = d.pools.cones;
-    pool.size = 0;
-    begin_cones(d, group, parents, cones);
-    while (pool.size > 0) {
+    while (d.pools.cones.size > 0) {
         sample_pool(
-            d, pool, steps_at_once,
+            d, d.pools.cones, steps_at_once,
             [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
                 ray = advanced_cone(d.scene, ray, span, here, on);
                 return on && cone_goes(ray);

@@ -13,7 +13,7 @@ Spent draw_with(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& t
     return pools::draw_tiles(scene, canvas, tiles, memory, width);
 }
 
-// The best last: four independent registers hide the arithmetic's latency, at the price of some spilled values.
+// The best last.
 VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);

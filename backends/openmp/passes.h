@@ -4,7 +4,7 @@
 HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, Pools& pools,
                            const Width& wide)
 {
-    pools.marching.size = pools.hits.size = pools.ended.size = 0;
+    pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
     const bool sampling = scene.colouring > 1 || scene.differences != 0;
     return {scene, canvas, tiles, pools, wide, sampling ? wide : width, {0, 0, 0}};
 }

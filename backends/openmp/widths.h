@@ -21,7 +21,13 @@ namespace pools {
 #undef MM_REGISTERS
 
 #ifndef MANDELMARCH_ONE_WIDTH
+// Four registers hide the arithmetic's latency, at the price of some spilled values. In fast mode an iteration of the
+// Mandelbulb takes long enough for three, which spill none of AVX-512's 32.
+#if MM_FAST && defined(MM_FRACTAL_mandelbulb) && HWY_TARGET <= HWY_AVX3
+#define MM_REGISTERS 3
+#else
 #define MM_REGISTERS 4
+#endif
 namespace wide {
 #include "backends/openmp/samples.h"
 #include "core/kernel/prelude/undefine.h"

@@ -124,7 +124,7 @@ private:
 
     void dispatch(int stages, const Band& band, int steps)
     {
-        const Program::Ints constants{stages, scene_.exponent, scene_.canonical, scene_.differences};
+        const Program::Ints constants{stages, scene_.fractal_whole, scene_.canonical, scene_.differences};
         if (bench_.program->lacks(constants)) {
             timings_.kernel += gpu_.finish("marching");
             const auto start = Clock::now();

@@ -14,7 +14,7 @@ const int stage_refine = 4;
 const int stage_shade = 8;
 layout(constant_id = 0) const int stages = 15;
 // What a scene changes seldom: known when the pipeline is built, it removes branches, which some devices pay in full.
-layout(constant_id = 1) const int exponent = 0;
+layout(constant_id = 1) const int fractal_whole = 0;
 layout(constant_id = 2) const int canonical = 0;
 layout(constant_id = 3) const int differences = 0;
 
@@ -48,7 +48,7 @@ void main()
     int pixel = y * whole_scene.width + x;
 
     Scene scene = whole_scene;
-    scene.exponent = exponent;
+    scene.fractal_whole = fractal_whole;
     scene.canonical = canonical;
     scene.differences = differences;
 

@@ -1,10 +1,11 @@
 // Kernel text, part 6: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
 
-// The ray through pixel (i, j); j = 0 is the bottom row. u and v run from -1 to 1; their last bits show in the picture.
-FN Ray begin(Scene scene, real i, real j)
+// Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.
+FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
+
+// The ray through (u, v) of the picture; v = -1 is the bottom.
+FN Ray begin_at(Scene scene, real u, real v)
 {
-    real u = quotient(2 * i, scene.width) - 1;
-    real v = quotient(2 * j, scene.height) - 1;
     Ray ray;
     ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
     ray.end = scene.end;
@@ -25,6 +26,12 @@ FN Ray begin(Scene scene, real i, real j)
     ray.estimates = 0;
     ray.iterations = 0;
     return ray;
+}
+
+// The ray through pixel (i, j); j = 0 is the bottom row.
+FN Ray begin(Scene scene, real i, real j)
+{
+    return begin_at(scene, picture_place(i, scene.width), picture_place(j, scene.height));
 }
 
 // The estimate below which the last sample is a hit. The plain schedule takes the t after the step.
@@ -53,7 +60,7 @@ FN real relaxed(Scene scene, Ray ray)
 {
     real way = ray.last_t - ray.before_t;
     real fall = larger(ray.before_distance - ray.last_distance, 0);  // -slope * way
-    real factor = larger(quick_quotient(scene.relaxation * way, way + fall), R(1.2));
+    real factor = larger(rough_quotient(scene.relaxation * way, way + fall), R(1.2));
     return pick(ray.last_distance > 2 * scene.tolerance * ray.last_t, factor, scene.stride);
 }
 

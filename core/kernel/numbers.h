@@ -35,6 +35,10 @@ FN real natural_log(real x)
     return pick(x > 0, ln_x, R(-1.0e30));
 }
 
+#ifndef MM_HAS_ROUGH
+FN real rough_log(real x) { return natural_log(x); }
+#endif
+
 // e^x, x cut to the range of normal numbers. x = k ln 2 + r, |r| <= ln 2 / 2.
 FN real exponential(real x)
 {

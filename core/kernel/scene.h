@@ -7,7 +7,7 @@ struct Scene {
     int height;          // pixels
     int max_iterations;  // n of the distance estimator, 1 and more
     int max_steps;       // samples on a ray
-    int exponent;        // a whole power P, or 0 where P is no whole number (or the fractal has none)
+    int fractal_whole;   // the fractal's own whole number, named in its file
     int colouring;       // as in the parameter file: 0 and 1 in shade.h, from 2 up in looks.h
     int canonical;    // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the plain schedule
     int differences;  // 1: the normal comes from central differences; 0: from the analytic gradient

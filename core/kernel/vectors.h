@@ -29,9 +29,9 @@ FN real larger(real a, real b) { return pick(a > b, a, b); }
 FN real smaller(real a, real b) { return pick(a < b, a, b); }
 #endif
 
-// x cut to [-1, 1]
+// x cut to [-most, most]
 #ifndef MM_HAS_CLIPPED
-FN real clipped(real x) { return smaller(larger(x, -1), 1); }
+FN real clipped(real x, scalar most) { return smaller(larger(x, -most), most); }
 #endif
 
 // |a|^2, which may be 0: then a number whose root has a reciprocal.
@@ -44,6 +44,9 @@ FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 
 FN real rough_root(real a) { return quick_root(a); }
+
+// a / root(b), where less = a / b: a product less where roots cost no division.
+#define over_root(a, less, b) ((less) * quick_root(b))
 #endif
 
 // s / root(a), and the sum of a counter and the lanes that are on.

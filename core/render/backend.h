@@ -34,6 +34,7 @@ struct Techniques {
     bool relaxation = true;  // fast: steps longer than the estimate
     bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
     bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
+    bool tail = true;        // fast, Mandelbox: an orbit's last iterations are made without their tests
     bool normal = true;      // fast, double: normals from the gradient, else from differences of six estimates
 };
 

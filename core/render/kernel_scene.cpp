@@ -63,16 +63,17 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     if (is_float<KernelScene> && !techniques.normal) {
         throw InputError("technique normal: float has no digits for differences, expected double without it");
     }
-    const FractalConstants constants = scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300);
-    const Camera camera = camera_of(scene);
     const bool fast = mode == Mode::fast;
+    const FractalConstants constants =
+        scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300, fast && techniques.tail);
+    const Camera camera = camera_of(scene);
 
     KernelScene k{};
     k.width = scene.width;
     k.height = scene.height;
     k.max_iterations = scene.iterations;
     k.max_steps = max_steps;
-    k.exponent = constants.exponent;
+    k.fractal_whole = constants.whole;
     k.colouring = scene.colouring;
     k.canonical = fast;
     k.differences = (!fast || !techniques.normal) && !is_float<KernelScene>;

@@ -32,9 +32,9 @@ struct NamedTechnique {
 };
 
 constexpr std::array names_of_techniques{
-    NamedTechnique{"hull", &Techniques::hull}, NamedTechnique{"relaxation", &Techniques::relaxation},
+    NamedTechnique{"hull", &Techniques::hull},   NamedTechnique{"relaxation", &Techniques::relaxation},
     NamedTechnique{"cones", &Techniques::cones}, NamedTechnique{"root", &Techniques::root},
-    NamedTechnique{"normal", &Techniques::normal}};
+    NamedTechnique{"tail", &Techniques::tail},   NamedTechnique{"normal", &Techniques::normal}};
 
 }  // namespace
 

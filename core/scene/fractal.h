@@ -21,7 +21,7 @@ struct Meaning {
 // What the kernel text of a fractal needs that is the same for all pixels, computed in double.
 struct FractalConstants {
     std::array<double, 11> values{};
-    int exponent = 0;  // see Scene::exponent in core/kernel/scene.h
+    int whole = 0;
 };
 
 // What core/scene/hull.cpp needs to know of a picture.
@@ -37,8 +37,9 @@ struct Fractal {
     Meaning escape;
     // What is wrong with the three values of line 7 together, or nothing.
     std::string_view (*objection)(const Scene& scene);
-    // `largest` is the largest finite power of ten of the number type, as a double.
-    FractalConstants (*constants)(const Scene& scene, double largest);
+    // `largest` is the largest finite power of ten of the number type, as a double. tails: an orbit's last iterations
+    // may be made without their tests.
+    FractalConstants (*constants)(const Scene& scene, double largest, bool tails);
     // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
     // that is not proven.
     double (*hull)(const Scene& scene, const Sight& view);

@@ -74,7 +74,7 @@ double julia_hull(const Scene& scene, const Sight& view)
 {
     const auto [a, i, j] = scene.shape;
     const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
-    const double escape = std::sqrt(scene.fractal->constants(scene, 1e37).values[4]);
+    const double escape = std::sqrt(scene.fractal->constants(scene, 1e37, false).values[4]);
     const auto bound = [&](double r) { return least_estimate(r, 2, c, 0, escape, scene.iterations); };
     return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
 }

@@ -44,18 +44,20 @@ const FRACTALS = {
     mandelbulb: {
         sliders: { "shape.2": ["power", 2, 16, 0.1], "shape.1": ["bailout", 1.5, 16, 0.5] },
         power: (s) => s.shape[2],
-        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 1 / s.shape[2])), bulb_power: s.shape[2] }),
+        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 0.5 / s.shape[2])), bulb_power: s.shape[2] }),
     },
     mandelbox: {
         sliders: { "shape.0": ["scale", -3, 4, 0.05], "shape.1": ["rMin", 0.05, 1, 0.05], "shape.2": ["rFixed", 0.2, 2, 0.05] },
         power: () => 0,
         constants: (s) => {
             const [scale, inner, fixed] = s.shape;
-            const outer = Math.max(inner, fixed);
-            return { box_scale: scale, box_sign: Math.sign(scale), box_inner_radius2: inner * inner,
-                box_outer_radius2: outer * outer, box_shell_scale: scale * (fixed * fixed),
-                box_escape2: s.escape * s.escape, box_offset: Math.abs(scale - 1),
-                box_remainder: Math.pow(Math.abs(scale), 1 - s.iterations) };
+            const magnitude = Math.abs(scale);
+            const unit = Math.sqrt(magnitude) * fixed;
+            const square = (length) => (length / unit) ** 2;
+            return { box_scale: magnitude, box_sign: Math.sign(scale), box_inner_radius2: square(inner),
+                box_outer_radius2: square(Math.max(inner, fixed)), box_one: 1 / unit, box_unit: unit,
+                box_escape2: square(s.escape), box_tail2: 0, box_offset: Math.abs(scale - 1) / unit,
+                box_remainder: Math.pow(magnitude, 1 - s.iterations) };
         },
     },
     julia: {
@@ -78,7 +80,7 @@ function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) 
     }
     const stride = fast && fractal === "mandelbulb" && power < 4.5 ? 0.6 : 0.95;
     const tangent = Math.tan(camera.field * 65 / 2 * Math.PI / 180);
-    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, exponent: Number.isInteger(power) ? power : 0,
+    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: Number.isInteger(power) ? power : 0,
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float has no digits for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,

@@ -1,51 +1,114 @@
 // Kernel text, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
 // Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1.
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
+// Lengths are in units of sqrt(|s|) rFixed: then the sphere fold's factor, |s| included, is 1 / r^2.
 
-FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // s
+FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
 FN scalar box_outer_radius2(Scene scene) { return scene.fractal[3]; }  // the larger of rMin^2 and rFixed^2
-FN scalar box_shell_scale(Scene scene) { return scene.fractal[4]; }    // s rFixed^2
-FN scalar box_escape2(Scene scene) { return scene.fractal[5]; }        // escape radius^2
-FN scalar box_offset(Scene scene) { return scene.fractal[6]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[7]; }      // |s|^(1 - n)
+FN scalar box_one(Scene scene) { return scene.fractal[4]; }            // the length 1
+FN scalar box_unit(Scene scene) { return scene.fractal[5]; }           // the unit of length
+FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
+FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // where tails begin, radius^2
+FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1|
+FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n) as it is, in no unit
+FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // a tail begins in iterations before; or 0
 
 // c > 1: 2 - c; c < -1: -2 - c; else c.
-FN real folded(real c) { return 2 * clipped(c) - c; }
+FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
 
-FN vec3 box_fold(vec3 z) { return vec3(folded(z.x), folded(z.y), folded(z.z)); }
-
-// s times the factor of the sphere fold at squared radius r2.
-FN real sphere_fold(Scene scene, real r2)
+FN vec3 box_fold(Scene scene, vec3 z)
 {
-    real shell = quick_quotient(box_shell_scale(scene), larger(r2, box_inner_radius2(scene)));
+    return vec3(folded(z.x, box_one(scene)), folded(z.y, box_one(scene)), folded(z.z, box_one(scene)));
+}
+
+// |s| times the factor of the sphere fold at squared radius r2.
+FN real box_growth(Scene scene, real r2)
+{
+    real shell = quick_quotient(1, larger(r2, box_inner_radius2(scene)));
     return pick(r2 < box_outer_radius2(scene), shell, box_scale(scene));
 }
 
 // Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
-FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+struct BoxOrbit {
+    vec3 z;
+    real k;
+    whole iterations;
+};
+
+// The orbit of p until it escapes, or begins its tail. mirrored: 1 where s < 0, else 0; known to the compiler.
+FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int mirrored)
 {
-    vec3 z = p;
-    real k = 1;
-    whole iterations = 0;
+    BoxOrbit a;
+    a.z = p;
+    a.k = 1;
+    a.iterations = 0;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        vec3 f = pick3(on, box_fold(z), z);
+        scalar last2 = box_escape2(scene);
+        if (i < box_tail_end(scene)) last2 = box_tail2(scene);
+        vec3 f = pick3(on, box_fold(scene, a.z), a.z);
         real r2 = inner(f, f);
-        real factor = sphere_fold(scene, r2);
-        z = pick3(on, along(p, f, factor), f);
-        k = pick(on, k * magnitude(factor) + 1, k);
-        iterations = tally(iterations, on);
-        on = on && r2 < box_escape2(scene);
+        real growth = box_growth(scene, r2);
+        real factor = growth;
+        if (mirrored != 0) factor = -growth;
+        a.z = pick3(on, along(p, f, factor), f);
+        a.k = pick(on, a.k * growth + 1, a.k);
+        a.iterations = tally(a.iterations, on);
+        on = on && r2 < last2;
         i = i + 1;
     }
+    return a;
+}
+
+// What an iteration does far outside: the sphere fold leaves the point as it is. f: the folded point.
+FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(scene) * box_sign(scene)); }
+
+FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
+
+// An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
+// look for but in the last (core/scene/fractal.cpp chooses the radius).
+FN BoxOrbit box_tail(Scene scene, vec3 p, BoxOrbit a)
+{
+    BoxOrbit b;
+    vec3 f = box_fold(scene, a.z);
+    f = box_fold(scene, box_outside(scene, p, f));
+    f = box_fold(scene, box_outside(scene, p, f));
+    mask more = inner(f, f) < box_escape2(scene);
+    b.z = box_outside(scene, p, f);
+    b.z = pick3(more, box_outside(scene, p, box_fold(scene, b.z)), b.z);
+    b.k = box_outside_k(scene, box_outside_k(scene, box_outside_k(scene, a.k)));
+    b.k = pick(more, box_outside_k(scene, b.k), b.k);
+    b.iterations = a.iterations + 3;
+    // Few orbits come so near to the most iterations that they have no tail.
+    mask none = box_tail_end(scene) < a.iterations;
+    if (any(none)) {
+        b.z = pick3(none, a.z, b.z);
+        b.k = pick(none, a.k, b.k);
+        b.iterations = tally(tally(tally(a.iterations, !none), !none), !none);
+    }
+    b.iterations = tally(b.iterations, more && !none);
+    return b;
+}
+
+FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+{
+    vec3 q = times(box_one(scene), p);
+    BoxOrbit a;
+    if (box_sign(scene) > 0) {
+        a = box_orbit(scene, q, on, 0);
+    } else {
+        a = box_orbit(scene, q, on, 1);
+    }
+    if (box_tail_end(scene) > 0) a = box_tail(scene, q, a);
+    real far = quick_norm(a.z) - box_offset(scene);
     Estimate result;
-    result.distance = rough_quotient(quick_norm(z) - box_offset(scene), smaller(k, BY_PRECISION(1.0e300, 1.0e30))) -
-                      box_remainder(scene);
-    result.iterations = iterations;
+    result.distance =
+        rough_quotient(far, smaller(a.k, BY_PRECISION(1.0e300, 1.0e30))) * box_unit(scene) - box_remainder(scene);
+    result.iterations = a.iterations;
     return result;
 }
 
@@ -64,7 +127,7 @@ struct BoxStep {
     vec3 f;       // the folded point
     real factor;  // c of the sphere fold, s included
     real growth;  // |c|
-    real slope;   // -2 c/r2 in the shell, else 0
+    real slope;   // -2 c/r2 in the shell, else 0: there 1/r2 is |c|
     real k;       // with the sign of s
 };
 
@@ -99,7 +162,8 @@ FN real box_slope(Scene scene, vec3 z, real length, real k, BoxTangent v)
 // The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
-    vec3 z = p;
+    vec3 q = times(box_one(scene), p);
+    vec3 z = q;
     real k = 1;
     BoxTangent x = box_tangent(vec3(1, 0, 0));
     BoxTangent y = box_tangent(vec3(0, 1, 0));
@@ -108,21 +172,20 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     while (i < scene.max_iterations && any(on)) {
         BoxStep turn;
         turn.on = on;
-        turn.folded_x = on && magnitude(z.x) > 1;
-        turn.folded_y = on && magnitude(z.y) > 1;
-        turn.folded_z = on && magnitude(z.z) > 1;
-        turn.f = pick3(on, box_fold(z), z);
+        turn.folded_x = on && magnitude(z.x) > box_one(scene);
+        turn.folded_y = on && magnitude(z.y) > box_one(scene);
+        turn.folded_z = on && magnitude(z.z) > box_one(scene);
+        turn.f = pick3(on, box_fold(scene, z), z);
         real r2 = inner(turn.f, turn.f);
-        turn.factor = sphere_fold(scene, r2);
-        turn.growth = magnitude(turn.factor);
+        turn.growth = box_growth(scene, r2);
+        turn.factor = turn.growth * box_sign(scene);
         mask shell = r2 >= box_inner_radius2(scene) && r2 < box_outer_radius2(scene);
-        // Not r2 itself: its reciprocal is there already.
-        turn.slope = pick(shell, -2 * quick_quotient(turn.factor, larger(r2, box_inner_radius2(scene))), 0);
+        turn.slope = pick(shell, -2 * turn.growth * turn.factor, 0);
         turn.k = k * box_sign(scene);
         x = box_advance(x, vec3(1, 0, 0), turn);
         y = box_advance(y, vec3(0, 1, 0), turn);
         w = box_advance(w, vec3(0, 0, 1), turn);
-        z = pick3(on, along(p, turn.f, turn.factor), turn.f);
+        z = pick3(on, along(q, turn.f, turn.factor), turn.f);
         k = pick(on, k * turn.growth + 1, k);
         on = on && r2 < box_escape2(scene);
         i = i + 1;
@@ -139,15 +202,18 @@ FN real haze(real t) { return quotient(t, t + R(8.0)); }
 // colours. A few iterations, so that colours are smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
-    vec3 z = p;
+    vec3 q = times(box_one(scene), p);
+    scalar unit = box_unit(scene);
+    vec3 z = q;
     vec3 trap = vec3(1, 1, 1);
     int i = 0;
     while (i < scene.max_iterations && i < 8 && any(on)) {
-        vec3 f = box_fold(z);
+        vec3 f = box_fold(scene, z);
         real r2 = inner(f, f);
-        vec3 near = vec3(smaller(trap.x, magnitude(f.x)), smaller(trap.y, magnitude(f.x - f.y)), smaller(trap.z, r2));
+        vec3 near = vec3(smaller(trap.x, magnitude(f.x) * unit), smaller(trap.y, magnitude(f.x - f.y) * unit),
+                         smaller(trap.z, r2 * (unit * unit)));
         trap = pick3(on, near, trap);
-        z = pick3(on, along(p, f, sphere_fold(scene, r2)), z);
+        z = pick3(on, along(q, f, box_growth(scene, r2) * box_sign(scene)), z);
         on = on && r2 < box_escape2(scene);
         i = i + 1;
     }

@@ -2,7 +2,8 @@
 // the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
-FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }  // P
+FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
+FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P, or 0 where it is no whole number
 
 // z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
@@ -21,7 +22,7 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
 {
     real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
     BulbPower power;
-    if (scene.exponent == 8) {
+    if (bulb_whole_power(scene) == 8) {
         power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = rho2 * power.per_rho;
         real r4 = r2 * r2;
@@ -29,14 +30,14 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
         power.polar = squared_within(squared_within(squared_within(complex_number(z.z, power.rho), r2), r4), r4 * r4);
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
         power.azimuth = squared_within(squared_within(squared_within(direction, 1), 1), 1);
-    } else if (scene.exponent > 0) {
+    } else if (bulb_whole_power(scene) > 0) {
         // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
         power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
-        power.polar = raised(complex_number(z.z, power.rho), scene.exponent);
-        power.azimuth = raised(direction, scene.exponent);
-        power.r_less = raised_real(r, scene.exponent - 1);
+        power.polar = raised(complex_number(z.z, power.rho), bulb_whole_power(scene));
+        power.azimuth = raised(direction, bulb_whole_power(scene));
+        power.r_less = raised_real(r, bulb_whole_power(scene) - 1);
     } else {
         power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
@@ -60,31 +61,50 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// z^8 + p, |z|^2 = r2, by double angles whose factors of 2 stand in the constants: with a = s cos v the chain a^2 -
-// s^2/2, a^2 - s^4/8, a^2 - s^8/128 ends with s^8/128 cos 8v, the polar sine carries another s, and s^9 = 128.
-FN vec3 bulb_eighth(vec3 z, real r2, vec3 p)
+// The eighth power takes lengths in units of 64^(-1/7): then the new point is z^8 / 64 + p, and of the derivative's
+// factor 8 r^7 only r^7 / 8 is left.
+FN scalar eighth_one() { return R(1.8114473285278132); }  // the length 1, 64^(1/7)
+
+struct BulbEighth {
+    vec3 z;       // z^8 / 64 + p
+    real growth;  // r^7 / 8
+};
+
+// By double angles whose factors of 2 stand in the constants. Polar: u = z^2 - rho^2, u^2 - r^4/2, its square - r^8/8
+// is r^8/8 cos 8v. Azimuth: with a = s cos v the chain a^2 - s^2/2, a^2 - s^4/8, a^2 - s^8/128 ends with s^8/128 cos
+// 8v, the polar sine carries another s, and s^9 = 32.
+FN BulbEighth bulb_eighth(vec3 z, real r2, vec3 p)
 {
     real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
-    real inverse = scaled_inverse_root(rho2, R(1.7144879657061456));  // s
-    real r4 = r2 * r2;
-    Complex polar = complex_number(z.z, rho2 * inverse);
-    polar = squared_within(squared_within(squared_within(polar, r2), r4), r4 * r4);
+    real inverse = scaled_inverse_root(rho2, R(1.4697344922755988));  // s / rho
+    real half2 = R(0.5) * r2;
+    real half4 = r2 * half2;
+    real quarter4 = R(0.5) * half4;
+    real eighth8 = half4 * quarter4;
+    real polar = z.z * z.z - rho2;
+    real sine = z.z * (rho2 * inverse) * polar;
+    polar = polar * polar - half4;
+    sine = sine * polar;
+    polar = polar * polar - eighth8;
     real cosine = z.x * inverse;
-    real sine = z.y * inverse;
-    sine = sine * cosine;
-    cosine = cosine * cosine - R(1.4697344922755988);  // s^2/2
-    sine = sine * cosine;
-    cosine = cosine * cosine - R(1.0800597388923059);  // s^4/8
-    sine = sine * cosine;
-    cosine = cosine * cosine - R(0.583264519788058);  // s^8/128
-    return vec3(polar.im * cosine + p.x, polar.im * sine + p.y, polar.re + p.z);
+    real across = z.y * inverse;
+    across = across * cosine;
+    cosine = cosine * cosine - R(1.080059738892306);  // s^2/2
+    across = across * cosine;
+    cosine = cosine * cosine - R(0.5832645197880583);  // s^4/8
+    across = across * cosine;
+    cosine = cosine * cosine - R(0.17009875002179708);  // s^8/128
+    BulbEighth next;
+    next.z = vec3(sine * cosine + p.x, sine * across + p.y, polar * R(0.125) + p.z);
+    next.growth = over_root(eighth8, quarter4 * half2, r2);
+    return next;
 }
 
 FN Estimate bulb_estimate(real r2, real dr, whole iterations)
 {
-    real r = rough_root(r2);
     Estimate result;
-    result.distance = rough_quotient(R(0.5) * natural_log(r) * r, smaller(dr, BY_PRECISION(1.0e300, 1.0e30)));
+    result.distance =
+        rough_quotient(R(0.25) * rough_log(r2) * rough_root(r2), smaller(dr, BY_PRECISION(1.0e300, 1.0e30)));
     result.iterations = iterations;
     return result;
 }
@@ -92,24 +112,26 @@ FN Estimate bulb_estimate(real r2, real dr, whole iterations)
 // For power 8, in a loop of its own: what other powers need would take its registers.
 FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
 {
-    vec3 z = p;
+    vec3 q = times(eighth_one(), p);
+    vec3 z = q;
     real dr = 1;
     real r2 = norm2(z);
-    scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene);
+    scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene) * (eighth_one() * eighth_one());
     whole iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        dr = pick(on, dr * (8 * (r2 * r2 * r2 * rough_root(r2))) + 1, dr);
         // Where a lane is off, z does not matter any more.
-        z = bulb_eighth(z, r2, p);
+        BulbEighth next = bulb_eighth(z, r2, q);
+        dr = pick(on, dr * next.growth + 1, dr);
+        z = next.z;
         iterations = tally(iterations, on);
         i = i + 1;
         // The radius after the last iteration is not taken: the original leaves with the one before.
         if (i < scene.max_iterations) r2 = pick(on, norm2(z), r2);
         on = on && r2 <= bailout2;
     }
-    return bulb_estimate(r2, dr, iterations);
+    return bulb_estimate(r2 * R(0.3047534135511189), dr, iterations);
 }
 
 FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)
@@ -136,7 +158,7 @@ FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)
 FN Estimate estimate(Scene scene, vec3 p, mask on)
 {
     Estimate result;
-    if (scene.exponent == 8) {
+    if (bulb_whole_power(scene) == 8) {
         result = estimate_eighth(scene, p, on);
     } else {
         result = estimate_any(scene, p, on);
@@ -144,57 +166,75 @@ FN Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// d/dv of z, r and dr along one axis v of p.
+// d/dv of z and dr along one axis v of p.
 struct BulbTangent {
     vec3 z;
-    real r;
     real dr;
 };
 
-FN BulbTangent bulb_tangent(vec3 axis, real r_slope)
+FN BulbTangent bulb_tangent(vec3 axis)
 {
     BulbTangent v;
     v.z = axis;
-    v.r = r_slope;
     v.dr = 0;
     return v;
 }
 
-// One iteration of a tangent: the chain rule through (r, 0, 1), each angle's slope taken from z and dz; on the axis the
-// azimuth stands still.
-FN BulbTangent bulb_advance(Scene scene, BulbTangent v, vec3 axis, vec3 z, real per_r2, real dr, BulbPower power)
+// What an iteration is to every tangent.
+struct BulbStep {
+    mask off_axis;
+    real cosine;  // of the azimuth
+    real sine;
+    real rho;
+    real z;
+    Complex polar;    // P r^(P-2) (cos P0 + i sin P0)
+    Complex azimuth;  // cos P1 + i sin P1
+    real spin;        // P r^P sin P0 / rho
+    real growth;      // P r^(P-1)
+    real bend;        // P (P-1) r^(P-3) dr
+};
+
+FN BulbStep bulb_step(Scene scene, vec3 z, real r2, real dr, BulbPower power)
 {
-    mask off_axis = power.rho * power.rho > 2 * axis_radius2();
-    real d_rho = pick(off_axis, (z.x * v.z.x + z.y * v.z.y) * power.per_rho, v.z.x);
-    real d_polar = (z.z * d_rho - power.rho * v.z.z) * per_r2;
-    real d_azimuth = pick(off_axis, (z.x * v.z.y - z.y * v.z.x) * power.per_rho * power.per_rho, R(0.0));
-    real d_ln_r = inner(z, v.z) * per_r2;
-    // Slopes of polar and azimuth, both without the factor P.
-    Complex polar = complex_number(power.polar.re * d_ln_r - power.polar.im * d_polar,
-                                   power.polar.im * d_ln_r + power.polar.re * d_polar);
-    Complex azimuth = complex_number(-power.azimuth.im * d_azimuth, power.azimuth.re * d_azimuth);
-    vec3 d = vec3(polar.im * power.azimuth.re + power.polar.im * azimuth.re,
-                  polar.im * power.azimuth.im + power.polar.im * azimuth.im, polar.re);
+    real per_r2 = quick_quotient(1, r2);
+    real scale = bulb_power(scene) * per_r2;
+    BulbStep step;
+    step.off_axis = power.rho * power.rho > 2 * axis_radius2();
+    step.cosine = z.x * power.per_rho;
+    step.sine = z.y * power.per_rho;
+    step.rho = power.rho;
+    step.z = z.z;
+    step.polar = complex_number(power.polar.re * scale, power.polar.im * scale);
+    step.azimuth = power.azimuth;
+    step.spin = bulb_power(scene) * power.polar.im * power.per_rho;
+    step.growth = bulb_power(scene) * power.r_less;
+    step.bend = (bulb_power(scene) - 1) * step.growth * dr * per_r2;
+    return step;
+}
+
+// One iteration of a tangent: the chain rule through (r, 0, 1), each slope taken from z and dz; on the axis the azimuth
+// stands still.
+FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
+{
+    real d_rho = pick(step.off_axis, step.cosine * v.z.x + step.sine * v.z.y, v.z.x);
+    real turn = pick(step.off_axis, step.cosine * v.z.y - step.sine * v.z.x, R(0.0));  // rho d1
+    real outward = step.z * v.z.z + step.rho * d_rho;                                  // r dr
+    real across = step.z * d_rho - step.rho * v.z.z;                                   // r^2 d0
+    real im = step.polar.im * outward + step.polar.re * across;
+    real spin = step.spin * turn;
     BulbTangent next;
-    next.z = along(axis, d, bulb_power(scene));
-    next.r = 0;
-    next.dr = bulb_power(scene) * power.r_less * ((bulb_power(scene) - 1) * d_ln_r * dr + v.dr);
+    next.z = vec3(im * step.azimuth.re - spin * step.azimuth.im + axis.x,
+                  im * step.azimuth.im + spin * step.azimuth.re + axis.y,
+                  step.polar.re * outward - step.polar.im * across + axis.z);
+    next.dr = step.growth * v.dr + step.bend * outward;
     return next;
 }
 
-FN BulbTangent bulb_pick(mask on, BulbTangent a, BulbTangent b)
-{
-    BulbTangent v;
-    v.z = pick3(on, a.z, b.z);
-    v.r = pick(on, a.r, b.r);
-    v.dr = pick(on, a.dr, b.dr);
-    return v;
-}
-
 // The derivative of DE, times dr > 0.
-FN real bulb_slope(real r, real dr, real ln_r, BulbTangent v)
+FN real bulb_slope(vec3 z, real r, real dr, real ln_r, BulbTangent v)
 {
-    return quick_quotient((ln_r + 1) * v.r, dr) - quick_quotient(ln_r * r, dr) * quick_quotient(v.dr, dr);
+    real d_r = quick_quotient(inner(z, v.z), r);
+    return quick_quotient((ln_r + 1) * d_r, dr) - quick_quotient(ln_r * r, dr) * quick_quotient(v.dr, dr);
 }
 
 // The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
@@ -203,39 +243,35 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     vec3 z = p;
     real dr = 1;
     real r = quick_norm(z);
-    BulbTangent x = bulb_tangent(vec3(1, 0, 0), quick_quotient(z.x, r));
-    BulbTangent y = bulb_tangent(vec3(0, 1, 0), quick_quotient(z.y, r));
-    BulbTangent w = bulb_tangent(vec3(0, 0, 1), quick_quotient(z.z, r));
+    BulbTangent x = bulb_tangent(vec3(1, 0, 0));
+    BulbTangent y = bulb_tangent(vec3(0, 1, 0));
+    BulbTangent w = bulb_tangent(vec3(0, 0, 1));
     on = on && r <= bulb_bailout(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        BulbPower power = bulb_raised(scene, z, r, r * r);
-        real per_r2 = quick_quotient(1, r * r);
-        BulbTangent next_x = bulb_advance(scene, x, vec3(1, 0, 0), z, per_r2, dr, power);
-        BulbTangent next_y = bulb_advance(scene, y, vec3(0, 1, 0), z, per_r2, dr, power);
-        BulbTangent next_w = bulb_advance(scene, w, vec3(0, 0, 1), z, per_r2, dr, power);
-        dr = pick(on, dr * (power.r_less * bulb_power(scene)) + 1, dr);
-        z = pick3(on, bulb_next(power, p), z);
+        real r2 = r * r;
+        BulbPower power = bulb_raised(scene, z, r, r2);
+        BulbStep step = bulb_step(scene, z, r2, dr, power);
+        BulbTangent next_x = bulb_advance(x, vec3(1, 0, 0), step);
+        BulbTangent next_y = bulb_advance(y, vec3(0, 1, 0), step);
+        BulbTangent next_w = bulb_advance(w, vec3(0, 0, 1), step);
+        x.dr = pick(on, next_x.dr, x.dr);
+        y.dr = pick(on, next_y.dr, y.dr);
+        w.dr = pick(on, next_w.dr, w.dr);
+        dr = pick(on, dr * step.growth + 1, dr);
         i = i + 1;
-        // The slope of the radius, like the radius, is not taken after the last iteration.
+        // The point after the last iteration, like its radius, is not taken.
         if (i < scene.max_iterations) {
-            r = pick(on, quick_norm(z), r);
-            real per_r = quick_quotient(1, r);
-            next_x.r = inner(z, next_x.z) * per_r;
-            next_y.r = inner(z, next_y.z) * per_r;
-            next_w.r = inner(z, next_w.z) * per_r;
-        } else {
-            next_x.r = x.r;
-            next_y.r = y.r;
-            next_w.r = w.r;
+            x.z = pick3(on, next_x.z, x.z);
+            y.z = pick3(on, next_y.z, y.z);
+            w.z = pick3(on, next_w.z, w.z);
+            z = pick3(on, bulb_next(power, p), z);
+            r = quick_norm(z);
         }
-        x = bulb_pick(on, next_x, x);
-        y = bulb_pick(on, next_y, y);
-        w = bulb_pick(on, next_w, w);
         on = on && r <= bulb_bailout(scene);
     }
     real ln_r = natural_log(r);
-    return vec3(bulb_slope(r, dr, ln_r, x), bulb_slope(r, dr, ln_r, y), bulb_slope(r, dr, ln_r, w));
+    return vec3(bulb_slope(z, r, dr, ln_r, x), bulb_slope(z, r, dr, ln_r, y), bulb_slope(z, r, dr, ln_r, w));
 }
 
 // The share of light that haze takes on a way of length t: half at about the fractal's size.

@@ -13,30 +13,20 @@ namespace hn = hwy::HWY_NAMESPACE;
 #define FN_CALLED HWY_API
 #endif
 // Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
+#undef MM_IN_REGISTER
+#define MM_IN_REGISTER(number, ...) \
+    {                               \
+        constexpr int u = number;   \
+        __VA_ARGS__                 \
+    }
 #if MM_REGISTERS == 1
-#define EACH_REGISTER(...)   \
-    {                        \
-        constexpr int u = 0; \
-        __VA_ARGS__          \
-    }
+#define EACH_REGISTER(...) MM_IN_REGISTER(0, __VA_ARGS__)
+#elif MM_REGISTERS == 3
+#define EACH_REGISTER(...) MM_IN_REGISTER(0, __VA_ARGS__) MM_IN_REGISTER(1, __VA_ARGS__) MM_IN_REGISTER(2, __VA_ARGS__)
 #elif MM_REGISTERS == 4
-#define EACH_REGISTER(...)   \
-    {                        \
-        constexpr int u = 0; \
-        __VA_ARGS__          \
-    }                        \
-    {                        \
-        constexpr int u = 1; \
-        __VA_ARGS__          \
-    }                        \
-    {                        \
-        constexpr int u = 2; \
-        __VA_ARGS__          \
-    }                        \
-    {                        \
-        constexpr int u = 3; \
-        __VA_ARGS__          \
-    }
+#define EACH_REGISTER(...)         \
+    MM_IN_REGISTER(0, __VA_ARGS__) \
+    MM_IN_REGISTER(1, __VA_ARGS__) MM_IN_REGISTER(2, __VA_ARGS__) MM_IN_REGISTER(3, __VA_ARGS__)
 #endif
 #define vec3(a, b, c) make_vec3(a, b, c)
 #define R(x) MM_REAL(x)
@@ -163,14 +153,15 @@ FN real operator-(real a)
 
 FN bool any(const mask& on)
 {
-#if MM_REGISTERS == 4 && HWY_TARGET <= HWY_AVX3
+#if MM_REGISTERS > 1 && HWY_TARGET <= HWY_AVX3
     // One instruction joins two masks and tests them.
 #if MM_REAL_IS_FLOAT
     const auto any_of = [](__mmask16 a, __mmask16 b) HWY_ATTR { return !_kortestz_mask16_u8(a, b); };
 #else
     const auto any_of = [](__mmask8 a, __mmask8 b) HWY_ATTR { return !_kortestz_mask8_u8(a, b); };
 #endif
-    return any_of(on.of[0].raw, on.of[1].raw) || any_of(on.of[2].raw, on.of[3].raw);
+    constexpr int last = MM_REGISTERS - 1;
+    return any_of(on.of[0].raw, on.of[1].raw) || any_of(on.of[2].raw, on.of[last].raw);
 #else
     hn::Mask<Reals> all = on.of[0];
     EACH_REGISTER(all = hn::Or(all, on.of[u]);)

@@ -17,9 +17,9 @@ FN whole tally(whole a, const mask& on)
 #if HWY_TARGET <= HWY_AVX3
 #define MM_HAS_CLIPPED
 // VRANGEPS with 2: the smaller magnitude, with the sign of the first.
-FN real clipped(real a)
+FN real clipped(real a, scalar most)
 {
-    const auto one = hn::Set(Reals(), MM_REAL(1));
+    const auto one = hn::Set(Reals(), most);
 #if MM_REAL_IS_FLOAT
     EACH_REGISTER(a.of[u].raw = _mm512_range_ps(a.of[u].raw, one.raw, 2);)
 #else
@@ -94,6 +94,29 @@ FN real rough_quotient(real a, const real& b)
 FN real rough_root(real a)
 {
     EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocalSqrt(a.of[u]));)
+    return a;
+}
+
+// ln x, x > 0: x = 2^e m, m in [0.75, 1.5); ln m = t P(t), t = m - 1, P of degree 4 with a relative error of 5.2e-5
+// (least squares with weights that level the error).
+FN real rough_log(real x)
+{
+    const auto set = [](double c) HWY_ATTR { return hn::Set(Reals(), static_cast<scalar>(c)); };
+    EACH_REGISTER(const hn::Vec<Reals> m{_mm512_getmant_ps(x.of[u].raw, _MM_MANT_NORM_p75_1p5, _MM_MANT_SIGN_src)};
+                  const hn::Vec<Reals> low{_mm512_getexp_ps(x.of[u].raw)};
+                  const auto e = hn::IfThenElse(hn::Lt(m, set(1)), hn::Add(low, set(1)), low);
+                  const auto t = hn::Sub(m, set(1));
+                  auto series = hn::MulAdd(t, set(0.1380952856486245), set(-0.257922514562345));
+                  series = hn::MulAdd(series, t, set(0.33849161672534245));
+                  series = hn::MulAdd(series, t, set(-0.4999809350599029));
+                  series = hn::MulAdd(series, t, set(0.9999487759605978));
+                  x.of[u] = hn::MulAdd(e, set(0.6931471805599453), hn::Mul(series, t));)
+    return x;
+}
+
+FN real over_root(real a, const real& less, const real& b)
+{
+    EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocalSqrt(b.of[u]));)
     return a;
 }
 #endif

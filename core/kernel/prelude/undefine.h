@@ -12,4 +12,5 @@
 #undef MM_SCENE_BY_REFERENCE
 #undef MM_HAS_CLIPPED
 #undef MM_HAS_ROUGH
+#undef over_root
 #undef MM_NEAREST
