@@ -72,12 +72,13 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
         return made;
     }
     if (study == "tiles") return points("chunk", &Setting::chunk, {1, 2, 4, 8, 16, 32, 64});
-    if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 32, 64});
+    if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 24, 32, 48, 64});
     if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
         for (const auto& [name, techniques] : {std::pair("hull", "hull"),
                                                {"relax", "relaxation"},
                                                {"cones", "cones"},
+                                               {"tail", "tail"},
                                                {"root", "root"},
                                                {"normal", "normal"},
                                                {"all", "hull,relaxation,cones"}}) {

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""loop_mix.py FOLDER [--table FILE]: what the loop of the estimators consists of in AVX-512 packs of four registers, fast
-mode. FOLDER has openmp's object files. Counts the instructions of one iteration by what they do, and how near the
+"""loop_mix.py FOLDER [--table FILE]: what the loop of the estimators consists of in AVX-512 packs, fast mode. FOLDER has openmp's object files. Counts the instructions of one iteration by what they do, and how near the
 multiply-add peak they can come: a processor with two 512-bit ports starts two of them a cycle, of any kind."""
 import argparse
 import heapq
@@ -11,13 +10,10 @@ import sys
 
 from table_file import put
 
-REGISTERS = 4
-# The way round the loop that draws the official scene is the shortest one with so many of these: the sphere fold's
-# reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, the three doublings of the squares and the sum with p.z.
-MARKS = {
-    "mandelbox": {"vrcp14": REGISTERS},
-    "mandelbulb": {"vrsqrt14": 2 * REGISTERS, "vaddp": 4 * REGISTERS},
-}
+REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # of a pack: backends/openmp/widths.h
+# The way round the loop that draws the official scene is the shortest one with so many of these in each register: the
+# sphere fold's reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2.
+MARKS = {"mandelbox": {"vrcp14": 1}, "mandelbulb": {"vrsqrt14": 2}}
 KINDS = (
     ("multiply-add", r"vfn?m(add|sub)"),
     ("sum", r"v(add|sub)p"),
@@ -33,13 +29,13 @@ PORTS = 2
 
 
 def instructions(path):
-    """(address, text) of what takes samples in packs of four AVX-512 registers."""
+    """(address, text) of what takes samples in packs of AVX-512 registers."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
     found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*wide::probe_pack\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
     if found is None:
-        sys.exit(f"loop_mix: {path}: no samples in AVX-512 packs of four registers")
+        sys.exit(f"loop_mix: {path}: no samples in AVX-512 packs")
     lines = (re.match(r"\s*([0-9a-f]+):\s+(.*)", line) for line in found[1].splitlines())
     return [(int(line[1], 16), re.sub(r"\s*#.*", "", line[2]).strip()) for line in lines if line]
 
@@ -83,11 +79,14 @@ def main():
     args = parser.parse_args()
     columns = {}
     for fractal, marks in MARKS.items():
+        marks = {mark: number * REGISTERS[fractal] for mark, number in marks.items()}
         for number in ("float", "double"):
             path = os.path.join(args.folder, f"packs_{fractal}_{number}_fast.cpp.o")
             columns[f"{fractal[6:]}, {number}"] = mix(loop(instructions(path), marks))
-    lines = ["loop mix: one iteration of the estimators, AVX-512, packs of four registers, fast mode", ""]
+    lines = ["loop mix: one iteration of the estimators, AVX-512, fast mode", ""]
     lines.append(f"{'instructions':28}" + "".join(f"{name:>14}" for name in columns))
+    registers = [REGISTERS[fractal] for fractal in MARKS for _ in ("float", "double")]
+    lines.append(f"{'registers of a pack':28}" + "".join(f"{number:>14}" for number in registers))
     for kind, _ in KINDS:
         lines.append(f"{kind:28}" + "".join(f"{found[kind]:>14}" for found in columns.values()))
     totals = [sum(found.values()) for found in columns.values()]

@@ -1,0 +1,109 @@
+// The Mandelbox's tails: an orbit's last iterations without their tests give the same estimates.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+#define MM_REAL double
+#define MM_REAL_IS_FLOAT 0
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
+namespace box {
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+}  // namespace box
+
+namespace mandelmarch {
+namespace {
+
+box::Scene scene_of(const Scene& scene, bool tails)
+{
+    const auto laid_out = kernel_scene<layout_f64::Scene>(scene, Mode::fast, {.tail = tails});
+    box::Scene kernel;
+    static_assert(sizeof kernel == sizeof laid_out);
+    std::memcpy(&kernel, &laid_out, sizeof kernel);
+    return kernel;
+}
+
+struct Difference {
+    int samples = 0;
+    int iterations = 0;  // samples whose orbits are not equally long
+    int distances = 0;   // samples whose estimates differ by more than 10^-9 of themselves
+};
+
+// Along the rays of every eighth pixel, the samples without tails.
+Difference difference(const Scene& scene, const box::Scene& with)
+{
+    const box::Scene without = scene_of(scene, false);
+    Difference found;
+    for (int y = 0; y < scene.height; y += 8) {
+        for (int x = 0; x < scene.width; x += 8) {
+            box::Ray ray = box::begin(without, x, y);
+            while (box::marching(without, ray)) {
+                const box::vec3 p = box::point_at(without, ray, ray.t);
+                const box::Estimate a = box::estimate(without, p, true);
+                const box::Estimate b = box::estimate(with, p, true);
+                ++found.samples;
+                found.iterations += a.iterations != b.iterations;
+                found.distances += !(std::abs(a.distance - b.distance) <= 1e-9 * std::abs(a.distance));
+                ray = box::advance(without, ray, true);
+            }
+        }
+    }
+    return found;
+}
+
+TEST(Tails, LeaveEstimatesAsTheyAre)
+{
+    Difference all;
+    for (const auto& [name, scene] : random_scenes(24, 2002)) {
+        if (scene.fractal->nickname != "box") continue;
+        const box::Scene with = scene_of(scene, true);
+        if (box::box_tail_end(with) == 0) continue;
+        const Difference found = difference(scene, with);
+        EXPECT_LE(found.distances, found.samples / 30) << name;
+        EXPECT_LE(found.iterations, found.samples / 30) << name;
+        all.samples += found.samples;
+        all.distances += found.distances;
+    }
+    EXPECT_GT(all.samples, 10'000);
+    EXPECT_LE(all.distances, all.samples / 250);
+}
+
+TEST(Tails, HitTheOfficialSceneInNearlyEverySample)
+{
+    const Scene scene = official_scene("box", 270, 270);
+    const Difference found = difference(scene, scene_of(scene, true));
+    EXPECT_GT(found.samples, 1000);
+    EXPECT_LE(found.distances, found.samples / 200);
+}
+
+// Tails that begin too near to the spheres, or too far out, show.
+TEST(Tails, WrongRadiiShow)
+{
+    const Scene scene = official_scene("box", 270, 270);
+    for (const double factor : {0.5, 2.0}) {
+        box::Scene with = scene_of(scene, true);
+        with.fractal[7] *= factor * factor;
+        const Difference found = difference(scene, with);
+        EXPECT_GT(found.distances, found.samples / 4) << factor;
+    }
+}
+
+TEST(Tails, AreForFastModeOnly)
+{
+    const Scene scene = official_scene("box", 270, 270);
+    EXPECT_EQ(kernel_scene<layout_f64::Scene>(scene, Mode::exact).fractal_whole, 0);
+    EXPECT_EQ(kernel_scene<layout_f32::Scene>(scene, Mode::exact).fractal_whole, 0);
+    EXPECT_GT(kernel_scene<layout_f32::Scene>(scene, Mode::fast).fractal_whole, 0);
+    Scene near = scene;
+    near.escape = 10;  // no room for three iterations outside
+    EXPECT_EQ(kernel_scene<layout_f64::Scene>(near, Mode::fast).fractal_whole, 0);
+}
+
+}  // namespace
+}  // namespace mandelmarch
