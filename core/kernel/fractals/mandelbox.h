@@ -71,7 +71,7 @@ FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
 // An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
 // look for but in the last (core/scene/fractal.cpp chooses the radius).
-FN BoxOrbit box_tail(Scene scene, vec3 p, BoxOrbit a)
+FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;
     vec3 f = box_fold(scene, a.z);
@@ -82,15 +82,14 @@ FN BoxOrbit box_tail(Scene scene, vec3 p, BoxOrbit a)
     b.z = pick3(more, box_outside(scene, p, box_fold(scene, b.z)), b.z);
     b.k = box_outside_k(scene, box_outside_k(scene, box_outside_k(scene, a.k)));
     b.k = pick(more, box_outside_k(scene, b.k), b.k);
-    b.iterations = a.iterations + 3;
     // Few orbits come so near to the most iterations that they have no tail.
     mask none = box_tail_end(scene) < a.iterations;
     if (any(none)) {
         b.z = pick3(none, a.z, b.z);
         b.k = pick(none, a.k, b.k);
-        b.iterations = tally(tally(tally(a.iterations, !none), !none), !none);
+        on = on && !none;
     }
-    b.iterations = tally(b.iterations, more && !none);
+    b.iterations = tally(tally(tally(tally(a.iterations, on), on), on), on && more);
     return b;
 }
 
@@ -103,7 +102,7 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     } else {
         a = box_orbit(scene, q, on, 1);
     }
-    if (box_tail_end(scene) > 0) a = box_tail(scene, q, a);
+    if (box_tail_end(scene) > 0) a = box_tail(scene, q, on, a);
     real far = quick_norm(a.z) - box_offset(scene);
     Estimate result;
     result.distance =
