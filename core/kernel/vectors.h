@@ -46,7 +46,7 @@ FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 FN real rough_root(real a) { return quick_root(a); }
 
 // a / root(b), where less = a / b: a product less where roots cost no division.
-#define over_root(a, less, b) ((less) * quick_root(b))
+#define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
 // s / root(a), and the sum of a counter and the lanes that are on.
