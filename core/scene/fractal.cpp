@@ -35,18 +35,18 @@ std::string_view box_objection(const Scene& scene)
     return {};
 }
 
-// The bailout radius is cut so that r^2P stays finite.
+// The bailout radius is cut so that r^3P stays finite: gradients have products of r^P and its slope.
 FractalConstants bulb_constants(const Scene& scene, double most, bool)
 {
     const double power = scene.shape[2];
-    const double bailout = std::min(scene.shape[1], std::pow(most, 0.5 / power));
+    const double bailout = std::min(scene.shape[1], std::pow(most, 1 / (3 * power)));
     return {.values = {bailout, power}, .whole = power == std::floor(power) ? static_cast<int>(power) : 0};
 }
 
 // Where tails of three or four iterations begin; 0 where none is used. Outside, an iteration takes the folded radius r
-// to |s| r less what the box fold turns, at most 2 |s| sqrt 3, and plus p. The factor is tried: on points near the
-// surface of the official scene all but 0.1 % of the orbits escape in the third or fourth iteration from there. Orbits
-// do not come back to the spheres if r is about twice the fractal's extent, which no coordinate of p exceeds by much.
+// to |s| r less what the box fold turns, at most 2 |s| sqrt 3, and plus p. The factor is tried: nearly all
+// orbits escape in the third or fourth iteration from there. They hardly come back to the spheres if r is about twice
+// the fractal's extent, which no coordinate of p exceeds by much. tests/unit/tail_test.cpp counts those that do not.
 double box_tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;

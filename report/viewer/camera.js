@@ -44,7 +44,7 @@ const FRACTALS = {
     mandelbulb: {
         sliders: { "shape.2": ["power", 2, 16, 0.1], "shape.1": ["bailout", 1.5, 16, 0.5] },
         power: (s) => s.shape[2],
-        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 0.5 / s.shape[2])), bulb_power: s.shape[2] }),
+        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 1 / (3 * s.shape[2]))), bulb_power: s.shape[2] }),
     },
     mandelbox: {
         sliders: { "shape.0": ["scale", -3, 4, 0.05], "shape.1": ["rMin", 0.05, 1, 0.05], "shape.2": ["rFixed", 0.2, 2, 0.05] },
