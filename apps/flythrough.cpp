@@ -87,6 +87,7 @@ const Backend& choose_backend(const Registry& registry, const Flythrough& option
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
     RendererOptions renderer = options.renderer;
+    renderer.counts = false;
     renderer.threads = options.threads > 0 ? options.threads : threads_for(ranks.local_size());
     std::vector<int> gpus;
     const std::vector<Device> devices = backend.devices();

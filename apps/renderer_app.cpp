@@ -95,6 +95,7 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
     options.renderer.techniques = techniques_without(without);
+    options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
     if (options.fractal.empty() && !options.list_devices) {
         throw InputError(fmt::format("{}: no fractal given, expected --fractal NAME (--help lists them)", program));

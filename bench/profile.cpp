@@ -65,13 +65,13 @@ public:
     }
 
     template <class KernelScene>
-    Seconds draw(const KernelScene& scene)
+    Seconds draw(const KernelScene& scene, const Fractal& fractal)
     {
         Seconds seconds{};
         const openmp::Canvas<Real> canvas{.first_row = 0,
                                           .end_row = image_.height(),
                                           .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
-                                          .pitch = scene.canonical != 0 ? openmp::pitch_of(scene) : 0,
+                                          .pitch = scene.canonical != 0 ? openmp::pitch_of(scene, fractal) : 0,
                                           .reals = nullptr,
                                           .wholes = nullptr,
                                           .bytes = image_.bytes().data()};
@@ -95,13 +95,13 @@ void add(std::vector<StageTime>& times, const Scene& scene, Precision precision,
     const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
     const KernelScene data = kernel_scene<KernelScene>(scene, mode);
     Profiler<Real> profiler(kernel, scene);
-    profiler.draw(data);  // warms up
+    profiler.draw(data, *scene.fractal);  // warms up
     const std::size_t first = times.size();
     for (const char* name : stage_names) {
         times.push_back({std::string(scene.fractal->name), precision, mode, name, {}});
     }
     for (int i = 0; i < repetitions; ++i) {
-        const Seconds seconds = profiler.draw(data);
+        const Seconds seconds = profiler.draw(data, *scene.fractal);
         for (std::size_t stage = 0; stage < seconds.size(); ++stage) {
             times[first + stage].seconds.push_back(seconds.at(stage));
         }

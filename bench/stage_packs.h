@@ -12,7 +12,10 @@ using openmp::RayPool;
 using openmp::Spent;
 using openmp::Tiles;
 
+// As the timed pictures are drawn.
+#define MM_COUNTED !MM_FAST
 #include "backends/openmp/widths.h"
+#undef MM_COUNTED
 
 using namespace pools;
 
@@ -103,11 +106,6 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
         last = now();
     }
     shade_apart(d, memory, true, now, seconds);
-}
-
-Spent draw_wide(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
-{
-    return draw_tiles(scene, canvas, tiles, memory, wide::width);
 }
 
 StageKernel<MM_REAL> kernel()

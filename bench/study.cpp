@@ -242,6 +242,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
                                             .threads = setting.threads,
                                             .pack = setting.pack,
                                             .chunk = setting.chunk,
+                                            .counts = false,
                                             .techniques = techniques_without(setting.without)};
                             made.backend = backend.get();
                             const Device& described = devices[static_cast<std::size_t>(device)];

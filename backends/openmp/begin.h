@@ -41,13 +41,8 @@ HWY_INLINE Ray after_cones(Ray ray, const Cones<2>& cones, int tile, int x, int 
     const int first = tile * blocks_of_tile(2) + y / 2 * blocks_across(2) + x / 2;
     EACH_REGISTER(const auto blocks = hn::ShiftRight<1>(across.of[u]);
                   const auto odd = hn::And(hn::Or(across.of[u], up.of[u]), hn::Set(Wholes(), 1));
-                  const auto counts = hn::Eq(odd, hn::Zero(Wholes()));
                   const auto start = looked_up(Reals(), cones.start + first, blocks);
-                  const auto estimates = looked_up(Wholes(), cones.estimates + first, blocks);
-                  const auto iterations = looked_up(Wholes(), cones.iterations + first, blocks);
-                  ray.t.of[u] = hn::Max(ray.t.of[u], start);
-                  ray.estimates.of[u] = hn::IfThenElseZero(counts, estimates);
-                  ray.iterations.of[u] = hn::IfThenElseZero(counts, iterations);)
+                  ray.t.of[u] = hn::Max(ray.t.of[u], start); cones.costs.give(ray, first, blocks, odd);)
     return ray;
 }
 

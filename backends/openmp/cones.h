@@ -22,13 +22,47 @@ struct Group {
 constexpr int blocks_across(int side) { return tile_side / side; }
 constexpr int blocks_of_tile(int side) { return blocks_across(side) * blocks_across(side); }
 
+#if MM_COUNTED
+// What cones cost, each in its place.
+template <int most>
+struct ConeCosts {
+    Int estimates[most];
+    Int iterations[most];
+
+    HWY_INLINE void store(const Int* places, const Ray& ray, const mask& on)
+    {
+        Int costs[2][pack_lanes + register_lanes] = {};
+        store_compact(ray.estimates, on, costs[0]);
+        store_compact(ray.iterations, on, costs[1]);
+        const int lanes = lanes_on(on);
+        for (int i = 0; i < lanes; ++i) {
+            estimates[places[i]] = costs[0][i];
+            iterations[places[i]] = costs[1][i];
+        }
+    }
+
+    // To what begins at `places` from `first` on, where the bits of `inside` are 0: one for each cone.
+    HWY_INLINE void give(Ray& ray, int first, hn::Vec<Wholes> places, hn::Vec<Wholes> inside) const
+    {
+        const auto counts = hn::Eq(inside, hn::Zero(Wholes()));
+        ray.estimates.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), estimates + first, places));
+        ray.iterations.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), iterations + first, places));
+    }
+};
+#else
+template <int most>
+struct ConeCosts {
+    HWY_INLINE void store(const Int*, const Ray&, const mask&) {}
+    HWY_INLINE void give(Ray&, int, hn::Vec<Wholes>, hn::Vec<Wholes>) const {}
+};
+#endif
+
 // Where a group's cones came to. What a cone cost is counted for one of its rays.
 template <int side>
 struct Cones {
     static constexpr int most = group_tiles * blocks_of_tile(side) + register_lanes;  // whole registers can be read
     MM_REAL start[most];
-    Int estimates[most];
-    Int iterations[most];
+    ConeCosts<most> costs;
 };
 
 // Where the cones that are on have come to, to their places.
@@ -36,19 +70,13 @@ template <int side>
 HWY_NOINLINE void store_cones(const Traveller& a, const mask& on, Cones<side>& cones)
 {
     constexpr int room = pack_lanes + register_lanes;
-    Int at[room];
+    Int at[room] = {};
     MM_REAL t[room];
-    Int work[2][room];
     store_compact(a.pixel, on, at);
     store_compact(a.ray.t, on, t);
-    store_compact(a.ray.estimates, on, work[0]);
-    store_compact(a.ray.iterations, on, work[1]);
     const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) {
-        cones.start[at[i]] = t[i];
-        cones.estimates[at[i]] = work[0][i];
-        cones.iterations[at[i]] = work[1][i];
-    }
+    for (int i = 0; i < lanes; ++i) cones.start[at[i]] = t[i];
+    cones.costs.store(at, a.ray, on);
 }
 
 // Begins the cones that are on, (i, j) the pixels of their axes. Each has its place among the group's, where it starts
@@ -115,12 +143,10 @@ HWY_NOINLINE void begin_all_cones(Drawing& d, const Group& group, const Cones<pa
         const auto before =
             hn::Add(hn::ShiftLeft<parents_across>(hn::ShiftRight<parent>(y)), hn::ShiftRight<parent>(x));
         const auto inside = hn::And(hn::Or(x, y), hn::Set(Wholes(), parent_side / side - 1));
-        const auto counts = hn::Eq(inside, hn::Zero(Wholes()));
         Traveller a;
         a.pixel = lane_numbers() + whole(static_cast<Int>(from));
         a.ray.t.of[0] = looked_up(Reals(), parents.start + first, before);
-        a.ray.estimates.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), parents.estimates + first, before));
-        a.ray.iterations.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), parents.iterations + first, before));
+        parents.costs.give(a.ray, first, before, inside);
         whole left;
         whole bottom;
         left.of[0] = hn::ShiftLeft<log2_of(side)>(x);

@@ -106,7 +106,7 @@ public:
           variant_(variant),
           image_(image),
           threads_(options.threads),
-          cones_(options.mode == Mode::fast && options.techniques.cones),
+          pitch_(options.mode == Mode::fast && options.techniques.cones ? openmp::pitch_of(scene_, *scene.fractal) : 0),
           chunk_(std::max(1, options.chunk))
     {
     }
@@ -126,7 +126,7 @@ public:
         const openmp::Canvas<Real> canvas{band.first_row,
                                           band.first_row + band.rows,
                                           static_cast<std::ptrdiff_t>(pixels),
-                                          cones_ ? openmp::pitch_of(scene_) : 0,
+                                          pitch_,
                                           reals_.data(),
                                           wholes_.data(),
                                           bytes};
@@ -168,7 +168,7 @@ private:
     const Variant<Real>& variant_;
     Image& image_;
     int threads_;
-    bool cones_;
+    Real pitch_;
     int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
@@ -218,7 +218,7 @@ private:
     RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
     {
         const Clock::time_point start = Clock::now();
-        const Variant<Real> variant = choose<Real>(scene);
+        const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
         BandExecutor<Real> executor(scene, options_, variant, image);
         // Large bands: at the end of each the threads run out of rays to fill their lanes with.
         run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
@@ -237,13 +237,17 @@ private:
     }
 
     template <class Real>
-    Variant<Real> choose(const Scene& scene) const
+    Variant<Real> choose(const Scene& scene, bool counted) const
     {
-        const auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode);
+        auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode);
+        if (counted) std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
         if (options_.pack == 0) return variants.back();
+        const auto of_width =
+            std::ranges::find(variants.rbegin(), variants.rend(), options_.pack, &Variant<Real>::pack);
+        if (of_width != variants.rend()) return *of_width;
         std::string widths;
         for (const auto& variant : variants) {
-            if (variant.pack == options_.pack) return variant;
+            if (!variant.counted) continue;
             widths += fmt::format("{}{}", widths.empty() ? "" : ", ", variant.pack);
         }
         throw InputError(fmt::format("--pack: {} is no pack width of openmp in {} on this machine, expected one of {}",

@@ -5,22 +5,37 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
+#define MM_COUNTED 1
+namespace counted {
 #include "backends/openmp/widths.h"
+}  // namespace counted
+#undef MM_COUNTED
 
-template <const Width& width>
-Spent draw_with(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
-{
-    return pools::draw_tiles(scene, canvas, tiles, memory, width);
-}
+// Counting takes some percent of a fast picture's time.
+#if MM_FAST && !defined(MANDELMARCH_ONE_WIDTH)
+#define MM_COUNTED 0
+namespace uncounted {
+#include "backends/openmp/widths.h"
+}  // namespace uncounted
+#undef MM_COUNTED
+#endif
 
 // The best last.
 VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);
-    constexpr std::size_t memory = sizeof(pools::Pools);
-    VariantList<MM_REAL> variants{{{name, pools::pack_lanes, draw_with<pools::width>, memory}}, 1};
+    constexpr std::size_t memory = sizeof(counted::pools::Pools);
+    VariantList<MM_REAL> variants{};
+    const auto add = [&](int pack, bool counted, DrawTiles<MM_REAL> draw) {
+        variants.of[variants.count++] = {name, pack, counted, draw, memory};
+    };
+    add(counted::pools::pack_lanes, true, counted::draw_narrow);
 #ifndef MANDELMARCH_ONE_WIDTH
-    variants.of[variants.count++] = {name, wide::pack_lanes, draw_with<wide::width>, memory};
+    add(counted::wide::pack_lanes, true, counted::draw_wide);
+#if MM_FAST
+    add(uncounted::pools::pack_lanes, false, uncounted::draw_narrow);
+    add(uncounted::wide::pack_lanes, false, uncounted::draw_wide);
+#endif
 #endif
     return variants;
 }

@@ -31,39 +31,38 @@ HWY_INLINE whole bytes_of(const vec3& colour)
     return a;
 }
 
-// Finished pixels to their places on the canvas.
-HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
-                               Spent& spent)
+constexpr int places_room = pack_lanes + register_lanes;  // whole registers can be written
+
+#if MM_COUNTED
+HWY_INLINE std::uint64_t sum_of(const whole& a, const mask& on)
+{
+    auto sum = hn::Zero(Wholes());
+    EACH_REGISTER(sum = hn::Add(sum, hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), a.of[u]));)
+    return static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(Wholes(), sum)));
+}
+
+HWY_INLINE void count_work(const Pixel& pixel, const mask& on, Spent& spent)
+{
+    spent.steps += sum_of(pixel.steps, on);
+    spent.estimates += sum_of(pixel.estimates, on);
+    spent.iterations += sum_of(pixel.iterations, on);
+}
+
+// The pixels that are on, to their places in the planes.
+HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
 {
     const int lanes = lanes_on(on);
-    constexpr int room = pack_lanes + register_lanes;
-    Int at[room];
-    Int work[whole_planes][room];
+    Int at[places_room] = {};
+    MM_REAL values[real_planes][places_room] = {};
+    Int work[whole_planes][places_room] = {};
     store_compact(places, on, at);
-    store_compact(pixel.steps, on, work[0]);
-    store_compact(pixel.estimates, on, work[1]);
-    store_compact(pixel.iterations, on, work[2]);
-    for (int i = 0; i < lanes; ++i) {
-        spent.steps += static_cast<std::uint64_t>(work[0][i]);
-        spent.estimates += static_cast<std::uint64_t>(work[1][i]);
-        spent.iterations += static_cast<std::uint64_t>(work[2][i]);
-    }
-    if (canvas.bytes != nullptr) {
-        Int bytes[room];
-        store_compact(bytes_of(pixel.colour), on, bytes);
-        for (int i = 0; i < lanes; ++i) {
-            unsigned char* to = canvas.bytes + 3 * static_cast<std::ptrdiff_t>(at[i]);
-            to[0] = static_cast<unsigned char>(bytes[i]);
-            to[1] = static_cast<unsigned char>(bytes[i] >> 8);
-            to[2] = static_cast<unsigned char>(bytes[i] >> 16);
-        }
-        return;
-    }
-    MM_REAL values[real_planes][room];
     store_compact(pixel.colour.x, on, values[0]);
     store_compact(pixel.colour.y, on, values[1]);
     store_compact(pixel.colour.z, on, values[2]);
     store_compact(pixel.depth, on, values[3]);
+    store_compact(pixel.steps, on, work[0]);
+    store_compact(pixel.estimates, on, work[1]);
+    store_compact(pixel.iterations, on, work[2]);
     for (int i = 0; i < lanes; ++i) {
         for (int plane = 0; plane < real_planes; ++plane)
             canvas.reals[plane * canvas.pixels + at[i]] = values[plane][i];
@@ -71,4 +70,38 @@ HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const ma
             canvas.wholes[plane * canvas.pixels + at[i]] = static_cast<int>(work[plane][i]);
         }
     }
+}
+#endif
+
+// A register's finished bytes.
+HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn::Mask<Reals> on, unsigned char* canvas)
+{
+    Int at[register_lanes];
+    Int bytes[register_lanes];
+    hn::StoreU(compressed(places, on), Wholes(), at);
+    hn::StoreU(compressed(colours, on), Wholes(), bytes);
+    const int lanes = static_cast<int>(hn::CountTrue(Reals(), on));
+    for (int i = 0; i < lanes; ++i) {
+        unsigned char* to = canvas + 3 * static_cast<std::ptrdiff_t>(at[i]);
+        // Red and green at once: the lowest byte comes first.
+        const auto low = static_cast<std::uint16_t>(bytes[i]);
+        __builtin_memcpy(to, &low, sizeof(low));
+        to[2] = static_cast<unsigned char>(bytes[i] >> 16);
+    }
+}
+
+// Finished pixels to their places on the canvas: uncounted, to its bytes alone.
+HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
+                               Spent& spent)
+{
+    if (canvas.bytes != nullptr) {
+        const whole colours = bytes_of(pixel.colour);
+        EACH_REGISTER(store_bytes(colours.of[u], places.of[u], on.of[u], canvas.bytes);)
+    }
+#if MM_COUNTED
+    count_work(pixel, on, spent);
+    if (canvas.bytes == nullptr) store_values(pixel, places, on, canvas);
+#else
+    static_cast<void>(spent);
+#endif
 }

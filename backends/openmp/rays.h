@@ -27,9 +27,11 @@ HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
     on_real(7, a.ray.before_t);
     on_real(8, a.ray.before_distance);
     on_whole(0, a.ray.steps);
-    on_whole(1, a.ray.estimates);
-    on_whole(2, a.ray.iterations);
-    on_whole(3, a.pixel);
+    on_whole(1, a.pixel);
+#if MM_COUNTED
+    on_whole(2, a.ray.estimates);
+    on_whole(3, a.ray.iterations);
+#endif
 }
 
 HWY_INLINE real load_lanes(const MM_REAL* from)
@@ -56,6 +58,10 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
     EACH_REGISTER(hn::StoreU(from.of[u], Wholes(), to + u * register_lanes);)
 }
 
+#if !MM_COUNTED
+HWY_INLINE void store_lanes(const effort&, Int*) {}
+#endif
+
 HWY_INLINE Traveller load(const Pool& pool, int from)
 {
     Traveller a;
@@ -74,7 +80,7 @@ HWY_INLINE void store_changed(Traveller& a, Pool& pool, int at)
             if (f > 2) store_lanes(v, pool.real_fields[f] + at);
         },
         [&](int f, whole& v) MM_INLINED {
-            if (f < 3) store_lanes(v, pool.whole_fields[f] + at);
+            if (f != 1) store_lanes(v, pool.whole_fields[f] + at);
         });
 }
 

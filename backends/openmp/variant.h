@@ -23,7 +23,7 @@ struct Canvas {
     unsigned char* bytes;
 };
 
-// The work of all rays drawn.
+// The work of all rays drawn; 0 where nobody counted.
 struct Spent {
     std::uint64_t steps;
     std::uint64_t estimates;
@@ -44,7 +44,8 @@ using DrawTiles = Spent (*)(const void* scene, const Canvas<Real>& canvas, const
 template <class Real>
 struct Variant {
     const char* instruction_set;
-    int pack;  // pixels at once
+    int pack;      // pixels at once
+    bool counted;  // whether it counts work and can store planes
     DrawTiles<Real> draw;
     std::size_t memory;  // bytes that each thread needs, aligned to 64
 };

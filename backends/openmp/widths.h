@@ -1,5 +1,5 @@
-// The kernel text in packs of one register, with the pools, and in packs of four. Included once for each instruction
-// set; no guard.
+// The kernel text in packs of one register, with the pools, and in packs of four. Included for each instruction set, in
+// a namespace of its own, with MM_COUNTED, 1 or 0: whether work is counted; no guard.
 namespace hn = hwy::HWY_NAMESPACE;
 
 // What pools ask of a pack width: a sample of each ray of a pack that is on, and the pixels of rays that have hit.
@@ -37,3 +37,14 @@ namespace wide {
 #else
 namespace wide = pools;
 #endif
+
+// Draws tiles with samples of one register, and of the wide pack.
+HWY_MAYBE_UNUSED Spent draw_narrow(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+{
+    return pools::draw_tiles(scene, canvas, tiles, memory, pools::width);
+}
+
+Spent draw_wide(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+{
+    return pools::draw_tiles(scene, canvas, tiles, memory, wide::width);
+}

@@ -14,7 +14,8 @@ FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
 
 struct Openness {
     real share;  // 0: closed in, 1: open
-    whole iterations;
+    effort estimates;
+    effort iterations;
 };
 
 // How open it is from p along n: the estimate at four distances, from 0.4 to 9 % of the way t from the camera, each
@@ -23,12 +24,14 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;
     result.share = 0;
+    result.estimates = 0;
     result.iterations = 0;
     real h = t * R(0.004);
     int i = 0;
     while (i < 4) {
         Estimate there = estimate(scene, along(p, n, h), on);
         result.share = result.share + R(0.25) * saturated(quotient(2 * there.distance, h));
+        result.estimates = tally(result.estimates, on);
         result.iterations = result.iterations + there.iterations;
         h = h * R(2.85);
         i = i + 1;
@@ -75,8 +78,8 @@ FN real displayed(Scene scene, real light)
 
 struct Look {
     vec3 colour;
-    whole estimates;
-    whole iterations;
+    effort estimates;
+    effort iterations;
 };
 
 FN vec3 displayed3(Scene scene, vec3 light)
@@ -114,8 +117,8 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
-    result.estimates = count(on) + count(on) + count(on) + count(on);
-    result.estimates = result.estimates + result.estimates + count(on);
+    // The trap is one more.
+    result.estimates = tally(around.estimates + sunwards.estimates, on);
     result.iterations = around.iterations + sunwards.iterations;
     return result;
 }

@@ -84,7 +84,7 @@ FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
     if (scene.relaxation > scene.stride) step = pick(over, scene.stride, relaxed(scene, ray));
     ray.t = pick(on, ray.last_t + step * ray.last_distance, ray.t);
     ray.steps = ray.steps + count(on);
-    ray.estimates = ray.estimates + count(on);
+    ray.estimates = tally(ray.estimates, on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
 }
@@ -99,16 +99,17 @@ FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
     return quick_quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
 }
 
-// A cone's step; `last_distance` becomes 0 where it ends, as a step would be short beside its own width.
+// A cone's step, relaxed as a ray's: its gap takes the estimate's place. `last_distance` becomes 0 where it ends, as a
+// step would be short beside its own width.
 FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 {
-    real gap = cone_gap(scene, ray, here.distance, width);
-    mask goes = on && gap > width * ray.t;
-    ray.t = pick(goes, ray.t + scene.stride * gap, ray.t);
-    ray.last_distance = pick(on, pick(goes, here.distance, 0), ray.last_distance);
-    ray.steps = tally(ray.steps, on);
-    ray.estimates = tally(ray.estimates, on);
-    ray.iterations = ray.iterations + here.iterations;
+    real t = ray.t;
+    here.distance = cone_gap(scene, ray, here.distance, width);
+    mask narrow = here.distance <= width * t;
+    ray = advanced(scene, ray, here, on);
+    mask ended = on && narrow && ray.last_t == t;
+    ray.last_distance = pick(ended, 0, ray.last_distance);
+    ray.t = pick(ended, t, ray.t);
     return ray;
 }
 
@@ -128,8 +129,8 @@ FN Ray march(Scene scene, Ray ray, int steps)
     return ray;
 }
 
-// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the Illinois method
-// (Dowell and Jarratt, BIT 11, 1971): a secant's root, and half the value of an end that stays. While a ray is refined,
+// The canonical hit: the root of f(t) = DE(t) - tolerance t between the last two samples, by the method of Anderson and
+// Bjorck (BIT 13, 1973): a secant's root, and a share of the value of an end that stays. While a ray is refined,
 // its samples are the bracket: f > 0 at before_t, f < 0 at last_t, with f in place of the distances; t is the last root
 // tried. Its `end` has become a note of how far refinement is; while marching, it is -1 or more.
 FN real none_tried() { return -2; }
@@ -183,17 +184,19 @@ FN Ray narrowed(Scene scene, Ray ray, Estimate here, mask on)
     real f = here.distance - scene.tolerance * ray.t;
     mask below = on && f < 0;
     mask above = on && !below;
-    // An end that stays a second time counts half.
+    // An end that stays a second time counts by how far the other one fell, or half.
+    real share = 1 - rough_quotient(f, pick(below, ray.last_distance, ray.before_distance));
+    share = pick(share > 0, share, R(0.5));
     mask twice_below = below && ray.end == tried_below();
     mask twice_above = above && ray.end == tried_above();
-    ray.before_distance = pick(twice_below, R(0.5) * ray.before_distance, ray.before_distance);
-    ray.last_distance = pick(twice_above, R(0.5) * ray.last_distance, ray.last_distance);
+    ray.before_distance = pick(twice_below, share * ray.before_distance, ray.before_distance);
+    ray.last_distance = pick(twice_above, share * ray.last_distance, ray.last_distance);
     ray.before_t = pick(above, ray.t, ray.before_t);
     ray.before_distance = pick(above, f, ray.before_distance);
     ray.last_t = pick(below, ray.t, ray.last_t);
     ray.last_distance = pick(below, f, ray.last_distance);
     ray.end = pick(on, pick(below, tried_below(), tried_above()), ray.end);
-    ray.estimates = ray.estimates + count(on);
+    ray.estimates = tally(ray.estimates, on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
 }

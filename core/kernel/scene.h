@@ -39,8 +39,8 @@ struct Ray {
     real before_t;         // where the sample before the last one was taken
     real before_distance;  // the distance estimate there
     whole steps;           // samples taken while marching
-    whole estimates;       // calls of the distance estimator, those of refining and of the normal included
-    whole iterations;      // iterations in all those calls
+    effort estimates;      // calls of the distance estimator, those of refining and of the normal included
+    effort iterations;     // iterations in all those calls
 };
 
 // A pixel, finished.
@@ -48,12 +48,12 @@ struct Pixel {
     vec3 colour;  // 0 to 1, as displayed
     real depth;   // t of the hit
     whole steps;
-    whole estimates;
-    whole iterations;
+    effort estimates;
+    effort iterations;
 };
 
 // What a distance estimator returns: a lower bound of the distance to the surface, and what it cost.
 struct Estimate {
     real distance;
-    whole iterations;
+    effort iterations;
 };

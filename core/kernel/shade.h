@@ -2,8 +2,8 @@
 
 struct Normal {
     vec3 direction;  // unit vector
-    whole estimates;
-    whole iterations;
+    effort estimates;
+    effort iterations;
 };
 
 // The gradient of DE by central differences, six estimates; the step is relative to the larger of |p| and 1.
@@ -34,7 +34,7 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
         if (axis == 0) slope.x = difference;
         if (axis == 1) slope.y = difference;
         if (axis == 2) slope.z = difference;
-        normal.estimates = normal.estimates + count(on) + count(on);
+        normal.estimates = tally(tally(normal.estimates, on), on);
         normal.iterations = normal.iterations + a.iterations + b.iterations;
         axis = axis + 1;
     }
@@ -45,12 +45,13 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 FN Normal normal_at(Scene scene, vec3 p, mask on)
 {
     Normal normal;
+    normal.estimates = 0;
+    normal.iterations = 0;
     if (scene.differences != 0) {
         normal = normal_by_differences(scene, p, on);
     } else {
         normal.direction = unit(gradient(scene, p, on));
-        normal.estimates = count(on);
-        normal.iterations = 0;
+        normal.estimates = tally(normal.estimates, on);
     }
     return normal;
 }

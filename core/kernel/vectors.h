@@ -49,11 +49,11 @@ FN real rough_root(real a) { return quick_root(a); }
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
-// s / root(a), and the sum of a counter and the lanes that are on.
+// s / root(a), and a count of work with the lanes that are on.
 #ifndef MM_HAS_TALLY
 FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_root(a)); }
 
-FN whole tally(whole a, mask on) { return a + count(on); }
+FN effort tally(effort a, mask on) { return a + count(on); }
 #endif
 
 struct Complex {

@@ -46,9 +46,10 @@ struct RendererOptions {
     int device = 0;  // index into Backend::devices()
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    int threads = 0;  // 0: all that there are; for backends that run on the host's cores
-    int pack = 0;     // pixels computed at once on a core; 0: the backend's choice
-    int chunk = 0;    // tiles that a host thread takes at once; 0: the backend's choice; for openmp
+    int threads = 0;     // 0: all that there are; for backends that run on the host's cores
+    int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
+    int chunk = 0;       // tiles that a host thread takes at once; 0: the backend's choice; for openmp
+    bool counts = true;  // false: RenderReport::work is not asked for, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
 
@@ -62,7 +63,7 @@ struct Timings {
     double wall = 0;
 };
 
-// Work done for one picture, counted by the kernel itself.
+// Work done for one picture, counted by the kernel itself. 0 where it was not asked for and not counted.
 struct Work {
     std::uint64_t steps = 0;       // samples taken while marching
     std::uint64_t estimates = 0;   // calls of the distance estimator, all of them

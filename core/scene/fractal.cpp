@@ -103,7 +103,8 @@ constexpr std::array table{
             bulb_fast_stride,
             0.8,
             bulb_short_stride,
-            0.01},
+            40,
+            0.02},
     Fractal{"mandelbox",
             "box",
             {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
@@ -115,7 +116,8 @@ constexpr std::array table{
             any_stride,
             1,
             default_stride,
-            0.001},
+            8,
+            0.003},
     Fractal{"julia",
             "julia",
             {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
@@ -127,6 +129,7 @@ constexpr std::array table{
             any_stride,
             1,
             default_stride,
+            40,
             0.01},
 };
 

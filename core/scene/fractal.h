@@ -52,6 +52,8 @@ struct Fractal {
     // close-up: near the surface an estimate can be larger than the distance.
     double safety;
     double short_stride;
+    // Cones of neighbouring rays pay where those are no more than this many tolerances apart.
+    double cone_pitch;
     // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
     // change.
     double root_share;

@@ -80,6 +80,13 @@ TEST_P(SameBits, BytesAlone)
             EXPECT_EQ(work.steps, whole.steps);
             EXPECT_EQ(work.estimates, whole.estimates);
             EXPECT_EQ(work.iterations, whole.iterations);
+            // Work that is not asked for may be left uncounted; the picture stays.
+            RendererOptions uncounted = options;
+            uncounted.counts = false;
+            Image again(scene.width, scene.height, Image::Layers::bytes);
+            const Work none = openmp.create(uncounted)->render(scene, again).work;
+            EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", pack " << pack << ", uncounted";
+            EXPECT_TRUE(none.estimates == 0 || none.estimates == whole.estimates) << name;
         }
     }
     // The comparison sees a single byte.

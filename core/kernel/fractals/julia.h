@@ -49,7 +49,7 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
     real dr = 1;
     real r2 = julia_r2(z);
-    whole iterations = 0;
+    effort iterations = 0;
     on = on && r2 <= julia_escape2(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
@@ -57,7 +57,7 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
         dr = pick(on, larger(2 * root(r2) * dr, R(1.0e-20)), dr);
         z = quaternion_pick(on, julia_next(scene, z), z);
         r2 = pick(on, julia_r2(z), r2);
-        iterations = iterations + count(on);
+        iterations = tally(iterations, on);
         on = on && r2 <= julia_escape2(scene);
         i = i + 1;
     }

@@ -36,30 +36,36 @@ FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.
 struct BoxOrbit {
     vec3 z;
     real k;
-    whole iterations;
+    mask on;
+    effort iterations;
 };
 
-// The orbit of p until it escapes, or begins its tail. mirrored: 1 where s < 0, else 0; known to the compiler.
-FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int mirrored)
+// Iterations [first, end) of the orbit of p while it is inside a radius. mirrored: 1 where s < 0, else 0; known to the
+// compiler.
+FN BoxOrbit box_iterated(Scene scene, vec3 p, BoxOrbit a, int first, int end, scalar radius2, int mirrored)
 {
-    BoxOrbit a;
-    a.z = p;
-    a.k = 1;
-    a.iterations = 0;
-    int i = 0;
-    while (i < scene.max_iterations && any(on)) {
-        scalar last2 = box_escape2(scene);
-        if (i < box_tail_end(scene)) last2 = box_tail2(scene);
-        vec3 f = pick3(on, box_fold(scene, a.z), a.z);
+    int i = first;
+    while (i < end && any(a.on)) {
+        vec3 f = pick3(a.on, box_fold(scene, a.z), a.z);
         real r2 = inner(f, f);
         real growth = box_growth(scene, r2);
         real factor = growth;
         if (mirrored != 0) factor = -growth;
-        a.z = pick3(on, along(p, f, factor), f);
-        a.k = pick(on, a.k * growth + 1, a.k);
-        a.iterations = tally(a.iterations, on);
-        on = on && r2 < last2;
+        a.z = pick3(a.on, along(p, f, factor), f);
+        a.k = pick(a.on, a.k * growth + 1, a.k);
+        a.iterations = tally(a.iterations, a.on);
+        a.on = a.on && r2 < radius2;
         i = i + 1;
+    }
+    return a;
+}
+
+FN BoxOrbit box_orbit(Scene scene, vec3 p, BoxOrbit a, int first, int end, scalar radius2)
+{
+    if (box_sign(scene) > 0) {
+        a = box_iterated(scene, p, a, first, end, radius2, 0);
+    } else {
+        a = box_iterated(scene, p, a, first, end, radius2, 1);
     }
     return a;
 }
@@ -70,10 +76,12 @@ FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
 // An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
-// look for but in the last (core/scene/fractal.cpp chooses the radius).
-FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
+// look for but in the last (core/scene/fractal.cpp chooses the radius). late: the lanes that came too near to the most
+// iterations and have ended without one.
+FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, mask late, BoxOrbit a)
 {
     BoxOrbit b;
+    b.on = on && !late;
     vec3 f = box_fold(scene, a.z);
     f = box_fold(scene, box_outside(scene, p, f));
     f = box_fold(scene, box_outside(scene, p, f));
@@ -82,14 +90,11 @@ FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
     b.z = pick3(more, box_outside(scene, p, box_fold(scene, b.z)), b.z);
     b.k = box_outside_k(scene, box_outside_k(scene, box_outside_k(scene, a.k)));
     b.k = pick(more, box_outside_k(scene, b.k), b.k);
-    // Few orbits come so near to the most iterations that they have no tail.
-    mask none = box_tail_end(scene) < a.iterations;
-    if (any(none)) {
-        b.z = pick3(none, a.z, b.z);
-        b.k = pick(none, a.k, b.k);
-        on = on && !none;
+    if (any(late)) {
+        b.z = pick3(late, a.z, b.z);
+        b.k = pick(late, a.k, b.k);
     }
-    b.iterations = tally(tally(tally(tally(a.iterations, on), on), on), on && more);
+    b.iterations = tally(tally(tally(tally(a.iterations, b.on), b.on), b.on), b.on && more);
     return b;
 }
 
@@ -97,12 +102,15 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
     BoxOrbit a;
-    if (box_sign(scene) > 0) {
-        a = box_orbit(scene, q, on, 0);
-    } else {
-        a = box_orbit(scene, q, on, 1);
-    }
-    if (box_tail_end(scene) > 0) a = box_tail(scene, q, on, a);
+    a.z = q;
+    a.k = 1;
+    a.on = on;
+    a.iterations = 0;
+    int tail_end = box_tail_end(scene);
+    a = box_orbit(scene, q, a, 0, tail_end, box_tail2(scene));
+    mask late = a.on;
+    a = box_orbit(scene, q, a, tail_end, scene.max_iterations, box_escape2(scene));
+    if (tail_end > 0) a = box_tail(scene, q, on, late, a);
     real far = quick_norm(a.z) - box_offset(scene);
     Estimate result;
     result.distance =
@@ -117,28 +125,36 @@ struct BoxTangent {
     real k;
 };
 
-// What an iteration is to every tangent.
+// What an iteration is to every tangent. The box fold turns components about: their slopes have another sign.
 struct BoxStep {
     mask on;
-    mask folded_x;  // components that the box fold turns
-    mask folded_y;
-    mask folded_z;
     vec3 f;       // the folded point
-    real factor;  // c of the sphere fold, s included
+    vec3 across;  // f with those signs
+    vec3 turned;  // c of the sphere fold, s included, with those signs
     real growth;  // |c|
     real slope;   // -2 c/r2 in the shell, else 0: there 1/r2 is |c|
     real k;       // with the sign of s
 };
 
+// a where c is not folded, else -a.
+FN real box_turned(Scene scene, real c, real a) { return pick(magnitude(c) > box_one(scene), -a, a); }
+
+FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
+{
+    return vec3(box_turned(scene, z.x, a.x), box_turned(scene, z.y, a.y), box_turned(scene, z.z, a.z));
+}
+
 // One iteration of a tangent: c has the slope -2 c/r2 (f . d) in the shell and 0 elsewhere. A lane that is off keeps
 // its values: masked instructions hold them without further ones.
 FN BoxTangent box_advance(BoxTangent v, vec3 axis, BoxStep turn)
 {
-    vec3 d = vec3(pick(turn.folded_x, -v.z.x, v.z.x), pick(turn.folded_y, -v.z.y, v.z.y),
-                  pick(turn.folded_z, -v.z.z, v.z.z));
-    real d_factor = turn.slope * inner(turn.f, d);
+    real d_factor = turn.slope * inner(turn.across, v.z);
+    vec3 outward = along(axis, turn.f, d_factor);
     BoxTangent next;
-    next.z = pick3(turn.on, along(along(axis, turn.f, d_factor), d, turn.factor), d);
+    next.z = pick3(
+        turn.on,
+        vec3(v.z.x * turn.turned.x + outward.x, v.z.y * turn.turned.y + outward.y, v.z.z * turn.turned.z + outward.z),
+        v.z);
     next.k = pick(turn.on, v.k * turn.growth + turn.k * d_factor, v.k);
     return next;
 }
@@ -151,11 +167,48 @@ FN BoxTangent box_tangent(vec3 axis)
     return v;
 }
 
-// The derivative of DE, times k > 0.
-FN real box_slope(Scene scene, vec3 z, real length, real k, BoxTangent v)
+// A tail's iterations so far: far outside each takes a component by itself.
+struct BoxFar {
+    vec3 f;  // the last folded point
+    vec3 z;
+    vec3 slope;   // of each component by what it was when the tail began
+    vec3 direct;  // and by that of p
+    real k;
+    real growth;  // of k
+};
+
+FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a)
 {
-    return quick_quotient(quick_quotient(inner(z, v.z), length) - quick_quotient(length - box_offset(scene), k) * v.k,
-                          k);
+    real factor = box_scale(scene) * box_sign(scene);
+    vec3 turned = box_turned3(scene, a.z, vec3(factor, factor, factor));
+    BoxFar b;
+    b.f = box_fold(scene, a.z);
+    b.z = box_outside(scene, q, b.f);
+    b.slope = vec3(a.slope.x * turned.x, a.slope.y * turned.y, a.slope.z * turned.z);
+    b.direct = vec3(a.direct.x * turned.x + 1, a.direct.y * turned.y + 1, a.direct.z * turned.z + 1);
+    b.k = box_outside_k(scene, a.k);
+    b.growth = a.growth * box_scale(scene);
+    return b;
+}
+
+FN BoxFar box_picked(mask on, BoxFar a, BoxFar b)
+{
+    BoxFar c;
+    c.f = pick3(on, a.f, b.f);
+    c.z = pick3(on, a.z, b.z);
+    c.slope = pick3(on, a.slope, b.slope);
+    c.direct = pick3(on, a.direct, b.direct);
+    c.k = pick(on, a.k, b.k);
+    c.growth = pick(on, a.growth, b.growth);
+    return c;
+}
+
+// The derivative of DE, times k > 0. direct: of z by p in the tail, times z.
+FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent v)
+{
+    vec3 towards = vec3(end.z.x * end.slope.x, end.z.y * end.slope.y, end.z.z * end.slope.z);
+    real outward = quick_quotient(inner(towards, v.z) + direct, length);
+    return quick_quotient(outward - quick_quotient(length - box_offset(scene), end.k) * (v.k * end.growth), end.k);
 }
 
 // The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
@@ -167,31 +220,48 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     BoxTangent x = box_tangent(vec3(1, 0, 0));
     BoxTangent y = box_tangent(vec3(0, 1, 0));
     BoxTangent w = box_tangent(vec3(0, 0, 1));
+    mask tailed = on;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
+        scalar last2 = box_escape2(scene);
+        if (i < box_tail_end(scene)) last2 = box_tail2(scene);
+        if (i == box_tail_end(scene)) tailed = tailed && !on;
         BoxStep turn;
         turn.on = on;
-        turn.folded_x = on && magnitude(z.x) > box_one(scene);
-        turn.folded_y = on && magnitude(z.y) > box_one(scene);
-        turn.folded_z = on && magnitude(z.z) > box_one(scene);
         turn.f = pick3(on, box_fold(scene, z), z);
         real r2 = inner(turn.f, turn.f);
         turn.growth = box_growth(scene, r2);
-        turn.factor = turn.growth * box_sign(scene);
+        real factor = turn.growth * box_sign(scene);
+        turn.across = box_turned3(scene, z, turn.f);
+        turn.turned = box_turned3(scene, z, vec3(factor, factor, factor));
         mask shell = r2 >= box_inner_radius2(scene) && r2 < box_outer_radius2(scene);
-        turn.slope = pick(shell, -2 * turn.growth * turn.factor, 0);
+        turn.slope = pick(shell, -2 * turn.growth * factor, 0);
         turn.k = k * box_sign(scene);
         x = box_advance(x, vec3(1, 0, 0), turn);
         y = box_advance(y, vec3(0, 1, 0), turn);
         w = box_advance(w, vec3(0, 0, 1), turn);
-        z = pick3(on, along(q, turn.f, turn.factor), turn.f);
+        z = pick3(on, along(q, turn.f, factor), turn.f);
         k = pick(on, k * turn.growth + 1, k);
-        on = on && r2 < box_escape2(scene);
+        on = on && r2 < last2;
         i = i + 1;
     }
-    real length = quick_norm(z);
-    return vec3(box_slope(scene, z, length, k, x), box_slope(scene, z, length, k, y),
-                box_slope(scene, z, length, k, w));
+    BoxFar end;
+    end.f = z;
+    end.z = z;
+    end.slope = vec3(1, 1, 1);
+    end.direct = vec3(0, 0, 0);
+    end.k = k;
+    end.growth = 1;
+    if (box_tail_end(scene) > 0) {
+        // As box_tail() does.
+        BoxFar third = box_farther(scene, q, box_farther(scene, q, box_farther(scene, q, end)));
+        mask more = inner(third.f, third.f) < box_escape2(scene);
+        end = box_picked(tailed, box_picked(more, box_farther(scene, q, third), third), end);
+    }
+    real length = quick_norm(end.z);
+    return vec3(box_slope(scene, end, end.z.x * end.direct.x, length, x),
+                box_slope(scene, end, end.z.y * end.direct.y, length, y),
+                box_slope(scene, end, end.z.z * end.direct.z, length, w));
 }
 
 // The share of light that haze takes on a way of length t: half at about the fractal's size.

@@ -100,7 +100,7 @@ FN BulbEighth bulb_eighth(vec3 z, real r2, vec3 p)
     return next;
 }
 
-FN Estimate bulb_estimate(real r2, real dr, whole iterations)
+FN Estimate bulb_estimate(real r2, real dr, effort iterations)
 {
     Estimate result;
     result.distance =
@@ -117,7 +117,7 @@ FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     real dr = 1;
     real r2 = norm2(z);
     scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene) * (eighth_one() * eighth_one());
-    whole iterations = 0;
+    effort iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
@@ -140,7 +140,7 @@ FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)
     real dr = 1;
     real r2 = norm2(z);
     scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene);
-    whole iterations = 0;
+    effort iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {

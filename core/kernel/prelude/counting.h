@@ -22,6 +22,7 @@
 
 typedef MM_REAL scalar;
 typedef int whole;
+typedef int effort;
 typedef bool mask;
 
 struct real {

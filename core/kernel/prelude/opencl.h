@@ -58,6 +58,7 @@ typedef double4 triple;
 // A mask is bool, or a vector of 0 and -1.
 #if MM_LANES == 1
 typedef int whole;
+typedef int effort;
 typedef int scalar_whole;
 typedef bool mask;
 #define any(on) (on)
@@ -65,6 +66,7 @@ typedef bool mask;
 #define count(on) ((on) ? 1 : 0)
 #else
 typedef Int whole;
+typedef Int effort;
 typedef Int mask;
 #if MM_REAL_IS_FLOAT
 typedef int scalar_whole;

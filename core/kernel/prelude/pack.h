@@ -1,6 +1,6 @@
 // Prelude: the words of the kernel text as packs of MM_REGISTERS native SIMD registers, on Google Highway. Registers of
-// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS
-// and include it inside a namespace in HWY_NAMESPACE, before the text.
+// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS,
+// MM_COUNTED (1 or 0: whether work is counted) and include it inside a namespace in HWY_NAMESPACE, before the text.
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -55,6 +55,19 @@ struct whole {
     HWY_INLINE whole() = default;
     HWY_INLINE whole(Int value) { EACH_REGISTER(of[u] = hn::Set(Wholes(), value);) }
 };
+
+#if MM_COUNTED
+using effort = whole;
+#else
+// What nobody asked for is not counted.
+struct effort {
+    HWY_INLINE effort() = default;
+    HWY_INLINE effort(Int) {}
+    HWY_INLINE effort(const whole&) {}
+};
+
+FN effort operator+(const effort&, const effort&) { return {}; }
+#endif
 
 // One real number per lane.
 struct real {

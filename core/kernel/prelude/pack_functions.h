@@ -7,12 +7,16 @@ FN real root(real a)
 }
 
 #define MM_HAS_TALLY
-FN whole tally(whole a, const mask& on)
+#if MM_COUNTED
+FN effort tally(effort a, const mask& on)
 {
     EACH_REGISTER(
         a.of[u] = hn::IfThenElse(hn::RebindMask(Wholes(), on.of[u]), hn::Add(a.of[u], hn::Set(Wholes(), 1)), a.of[u]);)
     return a;
 }
+#else
+FN effort tally(effort a, const mask&) { return a; }
+#endif
 
 #if HWY_TARGET <= HWY_AVX3
 #define MM_HAS_CLIPPED

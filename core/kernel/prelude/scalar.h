@@ -27,6 +27,7 @@
 typedef MM_REAL real;
 typedef MM_REAL scalar;
 typedef int whole;
+typedef int effort;
 typedef bool mask;
 
 struct vec3 {
