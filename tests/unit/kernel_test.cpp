@@ -199,7 +199,7 @@ TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
         const double t = box64::draw(k, i % 30, i / 30).depth;
         if (std::isinf(t)) continue;
         ++hits;
-        off += std::abs(box64::draw(slow, i % 30, i / 30).depth - t) > 0.01 * k.tolerance * t;
+        off += std::abs(box64::draw(slow, i % 30, i / 30).depth - t) > 10 * k.root_share * k.tolerance * t;
     }
     EXPECT_GT(hits, 100);
     EXPECT_LE(off, hits / 100);
