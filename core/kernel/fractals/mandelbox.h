@@ -36,36 +36,33 @@ FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.
 struct BoxOrbit {
     vec3 z;
     real k;
-    mask on;
+    mask late;  // it came too near to the most iterations to have a tail
     effort iterations;
 };
 
-// Iterations [first, end) of the orbit of p while it is inside a radius. mirrored: 1 where s < 0, else 0; known to the
-// compiler.
-FN BoxOrbit box_iterated(Scene scene, vec3 p, BoxOrbit a, int first, int end, scalar radius2, int mirrored)
+// The orbit of p until it escapes, or begins its tail. mirrored: 1 where s < 0, else 0; known to the compiler.
+FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int mirrored)
 {
-    int i = first;
-    while (i < end && any(a.on)) {
-        vec3 f = pick3(a.on, box_fold(scene, a.z), a.z);
+    BoxOrbit a;
+    a.z = p;
+    a.k = 1;
+    a.late = on && !on;
+    a.iterations = 0;
+    int i = 0;
+    while (i < scene.max_iterations && any(on)) {
+        scalar last2 = box_escape2(scene);
+        if (i < box_tail_end(scene)) last2 = box_tail2(scene);
+        if (i == box_tail_end(scene)) a.late = on;
+        vec3 f = pick3(on, box_fold(scene, a.z), a.z);
         real r2 = inner(f, f);
         real growth = box_growth(scene, r2);
         real factor = growth;
         if (mirrored != 0) factor = -growth;
-        a.z = pick3(a.on, along(p, f, factor), f);
-        a.k = pick(a.on, a.k * growth + 1, a.k);
-        a.iterations = tally(a.iterations, a.on);
-        a.on = a.on && r2 < radius2;
+        a.z = pick3(on, along(p, f, factor), f);
+        a.k = pick(on, a.k * growth + 1, a.k);
+        a.iterations = tally(a.iterations, on);
+        on = on && r2 < last2;
         i = i + 1;
-    }
-    return a;
-}
-
-FN BoxOrbit box_orbit(Scene scene, vec3 p, BoxOrbit a, int first, int end, scalar radius2)
-{
-    if (box_sign(scene) > 0) {
-        a = box_iterated(scene, p, a, first, end, radius2, 0);
-    } else {
-        a = box_iterated(scene, p, a, first, end, radius2, 1);
     }
     return a;
 }
@@ -76,12 +73,10 @@ FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
 // An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
-// look for but in the last (core/scene/fractal.cpp chooses the radius). late: the lanes that came too near to the most
-// iterations and have ended without one.
-FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, mask late, BoxOrbit a)
+// look for but in the last (core/scene/fractal.cpp chooses the radius).
+FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;
-    b.on = on && !late;
     vec3 f = box_fold(scene, a.z);
     f = box_fold(scene, box_outside(scene, p, f));
     f = box_fold(scene, box_outside(scene, p, f));
@@ -90,11 +85,13 @@ FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, mask late, BoxOrbit a)
     b.z = pick3(more, box_outside(scene, p, box_fold(scene, b.z)), b.z);
     b.k = box_outside_k(scene, box_outside_k(scene, box_outside_k(scene, a.k)));
     b.k = pick(more, box_outside_k(scene, b.k), b.k);
-    if (any(late)) {
-        b.z = pick3(late, a.z, b.z);
-        b.k = pick(late, a.k, b.k);
+    b.late = a.late;
+    if (any(a.late)) {
+        b.z = pick3(a.late, a.z, b.z);
+        b.k = pick(a.late, a.k, b.k);
+        on = on && !a.late;
     }
-    b.iterations = tally(tally(tally(tally(a.iterations, b.on), b.on), b.on), b.on && more);
+    b.iterations = tally(tally(tally(tally(a.iterations, on), on), on), on && more);
     return b;
 }
 
@@ -102,15 +99,12 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
     BoxOrbit a;
-    a.z = q;
-    a.k = 1;
-    a.on = on;
-    a.iterations = 0;
-    int tail_end = box_tail_end(scene);
-    a = box_orbit(scene, q, a, 0, tail_end, box_tail2(scene));
-    mask late = a.on;
-    a = box_orbit(scene, q, a, tail_end, scene.max_iterations, box_escape2(scene));
-    if (tail_end > 0) a = box_tail(scene, q, on, late, a);
+    if (box_sign(scene) > 0) {
+        a = box_orbit(scene, q, on, 0);
+    } else {
+        a = box_orbit(scene, q, on, 1);
+    }
+    if (box_tail_end(scene) > 0) a = box_tail(scene, q, on, a);
     real far = quick_norm(a.z) - box_offset(scene);
     Estimate result;
     result.distance =
@@ -169,38 +163,29 @@ FN BoxTangent box_tangent(vec3 axis)
 
 // A tail's iterations so far: far outside each takes a component by itself.
 struct BoxFar {
-    vec3 f;  // the last folded point
     vec3 z;
+    real r2;      // of the last folded point
     vec3 slope;   // of each component by what it was when the tail began
     vec3 direct;  // and by that of p
     real k;
     real growth;  // of k
 };
 
-FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a)
+// One more iteration where the lane is on.
+FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
 {
     real factor = box_scale(scene) * box_sign(scene);
     vec3 turned = box_turned3(scene, a.z, vec3(factor, factor, factor));
+    vec3 f = box_fold(scene, a.z);
     BoxFar b;
-    b.f = box_fold(scene, a.z);
-    b.z = box_outside(scene, q, b.f);
-    b.slope = vec3(a.slope.x * turned.x, a.slope.y * turned.y, a.slope.z * turned.z);
-    b.direct = vec3(a.direct.x * turned.x + 1, a.direct.y * turned.y + 1, a.direct.z * turned.z + 1);
-    b.k = box_outside_k(scene, a.k);
-    b.growth = a.growth * box_scale(scene);
+    b.r2 = inner(f, f);
+    b.z = pick3(on, box_outside(scene, q, f), a.z);
+    b.slope = pick3(on, vec3(a.slope.x * turned.x, a.slope.y * turned.y, a.slope.z * turned.z), a.slope);
+    b.direct =
+        pick3(on, vec3(a.direct.x * turned.x + 1, a.direct.y * turned.y + 1, a.direct.z * turned.z + 1), a.direct);
+    b.k = pick(on, box_outside_k(scene, a.k), a.k);
+    b.growth = pick(on, a.growth * box_scale(scene), a.growth);
     return b;
-}
-
-FN BoxFar box_picked(mask on, BoxFar a, BoxFar b)
-{
-    BoxFar c;
-    c.f = pick3(on, a.f, b.f);
-    c.z = pick3(on, a.z, b.z);
-    c.slope = pick3(on, a.slope, b.slope);
-    c.direct = pick3(on, a.direct, b.direct);
-    c.k = pick(on, a.k, b.k);
-    c.growth = pick(on, a.growth, b.growth);
-    return c;
 }
 
 // The derivative of DE, times k > 0. direct: of z by p in the tail, times z.
@@ -246,17 +231,18 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         i = i + 1;
     }
     BoxFar end;
-    end.f = z;
     end.z = z;
+    end.r2 = 0;
     end.slope = vec3(1, 1, 1);
     end.direct = vec3(0, 0, 0);
     end.k = k;
     end.growth = 1;
     if (box_tail_end(scene) > 0) {
         // As box_tail() does.
-        BoxFar third = box_farther(scene, q, box_farther(scene, q, box_farther(scene, q, end)));
-        mask more = inner(third.f, third.f) < box_escape2(scene);
-        end = box_picked(tailed, box_picked(more, box_farther(scene, q, third), third), end);
+        end = box_farther(scene, q, end, tailed);
+        end = box_farther(scene, q, end, tailed);
+        end = box_farther(scene, q, end, tailed);
+        end = box_farther(scene, q, end, tailed && end.r2 < box_escape2(scene));
     }
     real length = quick_norm(end.z);
     return vec3(box_slope(scene, end, end.z.x * end.direct.x, length, x),
