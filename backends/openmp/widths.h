@@ -44,7 +44,7 @@ HWY_MAYBE_UNUSED Spent draw_narrow(const void* scene, const Canvas<MM_REAL>& can
     return pools::draw_tiles(scene, canvas, tiles, memory, pools::width);
 }
 
-Spent draw_wide(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+HWY_MAYBE_UNUSED Spent draw_wide(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
     return pools::draw_tiles(scene, canvas, tiles, memory, wide::width);
 }
