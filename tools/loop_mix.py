@@ -22,18 +22,17 @@ KINDS = (
     ("smaller, larger, clip, sign", r"v(min|max|range|and|xor|or)p"),
     ("comparison", r"vcmp"),
     ("choice", r"vblendm|vmovap[sd]\b.*\{%k"),
-    ("count", r"vpadd"),
     ("mask", r"k(and|or|mov|ortest|not|unpck|xor)"),
 )
 PORTS = 2
 
 
 def instructions(path):
-    """(address, text) of what takes samples in packs of AVX-512 registers."""
+    """(address, text) of what takes samples in packs of AVX-512 registers, as timed pictures do: uncounted."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
-    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*wide::probe_pack\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
+    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*::uncounted::wide::probe_pack\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
     if found is None:
         sys.exit(f"loop_mix: {path}: no samples in AVX-512 packs")
     lines = (re.match(r"\s*([0-9a-f]+):\s+(.*)", line) for line in found[1].splitlines())
@@ -41,11 +40,12 @@ def instructions(path):
 
 
 def loop(code, marks):
-    """The shortest way from the first masked count of iterations round to it again with all of `marks` on it."""
+    """The shortest way from the first masked multiply-add, which holds what ended lanes have, round to it again with all of
+    `marks` on it."""
     at = {address: i for i, (address, _) in enumerate(code)}
-    start = next((i for i, (_, text) in enumerate(code) if re.match(r"vpadd[dq]\b.*\{%k", text)), None)
+    start = next((i for i, (_, text) in enumerate(code) if re.match(r"vfn?m(add|sub)\w*\s.*\{%k", text)), None)
     if start is None:
-        sys.exit("loop_mix: no count of iterations in the loop")
+        sys.exit("loop_mix: no masked multiply-add in the loop")
     wanted = tuple(marks.values())
     queue = [(0, start, tuple(0 for _ in marks), ())]
     seen = set()
