@@ -11,7 +11,8 @@ import k40  # noqa: E402
 import k40_expected  # noqa: E402
 
 # The K40's steps: 10, 5, 6 and 4 blocks of 128 threads on a multiprocessor.
-MOST_REGISTERS = {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 120}
+MOST_REGISTERS = {("march", "float"): 48, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 120}
+MORE_REGISTERS = {"march_mandelbox_float_fast": 51}  # the mask of orbits without a tail
 
 
 def changed(ptx, kernel, old, new):
@@ -83,8 +84,9 @@ def check_assembled(ptx, fractals):
         if k40.PEAK.match(name + "$_omp_fn$0"):
             continue
         kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
-        if registers > MOST_REGISTERS[kind, precision]:
-            found.append(f"{name}: {registers} registers, {MOST_REGISTERS[kind, precision]} expected at most")
+        most = MORE_REGISTERS.get(name, MOST_REGISTERS[kind, precision])
+        if registers > most:
+            found.append(f"{name}: {registers} registers, {most} expected at most")
     if not spills(k40.assemble(ptx, k40.pinned_ptxas(), "sm_35", ["-maxrregcount=32"])):
         found.append("the twin with 32 registers spills nothing")
     if (k40.k40_threads(32), k40.k40_threads(33), k40.k40_threads(255)) != (2048, 1536, 256):
