@@ -72,6 +72,7 @@ public:
                                           .end_row = image_.height(),
                                           .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
                                           .pitch = scene.canonical != 0 ? openmp::pitch_of(scene, fractal) : 0,
+                                          .block_hull = openmp::block_hull_of(scene, fractal),
                                           .reals = nullptr,
                                           .wholes = nullptr,
                                           .bytes = image_.bytes().data()};

@@ -1,5 +1,5 @@
-// Cones before rays: how far the rays of a block of pixels can go together. Included by pool.h, in its namespace; no
-// guard.
+// Cones before rays: how far the rays of a block can go together, first those of 8 x 8 pixels, then of 2 x 2. Included
+// by pool.h, in its namespace; no guard.
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
@@ -10,24 +10,16 @@ HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> 
     return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
 }
 
-// Some tiles, begun together so that their cones fill packs.
-constexpr int group_tiles = 8;
-struct Group {
-    int count;
-    int left[group_tiles];
-    int bottom[group_tiles];
-};
-
-// The blocks of side x side pixels of a group, in the order of tiles, rows and columns.
-constexpr int blocks_across(int side) { return tile_side / side; }
-constexpr int blocks_of_tile(int side) { return blocks_across(side) * blocks_across(side); }
+constexpr int fine_side = 2;
+constexpr int fine_across = block_side / fine_side;
+constexpr int fine_cones = fine_across * fine_across;  // of a block
 
 #if MM_COUNTED
 // What cones cost, each in its place.
 template <int most>
 struct ConeCosts {
-    Int estimates[most];
-    Int iterations[most];
+    Int estimates[most] = {};
+    Int iterations[most] = {};
 
     HWY_INLINE void store(const Int* places, const Ray& ray, const mask& on)
     {
@@ -41,12 +33,26 @@ struct ConeCosts {
         }
     }
 
-    // To what begins at `places` from `first` on, where the bits of `inside` are 0: one for each cone.
-    HWY_INLINE void give(Ray& ray, int first, hn::Vec<Wholes> places, hn::Vec<Wholes> inside) const
+    // Those of cones from `first` on to the rays that begin at them, in their order, where the bits of `inside` are 0:
+    // one for each cone.
+    HWY_INLINE void give(Ray& ray, int first, hn::Vec<Wholes> cones, hn::Vec<Wholes> inside) const
     {
         const auto counts = hn::Eq(inside, hn::Zero(Wholes()));
-        ray.estimates.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), estimates + first, places));
-        ray.iterations.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), iterations + first, places));
+        ray.estimates.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), estimates + first, cones));
+        ray.iterations.of[0] = hn::IfThenElseZero(counts, looked_up(Wholes(), iterations + first, cones));
+    }
+
+    HWY_INLINE void move(int to, int from)
+    {
+        estimates[to] = estimates[from];
+        iterations[to] = iterations[from];
+    }
+
+    // That of a cone of which no ray begins.
+    HWY_INLINE void add_to(Spent& spent, int cone) const
+    {
+        spent.estimates += static_cast<std::uint64_t>(estimates[cone]);
+        spent.iterations += static_cast<std::uint64_t>(iterations[cone]);
     }
 };
 #else
@@ -54,110 +60,93 @@ template <int most>
 struct ConeCosts {
     HWY_INLINE void store(const Int*, const Ray&, const mask&) {}
     HWY_INLINE void give(Ray&, int, hn::Vec<Wholes>, hn::Vec<Wholes>) const {}
+    HWY_INLINE void move(int, int) {}
+    HWY_INLINE void add_to(Spent&, int) const {}
 };
 #endif
 
-// Where a group's cones came to. What a cone cost is counted for one of its rays.
+// Where cones came to. What a cone cost is counted for one of its rays.
 template <int side>
 struct Cones {
-    static constexpr int most = group_tiles * blocks_of_tile(side) + register_lanes;  // whole registers can be read
-    MM_REAL start[most];
+    static constexpr int most =
+        most_blocks * block_pixels / (side * side) + register_lanes;  // whole registers can be read
+    MM_REAL start[most] = {};
     ConeCosts<most> costs;
 };
+using BlockCones = Cones<block_side>;
+using FineCones = Cones<fine_side>;
+
+// Where a cone starts that has left the hull: no ray goes there.
+HWY_INLINE MM_REAL beyond(const Drawing& d) { return 2 * d.scene.end; }
 
 // Where the cones that are on have come to, to their places.
 template <int side>
-HWY_NOINLINE void store_cones(const Traveller& a, const mask& on, Cones<side>& cones)
+HWY_NOINLINE void store_cones(const Drawing& d, const Traveller& a, const mask& on, Cones<side>& cones)
 {
     constexpr int room = pack_lanes + register_lanes;
     Int at[room] = {};
     MM_REAL t[room];
     store_compact(a.pixel, on, at);
-    store_compact(a.ray.t, on, t);
+    store_compact(side == block_side ? pick(a.ray.t <= a.ray.end, a.ray.t, beyond(d)) : a.ray.t, on, t);
     const int lanes = lanes_on(on);
     for (int i = 0; i < lanes; ++i) cones.start[at[i]] = t[i];
     cones.costs.store(at, a.ray, on);
 }
 
-// Begins the cones that are on, (i, j) the pixels of their axes. Each has its place among the group's, where it starts
-// and what was spent on it already.
+// Begins the cones that are on, (i, j) the pixels of their axes. Each has its place among the others, where it starts
+// and what was spent on it already. An axis is in the hull around blocks wherever one of the cone's rays is in the
+// hull.
 template <int side>
 HWY_INLINE void begin_cones(Drawing& d, Traveller& a, const real& i, const real& j, const mask& on, Cones<side>& cones)
 {
     const Ray from = a.ray;
-    a.ray = begin(d.scene, i, j);
-    // A ray at the cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
-    a.ray.t = from.t;
+    a.ray = begin(side == block_side ? d.around_blocks : d.scene, i, j);
+    // A ray at a fine cone's edge may meet the hull before the axis does. An axis that misses it goes nowhere.
+    a.ray.t = side == block_side ? larger(from.t, a.ray.t) : from.t;
     a.ray.estimates = from.estimates;
     a.ray.iterations = from.iterations;
     const mask go = on && a.ray.t <= a.ray.end;
     append(d.pools.cones, a, go);
-    if (any(on && !go)) store_cones(a, on && !go, cones);
+    if (any(on && !go)) store_cones(d, a, on && !go, cones);
 }
 
-// The middle of the first of `side` pixels.
-template <int side>
-HWY_INLINE real middle_of(const whole& first)
+// Begins a cone for every block.
+HWY_NOINLINE void begin_block_cones(Drawing& d, const Blocks& blocks, BlockCones& cones)
 {
-    return real_of(first) + real(MM_REAL(0.5) * (side - 1));
-}
-
-// Begins one cone for every block of the group.
-template <int side>
-HWY_NOINLINE void begin_all_cones(Drawing& d, const Group& group, Cones<side>& cones)
-{
-    const int blocks = group.count * blocks_of_tile(side);
-    for (int from = 0; from < blocks; from += pack_lanes) {
-        Int left[pack_lanes];
-        Int bottom[pack_lanes];
-        for (int lane = 0; lane < pack_lanes; ++lane) {
-            const int block = from + lane < blocks ? from + lane : blocks - 1;
-            const int in_tile = block % blocks_of_tile(side);
-            left[lane] = group.left[block / blocks_of_tile(side)] + in_tile % blocks_across(side) * side;
-            bottom[lane] = group.bottom[block / blocks_of_tile(side)] + in_tile / blocks_across(side) * side;
-        }
+    const real middle = MM_REAL(0.5) * (block_side - 1);
+    for (int from = 0; from < blocks.count; from += pack_lanes) {
         Traveller a;
         a.pixel = lane_numbers() + whole(static_cast<Int>(from));
         a.ray.t = 0;
         a.ray.estimates = 0;
         a.ray.iterations = 0;
-        begin_cones(d, a, middle_of<side>(load_lanes(left)), middle_of<side>(load_lanes(bottom)),
-                    first_lanes(blocks - from), cones);
+        begin_cones(d, a, real_of(load_lanes(blocks.left + from)) + middle,
+                    real_of(load_lanes(blocks.bottom + from)) + middle, first_lanes(blocks.count - from), cones);
     }
 }
 
-// Begins one cone for every block of the group, where the larger block's cone came to.
-template <int side, int parent_side>
-HWY_NOINLINE void begin_all_cones(Drawing& d, const Group& group, const Cones<parent_side>& parents, Cones<side>& cones)
+// Begins the fine cones of every block, where its own came to.
+HWY_NOINLINE void begin_fine_cones(Drawing& d, const Blocks& blocks, const BlockCones& from, FineCones& cones)
 {
-    static_assert(blocks_of_tile(side) % register_lanes == 0);
-    constexpr int across = log2_of(blocks_across(side));
-    constexpr int parents_across = log2_of(blocks_across(parent_side));
-    constexpr int parent = log2_of(parent_side / side);
-    for (int from = 0; from < group.count * blocks_of_tile(side); from += register_lanes) {
-        const int tile = from / blocks_of_tile(side);
-        const int first = tile * blocks_of_tile(parent_side);
-        const auto block = hn::Iota(Wholes(), static_cast<Int>(from % blocks_of_tile(side)));
-        const auto x = hn::And(block, hn::Set(Wholes(), blocks_across(side) - 1));
-        const auto y = hn::ShiftRight<across>(block);
-        const auto before =
-            hn::Add(hn::ShiftLeft<parents_across>(hn::ShiftRight<parent>(y)), hn::ShiftRight<parent>(x));
-        const auto inside = hn::And(hn::Or(x, y), hn::Set(Wholes(), parent_side / side - 1));
+    static_assert(fine_cones % register_lanes == 0 && fine_side == 2);
+    const real middle = MM_REAL(0.5) * (fine_side - 1);
+    for (int n = 0; n < blocks.count * fine_cones; n += pack_lanes) {
+        const int block = n / fine_cones;
+        const auto place = hn::Iota(Wholes(), static_cast<Int>(n % fine_cones));
+        whole x;
+        whole y;
+        x.of[0] = hn::ShiftLeft<1>(hn::And(place, hn::Set(Wholes(), fine_across - 1)));
+        y.of[0] = hn::ShiftLeft<1>(hn::ShiftRight<log2_of(fine_across)>(place));
         Traveller a;
-        a.pixel = lane_numbers() + whole(static_cast<Int>(from));
-        a.ray.t.of[0] = looked_up(Reals(), parents.start + first, before);
-        parents.costs.give(a.ray, first, before, inside);
-        whole left;
-        whole bottom;
-        left.of[0] = hn::ShiftLeft<log2_of(side)>(x);
-        bottom.of[0] = hn::ShiftLeft<log2_of(side)>(y);
-        begin_cones(d, a, middle_of<side>(left + whole(static_cast<Int>(group.left[tile]))),
-                    middle_of<side>(bottom + whole(static_cast<Int>(group.bottom[tile]))), first_lanes(register_lanes),
-                    cones);
+        a.pixel = lane_numbers() + whole(static_cast<Int>(n));
+        a.ray.t = from.start[block];
+        from.costs.give(a.ray, block, hn::Zero(Wholes()), place);
+        begin_cones(d, a, real_of(x + whole(blocks.left[block])) + middle,
+                    real_of(y + whole(blocks.bottom[block])) + middle, first_lanes(register_lanes), cones);
     }
 }
 
-// Marches the cones that have begun.
+// Marches the cones that have begun, of side x side pixels each.
 template <int side>
 HWY_NOINLINE void march_cones(Drawing& d, Cones<side>& cones)
 {
@@ -169,6 +158,6 @@ HWY_NOINLINE void march_cones(Drawing& d, Cones<side>& cones)
                 ray = advanced_cone(d.scene, ray, span, here, on);
                 return on && cone_goes(ray);
             },
-            [&](Traveller& a, const mask& stopped) MM_INLINED { store_cones(a, stopped, cones); });
+            [&](Traveller& a, const mask& stopped) MM_INLINED { store_cones(d, a, stopped, cones); });
     }
 }

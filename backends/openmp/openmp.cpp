@@ -10,7 +10,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "backends/openmp/peak.h"
 #include "backends/openmp/pitch.h"
@@ -42,15 +45,29 @@ void add_to(Work& to, const Work& from)
 }
 #pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
 
-// Memory of one thread, for the whole picture.
-struct ThreadMemory {
-    explicit ThreadMemory(std::size_t bytes) : at(bytes == 0 ? nullptr : ::operator new(bytes, alignment)) {}
-    ~ThreadMemory() { ::operator delete(at, alignment); }
+// Memory of one thread, kept from picture to picture: new pages cost time.
+class ThreadMemory {
+public:
+    ThreadMemory() = default;
+    ~ThreadMemory() { ::operator delete(at_, alignment); }
     ThreadMemory(const ThreadMemory&) = delete;
     ThreadMemory& operator=(const ThreadMemory&) = delete;
 
+    void* of_size(std::size_t bytes)
+    {
+        if (bytes > size_) {
+            ::operator delete(std::exchange(at_, nullptr), alignment);
+            size_ = 0;
+            at_ = ::operator new(bytes, alignment);
+            size_ = bytes;
+        }
+        return at_;
+    }
+
+private:
     static constexpr std::align_val_t alignment{64};
-    void* at;
+    void* at_ = nullptr;
+    std::size_t size_ = 0;
 };
 
 // The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
@@ -101,12 +118,15 @@ private:
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image)
+    BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image,
+                 std::span<ThreadMemory> memory)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
           image_(image),
+          memory_(memory),
           threads_(options.threads),
           pitch_(options.mode == Mode::fast && options.techniques.cones ? openmp::pitch_of(scene_, *scene.fractal) : 0),
+          block_hull_(openmp::block_hull_of(scene_, *scene.fractal)),
           chunk_(std::max(1, options.chunk))
     {
     }
@@ -127,6 +147,7 @@ public:
                                           band.first_row + band.rows,
                                           static_cast<std::ptrdiff_t>(pixels),
                                           pitch_,
+                                          block_hull_,
                                           reals_.data(),
                                           wholes_.data(),
                                           bytes};
@@ -134,9 +155,9 @@ public:
         Work band_work;
 #pragma omp parallel num_threads(threads_) reduction(sum : band_work)
         {
-            const ThreadMemory memory(variant_.memory);
+            void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
             TileQueue::Share share{queue};
-            const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory.at);
+            const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory);
             add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
         }
         add_to(work, band_work);
@@ -167,8 +188,10 @@ private:
     KernelScene<Real> scene_;
     const Variant<Real>& variant_;
     Image& image_;
+    std::span<ThreadMemory> memory_;  // each thread's
     int threads_;
     Real pitch_;
+    Real block_hull_;
     int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
@@ -205,6 +228,7 @@ public:
     {
         choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
+        memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));
     }
 
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
@@ -219,7 +243,7 @@ private:
     {
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
-        BandExecutor<Real> executor(scene, options_, variant, image);
+        BandExecutor<Real> executor(scene, options_, variant, image, memory_);
         // Large bands: at the end of each the threads run out of rays to fill their lanes with.
         run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
                      image, progress);
@@ -255,6 +279,7 @@ private:
     }
 
     RendererOptions options_;
+    std::vector<ThreadMemory> memory_;
 };
 
 class OpenmpBackend : public Backend {

@@ -6,7 +6,9 @@ HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, co
 {
     pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
     const bool sampling = scene.colouring > 1 || scene.differences != 0;
-    return {scene, canvas, tiles, pools, wide, sampling ? wide : width, {0, 0, 0}};
+    Scene around_blocks = scene;
+    around_blocks.hull = canvas.block_hull;
+    return {scene, around_blocks, canvas, tiles, pools, wide, sampling ? wide : width, {0, 0, 0}};
 }
 
 // The lanes of a pack that are on, a mask for each of its registers.

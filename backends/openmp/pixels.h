@@ -36,9 +36,12 @@ constexpr int places_room = pack_lanes + register_lanes;  // whole registers can
 #if MM_COUNTED
 HWY_INLINE std::uint64_t sum_of(const whole& a, const mask& on)
 {
-    auto sum = hn::Zero(Wholes());
-    EACH_REGISTER(sum = hn::Add(sum, hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), a.of[u]));)
-    return static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(Wholes(), sum)));
+    std::uint64_t sum = 0;
+    EACH_REGISTER(Int counted[register_lanes];
+                  hn::StoreU(hn::IfThenElseZero(hn::RebindMask(Wholes(), on.of[u]), a.of[u]), Wholes(), counted);
+                  for (const Int count
+                       : counted) sum += static_cast<std::uint64_t>(count);)
+    return sum;
 }
 
 HWY_INLINE void count_work(const Pixel& pixel, const mask& on, Spent& spent)
@@ -91,8 +94,7 @@ HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn:
 }
 
 // Finished pixels to their places on the canvas: uncounted, to its bytes alone.
-HWY_NOINLINE void store_pixels(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas,
-                               Spent& spent)
+HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     if (canvas.bytes != nullptr) {
         const whole colours = bytes_of(pixel.colour);

@@ -24,6 +24,7 @@ struct Pools {
 // What a thread draws, and with what.
 struct Drawing {
     const Scene& scene;
+    Scene around_blocks;  // the same with the canvas's block_hull
     const Canvas<MM_REAL>& canvas;
     const Tiles& tiles;
     Pools& pools;
@@ -36,6 +37,8 @@ struct Drawing {
 
 // Each of these needs the one before.
 #include "backends/openmp/passes.h"
+
+#include "backends/openmp/blocks.h"
 
 #include "backends/openmp/cones.h"
 

@@ -7,6 +7,7 @@
 namespace mandelmarch::openmp {
 
 constexpr int pool_rays = 4096;  // enough that few packs have gaps, few enough to stay in a core's cache
+constexpr int block_side = 8;    // pixels of a square whose rays begin together
 constexpr int most_lanes = 64;   // of a pack
 
 template <class Real>

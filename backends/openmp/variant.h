@@ -18,6 +18,7 @@ struct Canvas {
     int end_row;
     std::ptrdiff_t pixels;  // of a plane
     Real pitch;             // how far neighbouring pixels' rays are apart at distance 1, diagonally; 0: no cones
+    Real block_hull;        // the middle ray of a block meets it where a ray of the block meets the scene's; 0: none
     Real* reals;
     int* wholes;
     unsigned char* bytes;

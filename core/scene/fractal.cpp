@@ -90,6 +90,9 @@ double bulb_growth(const Scene& scene) { return scene.shape[2]; }
 
 double box_growth(const Scene& scene) { return std::abs(scene.shape[0]); }
 
+constexpr double sphere_corner = 1;
+constexpr double cube_corner = 1.7320508075688772;  // sqrt(3)
+
 // One row registers a fractal.
 constexpr std::array table{
     Fractal{"mandelbulb",
@@ -99,6 +102,7 @@ constexpr std::array table{
             no_objection,
             bulb_constants,
             bulb_hull,
+            sphere_corner,
             bulb_growth,
             bulb_fast_stride,
             0.8,
@@ -112,6 +116,7 @@ constexpr std::array table{
             box_objection,
             box_constants,
             box_hull,
+            cube_corner,
             box_growth,
             any_stride,
             1,
@@ -125,6 +130,7 @@ constexpr std::array table{
             no_objection,
             julia_constants,
             julia_hull,
+            sphere_corner,
             julia_growth,
             any_stride,
             1,

@@ -43,6 +43,8 @@ struct Fractal {
     // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
     // that is not proven.
     double (*hull)(const Scene& scene, const Sight& view);
+    // How far that reaches from the origin, in its sizes.
+    double hull_corner;
     // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
     double (*growth)(const Scene& scene);
     // The share of an estimate that a step of fast mode takes; less than default_stride, and none is over-relaxed:

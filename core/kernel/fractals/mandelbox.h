@@ -23,11 +23,13 @@ FN vec3 box_fold(Scene scene, vec3 z)
     return vec3(folded(z.x, box_one(scene)), folded(z.y, box_one(scene)), folded(z.z, box_one(scene)));
 }
 
-// |s| times the factor of the sphere fold at squared radius r2.
+// |s| times the factor of the sphere fold at squared radius r2, inside.
+FN real box_shell(Scene scene, real r2) { return quick_quotient(1, larger(r2, box_inner_radius2(scene))); }
+
+// And anywhere.
 FN real box_growth(Scene scene, real r2)
 {
-    real shell = quick_quotient(1, larger(r2, box_inner_radius2(scene)));
-    return pick(r2 < box_outer_radius2(scene), shell, box_scale(scene));
+    return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
 
 // Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
@@ -40,8 +42,9 @@ struct BoxOrbit {
     effort iterations;
 };
 
-// The orbit of p until it escapes, or begins its tail. mirrored: 1 where s < 0, else 0; known to the compiler.
-FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int mirrored)
+// The orbit of p until it escapes, or begins its tail. usual: 1 where s > 0 and rMin <= rFixed, where inside is where
+// its factor is the larger one; 0 works for all. Known to the compiler.
+FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
 {
     BoxOrbit a;
     a.z = p;
@@ -56,8 +59,11 @@ FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int mirrored)
         vec3 f = pick3(on, box_fold(scene, a.z), a.z);
         real r2 = inner(f, f);
         real growth = box_growth(scene, r2);
-        real factor = growth;
-        if (mirrored != 0) factor = -growth;
+        real factor = growth * box_sign(scene);
+        if (usual != 0) {
+            growth = larger(box_shell(scene, r2), box_scale(scene));
+            factor = growth;
+        }
         a.z = pick3(on, along(p, f, factor), f);
         a.k = pick(on, a.k * growth + 1, a.k);
         a.iterations = tally(a.iterations, on);
@@ -99,10 +105,10 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
     BoxOrbit a;
-    if (box_sign(scene) > 0) {
-        a = box_orbit(scene, q, on, 0);
-    } else {
+    if (box_sign(scene) > 0 && box_inner_radius2(scene) * box_scale(scene) <= 1) {
         a = box_orbit(scene, q, on, 1);
+    } else {
+        a = box_orbit(scene, q, on, 0);
     }
     if (box_tail_end(scene) > 0) a = box_tail(scene, q, on, a);
     real far = quick_norm(a.z) - box_offset(scene);

@@ -61,44 +61,47 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
 // Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// The eighth power takes lengths in units of 64^(-1/7): then the new point is z^8 / 64 + p, and of the derivative's
-// factor 8 r^7 only r^7 / 8 is left.
-FN scalar eighth_one() { return R(1.8114473285278132); }  // the length 1, 64^(1/7)
+// The eighth power takes lengths in units of 2^(-1/7): then the new point is z^8 / 2 + p, and the derivative's factor
+// 8 r^7 is 4 r^7.
+FN scalar eighth_one() { return R(1.1040895136738123); }  // the length 1, 2^(1/7)
 
 struct BulbEighth {
-    vec3 z;       // z^8 / 64 + p
-    real growth;  // r^7 / 8
+    vec3 z;       // z^8 / 2 + p
+    real growth;  // 4 r^7
 };
 
-// By double angles whose factors of 2 stand in the constants. Polar: u = z^2 - rho^2, u^2 - r^4/2, its square - r^8/8
-// is r^8/8 cos 8v. Azimuth: with a = s cos v the chain a^2 - s^2/2, a^2 - s^4/8, a^2 - s^8/128 ends with s^8/128 cos
-// 8v, the polar sine carries another s, and s^9 = 32.
-FN BulbEighth bulb_eighth(vec3 z, real r2, vec3 p)
+// By double angles, cos 2v = 2 cos^2 v - 1. Polar: z^2 - rho^2 is r^2 cos 2v, then come r^4 cos 4v and r^8 cos 8v; r^8
+// sin 8v is 8 z rho times the first two. Azimuth: a = 2 cos v, then a^2 - 2 is 2 cos 2v; times 2 sin v it is 2 sin 2v.
+// rho2: x^2 + y^2.
+FN BulbEighth bulb_eighth(vec3 z, real rho2, real r2, vec3 p)
 {
-    real rho2 = larger(z.x * z.x + z.y * z.y, axis_radius2());
-    real inverse = scaled_inverse_root(rho2, R(1.4697344922755988));  // s / rho
-    real half2 = R(0.5) * r2;
-    real half4 = r2 * half2;
-    real quarter4 = R(0.5) * half4;
-    real eighth8 = half4 * quarter4;
-    real polar = z.z * z.z - rho2;
-    real sine = z.z * (rho2 * inverse) * polar;
-    polar = polar * polar - half4;
-    sine = sine * polar;
-    polar = polar * polar - eighth8;
+    real away2 = larger(rho2, axis_radius2());
+    real inverse = scaled_inverse_root(away2, 2);  // 2 / rho
+    real r4 = r2 * r2;
+    real r8 = r4 * r4;
+    real polar = z.z * z.z - away2;
+    real sine = z.z * (away2 * inverse) * polar;
+    polar = (polar + polar) * polar - r4;
+    sine = sine * polar;  // r^8 sin 8v / 4
+    polar = (polar + polar) * polar - r8;
     real cosine = z.x * inverse;
     real across = z.y * inverse;
     across = across * cosine;
-    cosine = cosine * cosine - R(1.080059738892306);  // s^2/2
+    cosine = cosine * cosine - 2;
     across = across * cosine;
-    cosine = cosine * cosine - R(0.5832645197880583);  // s^4/8
+    cosine = cosine * cosine - 2;
     across = across * cosine;
-    cosine = cosine * cosine - R(0.17009875002179708);  // s^8/128
+    cosine = cosine * cosine - 2;
     BulbEighth next;
-    next.z = vec3(sine * cosine + p.x, sine * across + p.y, polar * R(0.125) + p.z);
-    next.growth = over_root(eighth8, quarter4 * half2, r2);
+    next.z = vec3(sine * cosine + p.x, sine * across + p.y, polar * R(0.5) + p.z);
+    next.growth = over_root(4 * r8, 4 * (r4 * r2), r2);
     return next;
 }
+
+FN real rho2_of(vec3 z) { return z.x * z.x + z.y * z.y; }
+
+// norm2(z)
+FN real r2_of(vec3 z, real rho2) { return larger(z.z * z.z + rho2, axis_radius2()); }
 
 FN Estimate bulb_estimate(real r2, real dr, effort iterations)
 {
@@ -115,23 +118,25 @@ FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     vec3 q = times(eighth_one(), p);
     vec3 z = q;
     real dr = 1;
-    real r2 = norm2(z);
+    real rho2 = rho2_of(z);
+    real r2 = r2_of(z, rho2);
     scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene) * (eighth_one() * eighth_one());
     effort iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
         // Where a lane is off, z does not matter any more.
-        BulbEighth next = bulb_eighth(z, r2, q);
+        BulbEighth next = bulb_eighth(z, rho2, r2, q);
         dr = pick(on, dr * next.growth + 1, dr);
         z = next.z;
+        rho2 = rho2_of(z);
         iterations = tally(iterations, on);
         i = i + 1;
         // The radius after the last iteration is not taken: the original leaves with the one before.
-        if (i < scene.max_iterations) r2 = pick(on, norm2(z), r2);
+        if (i < scene.max_iterations) r2 = pick(on, r2_of(z, rho2), r2);
         on = on && r2 <= bailout2;
     }
-    return bulb_estimate(r2 * R(0.3047534135511189), dr, iterations);
+    return bulb_estimate(r2 * R(0.8203353560076380), dr, iterations);
 }
 
 FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)

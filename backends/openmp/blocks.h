@@ -1,0 +1,54 @@
+// Blocks of pixels whose rays begin together. Included by pool.h, in its namespace; no guard.
+
+constexpr int block_pixels = block_side * block_side;
+constexpr int tile_blocks = tile_pixels / block_pixels;
+constexpr int most_blocks = 32;  // begun at once, so that their cones fill packs
+
+struct Blocks {
+    int count = 0;
+    Int left[most_blocks + register_lanes] = {};  // whole registers can be read and written
+    Int bottom[most_blocks + register_lanes] = {};
+};
+
+// Takes tiles' blocks until there is no room for another tile's; false when there are no more.
+HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
+{
+    while (blocks.count + tile_blocks <= most_blocks) {
+        int left = 0;
+        int bottom = 0;
+        if (!d.tiles.next(d.tiles.source, left, bottom)) return false;
+        for (int y = bottom; y < bottom + tile_side && y < d.canvas.end_row; y += block_side) {
+            for (int x = left; x < left + tile_side && x < d.scene.width; x += block_side) {
+                blocks.left[blocks.count] = x;
+                blocks.bottom[blocks.count] = y;
+                ++blocks.count;
+            }
+        }
+    }
+    return true;
+}
+
+// A row of a block in one colour.
+struct PaintedRow {
+    unsigned char bytes[3 * block_side];
+
+    HWY_INLINE explicit PaintedRow(const vec3& colour)
+    {
+        const auto pixel = static_cast<std::uint32_t>(hn::GetLane(bytes_of(colour).of[0]));
+        for (int i = 0; i < 3 * block_side; ++i) bytes[i] = static_cast<unsigned char>(pixel >> 8 * (i % 3));
+    }
+};
+
+HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& row)
+{
+    const auto width = static_cast<std::ptrdiff_t>(d.scene.width);
+    const std::ptrdiff_t columns = width - left < block_side ? width - left : block_side;
+    const std::ptrdiff_t rows = d.canvas.end_row - bottom < block_side ? d.canvas.end_row - bottom : block_side;
+    unsigned char* to = d.canvas.bytes + 3 * ((bottom - d.canvas.first_row) * width + left);
+    for (std::ptrdiff_t j = 0; j < rows; ++j) {
+        __builtin_memcpy(to + 3 * j * width, row.bytes, static_cast<std::size_t>(3 * columns));
+    }
+}
+
+// True where a block of background needs no rays: it is of one colour, and nothing but bytes is asked for.
+HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
