@@ -12,8 +12,10 @@ from table_file import put
 
 REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # of a pack: backends/openmp/widths.h
 # The way round the loop that draws the official scene is the shortest one with so many of these in each register: the
-# sphere fold's reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2.
-MARKS = {"mandelbox": {"vrcp14": 1}, "mandelbulb": {"vrsqrt14": 2}}
+# sphere fold's reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power doubles; and
+# whether the orbit has escaped.
+MARKS = {"mandelbox": {"vrcp14": 1, "vcmp": 1}, "mandelbulb": {"vrsqrt14": 2, "vfmsub": 6, "vcmp": 1}}
+LONGEST = 400  # instructions of a way that is looked for
 KINDS = (
     ("multiply-add", r"vfn?m(add|sub)"),
     ("sum", r"v(add|sub)p"),
@@ -39,32 +41,51 @@ def instructions(path):
     return [(int(line[1], 16), re.sub(r"\s*#.*", "", line[2]).strip()) for line in lines if line]
 
 
-def loop(code, marks):
-    """The shortest way from the first masked multiply-add, which holds what ended lanes have, round to it again with all of
-    `marks` on it."""
-    at = {address: i for i, (address, _) in enumerate(code)}
-    start = next((i for i, (_, text) in enumerate(code) if re.match(r"vfn?m(add|sub)\w*\s.*\{%k", text)), None)
-    if start is None:
-        sys.exit("loop_mix: no masked multiply-add in the loop")
+def way_round(code, at, start, marks, longest):
+    """The shortest way from instruction `start` round to it again with all of `marks` on it; None if there is none of fewer
+    than `longest`."""
     wanted = tuple(marks.values())
-    queue = [(0, start, tuple(0 for _ in marks), ())]
-    seen = set()
+    first = (start, tuple(0 for _ in marks))
+    before = {}
+    queue = [(0, *first, None)]
     while queue:
-        length, i, met, way = heapq.heappop(queue)
-        if i == start and way and met == wanted:
-            return [code[j][1] for j in way]
-        if (i, met) in seen and way:
+        length, i, met, came = heapq.heappop(queue)
+        if length >= longest:
+            return None
+        if i == start and came is not None and met == wanted:
+            way = []
+            while came is not None:
+                way.append(code[came[0]][1])
+                came = before[came]
+            return way[::-1]
+        if (i, met) in before:
             continue
-        seen.add((i, met))
+        before[i, met] = came
         text = code[i][1]
-        met = tuple(min(most, n + text.startswith(mark)) for n, (mark, most) in zip(met, marks.items()))
+        now = tuple(min(most, n + text.startswith(mark)) for n, (mark, most) in zip(met, marks.items()))
         jump = re.match(r"(j\w+)\s+([0-9a-f]+)", text)
         following = [at[int(jump[2], 16)]] if jump and int(jump[2], 16) in at else []
         if not text.startswith(("ret", "jmp")) and i + 1 < len(code):
             following.append(i + 1)
         for j in following:
-            heapq.heappush(queue, (length + 1, j, met, (*way, i)))
-    sys.exit("loop_mix: no way round the loop has what is looked for")
+            heapq.heappush(queue, (length + 1, j, now, (i, met)))
+    return None
+
+
+def loop(code, marks):
+    """The shortest way round any loop with all of `marks` on it. A loop of the estimators has a masked multiply-add, which
+    holds what ended lanes have."""
+    at = {address: i for i, (address, _) in enumerate(code)}
+    starts = [i for i, (_, text) in enumerate(code) if re.match(r"vfn?m(add|sub)\w*\s.*\{%k", text)]
+    if not starts:
+        sys.exit("loop_mix: no masked multiply-add in the loop")
+    shortest = None
+    for start in starts:
+        way = way_round(code, at, start, marks, LONGEST if shortest is None else len(shortest))
+        shortest = way or shortest
+    if shortest is None:
+        sys.exit("loop_mix: no way round the loop has what is looked for")
+    return shortest
 
 
 def mix(way):

@@ -41,12 +41,12 @@ struct PaintedRow {
 
 HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& row)
 {
-    const auto width = static_cast<std::ptrdiff_t>(d.scene.width);
-    const std::ptrdiff_t columns = width - left < block_side ? width - left : block_side;
+    const std::ptrdiff_t across = d.scene.width;
+    const std::ptrdiff_t columns = across - left < block_side ? across - left : block_side;
     const std::ptrdiff_t rows = d.canvas.end_row - bottom < block_side ? d.canvas.end_row - bottom : block_side;
-    unsigned char* to = d.canvas.bytes + 3 * ((bottom - d.canvas.first_row) * width + left);
+    unsigned char* to = d.canvas.bytes + 3 * ((bottom - d.canvas.first_row) * across + left);
     for (std::ptrdiff_t j = 0; j < rows; ++j) {
-        __builtin_memcpy(to + 3 * j * width, row.bytes, static_cast<std::size_t>(3 * columns));
+        __builtin_memcpy(to + 3 * j * across, row.bytes, static_cast<std::size_t>(3 * columns));
     }
 }
 

@@ -21,11 +21,12 @@ struct ConeCosts {
     Int estimates[most] = {};
     Int iterations[most] = {};
 
-    HWY_INLINE void store(const Int* places, const Ray& ray, const mask& on)
+    HWY_INLINE void store(const Int* places, const effort& spent_estimates, const effort& spent_iterations,
+                          const mask& on)
     {
         Int costs[2][pack_lanes + register_lanes] = {};
-        store_compact(ray.estimates, on, costs[0]);
-        store_compact(ray.iterations, on, costs[1]);
+        store_compact(spent_estimates, on, costs[0]);
+        store_compact(spent_iterations, on, costs[1]);
         const int lanes = lanes_on(on);
         for (int i = 0; i < lanes; ++i) {
             estimates[places[i]] = costs[0][i];
@@ -58,7 +59,7 @@ struct ConeCosts {
 #else
 template <int most>
 struct ConeCosts {
-    HWY_INLINE void store(const Int*, const Ray&, const mask&) {}
+    HWY_INLINE void store(const Int*, const effort&, const effort&, const mask&) {}
     HWY_INLINE void give(Ray&, int, hn::Vec<Wholes>, hn::Vec<Wholes>) const {}
     HWY_INLINE void move(int, int) {}
     HWY_INLINE void add_to(Spent&, int) const {}
@@ -81,16 +82,25 @@ HWY_INLINE MM_REAL beyond(const Drawing& d) { return 2 * d.scene.end; }
 
 // Where the cones that are on have come to, to their places.
 template <int side>
-HWY_NOINLINE void store_cones(const Drawing& d, const Traveller& a, const mask& on, Cones<side>& cones)
+HWY_NOINLINE void store_cones(whole places, real t, effort estimates, effort iterations, mask on, Cones<side>& cones)
 {
     constexpr int room = pack_lanes + register_lanes;
     Int at[room] = {};
-    MM_REAL t[room];
-    store_compact(a.pixel, on, at);
-    store_compact(side == block_side ? pick(a.ray.t <= a.ray.end, a.ray.t, beyond(d)) : a.ray.t, on, t);
+    MM_REAL start[room];
+    store_compact(places, on, at);
+    store_compact(t, on, start);
     const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) cones.start[at[i]] = t[i];
-    cones.costs.store(at, a.ray, on);
+    for (int i = 0; i < lanes; ++i) cones.start[at[i]] = start[i];
+    cones.costs.store(at, estimates, iterations, on);
+}
+
+// Cones that have ended.
+template <int side>
+HWY_INLINE void end_cones(const Drawing& d, const Traveller& a, const mask& on, Cones<side>& cones)
+{
+    real t = a.ray.t;
+    if (side == block_side) t = pick(t <= a.ray.end, t, beyond(d));
+    store_cones(a.pixel, t, a.ray.estimates, a.ray.iterations, on, cones);
 }
 
 // Begins the cones that are on, (i, j) the pixels of their axes. Each has its place among the others, where it starts
@@ -107,7 +117,7 @@ HWY_INLINE void begin_cones(Drawing& d, Traveller& a, const real& i, const real&
     a.ray.iterations = from.iterations;
     const mask go = on && a.ray.t <= a.ray.end;
     append(d.pools.cones, a, go);
-    if (any(on && !go)) store_cones(d, a, on && !go, cones);
+    if (any(on && !go)) end_cones(d, a, on && !go, cones);
 }
 
 // Begins a cone for every block.
@@ -158,6 +168,6 @@ HWY_NOINLINE void march_cones(Drawing& d, Cones<side>& cones)
                 ray = advanced_cone(d.scene, ray, span, here, on);
                 return on && cone_goes(ray);
             },
-            [&](Traveller& a, const mask& stopped) MM_INLINED { store_cones(d, a, stopped, cones); });
+            [&](Traveller& a, const mask& stopped) MM_INLINED { end_cones(d, a, stopped, cones); });
     }
 }

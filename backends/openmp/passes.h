@@ -4,7 +4,7 @@
 HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, Pools& pools,
                            const Width& wide)
 {
-    pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
+    pools.refining = pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
     const bool sampling = scene.colouring > 1 || scene.differences != 0;
     Scene around_blocks = scene;
     around_blocks.hull = canvas.block_hull;
@@ -112,10 +112,27 @@ HWY_INLINE mask aim(const Scene& scene, Ray& ray, const mask& on)
     return coarse && ray.end > no_root();
 }
 
+// Begins to refine the hits that have not begun; those that need no refinement are shaded next.
+HWY_NOINLINE void begin_refining(Drawing& d)
+{
+    Pool& hits = d.pools.hits;
+    const int size = hits.size;
+    hits.size = d.pools.refining;
+    for (int from = hits.size; from < size; from += pack_lanes) {
+        Traveller a = load(hits, from);
+        const mask on = first_lanes(size - from);
+        a.ray = refine_begin(d.scene, a.ray);
+        const mask coarse = aim(d.scene, a.ray, on);
+        append(hits, a, coarse);
+        append_ended(d, a, on && !coarse);
+    }
+}
+
 // One step of refinement for every hit; those that need no more are shaded next.
 HWY_NOINLINE void refine_pool(Drawing& d)
 {
     const Scene& scene = d.scene;
+    begin_refining(d);
     sample_pool(
         d, d.pools.hits, 1,
         [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
@@ -123,6 +140,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
             return aim(scene, ray, on);
         },
         [&](Traveller& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
+    d.pools.refining = d.pools.hits.size;
 }
 
 // What becomes of rays that neither go on nor are off.
@@ -133,11 +151,8 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
     const mask gone = stopped && !hit;
     if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, a, hit);
-    a.ray = refine_begin(scene, a.ray);
-    const mask coarse = aim(scene, a.ray, hit);
-    append(d.pools.hits, a, coarse);
+    append(d.pools.hits, a, hit);
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
-    append_ended(d, a, hit && !coarse);
 }
 
 // Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.

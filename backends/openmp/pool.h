@@ -17,8 +17,9 @@ constexpr int steps_at_once = 16;
 struct Pools {
     Pool marching;
     Pool cones;
-    Pool hits;   // to be refined
-    Pool ended;  // to be shaded
+    Pool hits;     // to be refined
+    Pool ended;    // to be shaded
+    int refining;  // the first hits that are being refined; the others have not begun
 };
 
 // What a thread draws, and with what.
