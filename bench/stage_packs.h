@@ -5,6 +5,7 @@ namespace mandelmarch::bench {
 namespace HWY_NAMESPACE {
 namespace {
 
+using openmp::block_side;
 using openmp::Canvas;
 using openmp::most_lanes;
 using openmp::pool_rays;
