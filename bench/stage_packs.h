@@ -82,7 +82,7 @@ void profile_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles&
     const Scene& scene = *static_cast<const Scene*>(data);
     Memory& memory = *static_cast<Memory*>(at);
     Drawing d = drawing(scene, canvas, tiles, memory.pools, wide::width);
-    auto& [pool, cones, hits, ended] = memory.pools;
+    auto& [pool, cones, hits, ended, refining] = memory.pools;
     bool more = true;
     double last = now();
     const auto took = [&](TimedStage stage) {

@@ -88,7 +88,9 @@ TEST_P(SameBits, BytesAlone)
             EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", pack " << pack << ", uncounted";
             EXPECT_TRUE(none.estimates == 0 || none.estimates == whole.estimates) << name;
             // Builds under a sanitizer have no variant that leaves it.
-            if (pack == 0) EXPECT_EQ(none.estimates == 0, !MANDELMARCH_SANITIZED) << name;
+            if (pack == 0) {
+                EXPECT_EQ(none.estimates == 0, !MANDELMARCH_SANITIZED) << name;
+            }
         }
     }
     // The comparison sees a single byte.
