@@ -57,7 +57,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
         .first_row = 0,
         .end_row = scene.height,
         .pixels = static_cast<std::ptrdiff_t>(scene.width) * scene.height,
-        .pitch = mode == Mode::fast ? openmp::pitch_of(kernel, *scene.fractal) : 0,
+        .pitch = 0,  // cones begin at the block hull, which changes where samples are
         .block_hull = static_cast<Real>(share) * openmp::block_hull_of(kernel, *scene.fractal),
         .reals = nullptr,
         .wholes = nullptr,
