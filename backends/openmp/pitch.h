@@ -43,7 +43,7 @@ auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype
     if (!(scene.hull > 0)) return 0;
     const Real farthest = length_of(scene.eye) + static_cast<Real>(fractal.hull_corner) * scene.hull;
     const Real rounding = Real(1.001);
-    return rounding * (scene.hull + spacing_of(scene) * (block_side / 2) * farthest);
+    return rounding * (scene.hull + spacing_of(scene) * Real(block_side) / 2 * farthest);
 }
 
 }  // namespace mandelmarch::openmp
