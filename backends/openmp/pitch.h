@@ -1,4 +1,4 @@
-// How wide the cones of a picture are.
+// How far apart the rays of a picture are: how wide its cones, and how far around the hull its blocks ask.
 #pragma once
 
 #include <cmath>

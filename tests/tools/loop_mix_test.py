@@ -35,6 +35,14 @@ class LoopMixTest(unittest.TestCase):
         longer = loop_mix.loop(CODE, {"vrcp14": 1, "vmulp": 3})
         self.assertEqual(sum(text.startswith("vmulps") for text in longer), 3)
 
+    def test_the_loop_with_the_marks_is_read_not_the_first(self):
+        two = [
+            (0x0, "vfmadd213ps %zmm1,%zmm2,%zmm3{%k1}"), (0x6, "vmulps %zmm1,%zmm2,%zmm3"), (0xC, "jne    0 <f>"),
+            (0x10, "vfmadd213ps %zmm1,%zmm2,%zmm3{%k1}"), (0x16, "vrcp14ps %zmm1,%zmm2"), (0x1C, "jmp    10 <f+0x10>"),
+        ]
+        self.assertEqual(loop_mix.loop(two, {"vrcp14": 1}), [text for _, text in two[3:]])
+        self.assertEqual(loop_mix.loop(two, {"vmulp": 1}), [text for _, text in two[:3]])
+
     def test_no_such_way(self) -> None:
         for marks in ({"vrsqrt14": 1}, {"vdivp": 1}):
             with self.assertRaises(SystemExit):
