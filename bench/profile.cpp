@@ -94,6 +94,7 @@ template <class Real, class KernelScene>
 void add(std::vector<StageTime>& times, const Scene& scene, Precision precision, Mode mode, int repetitions)
 {
     const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
+    if (kernel.profile == nullptr) throw Unavailable("study profile: openmp has no packs on this machine, only scalars");
     const KernelScene data = kernel_scene<KernelScene>(scene, mode);
     Profiler<Real> profiler(kernel, scene);
     profiler.draw(data, *scene.fractal);  // warms up

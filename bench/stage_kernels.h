@@ -8,7 +8,7 @@
 
 namespace mandelmarch::bench {
 
-// Throws Unavailable for a fractal without them.
+// Throws Unavailable for a fractal without them. On a machine for which openmp has no packs `profile` is null.
 template <class Real>
 StageKernel<Real> stage_kernel(std::string_view fractal, Mode mode);
 

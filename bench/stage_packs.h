@@ -5,6 +5,11 @@ namespace mandelmarch::bench {
 namespace HWY_NAMESPACE {
 namespace {
 
+#if HWY_TARGET & (HWY_SCALAR | HWY_EMU128)
+// Without vectors openmp has no packs.
+StageKernel<MM_REAL> kernel() { return {}; }
+#else
+
 using openmp::block_side;
 using openmp::Canvas;
 using openmp::most_lanes;
@@ -113,6 +118,7 @@ StageKernel<MM_REAL> kernel()
 {
     return {hwy::TargetName(HWY_TARGET), wide::pack_lanes, sizeof(Memory), profile_tiles, draw_wide};
 }
+#endif
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -11,7 +11,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
 set(MANDELMARCH_OPTIONS_packs -ffp-contract=off ${MANDELMARCH_PACKS})
-set(MANDELMARCH_OPTIONS_stages ${MANDELMARCH_OPTIONS_packs})
 
 # mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
 # to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode, is_fast and file.

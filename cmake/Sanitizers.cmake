@@ -6,6 +6,8 @@ if(MANDELMARCH_SANITIZER STREQUAL "address")
     # more, and the scalar sources hold the same text.
     set(MANDELMARCH_SANITIZER_packs -fno-sanitize=undefined -mllvm -asan-stack=0
         -mllvm -asan-instrumentation-with-call-threshold=0)
+    # Estimators as calls, not inlined: a fifth of the time to build.
+    set(MANDELMARCH_SANITIZER_scalar -DFN_CALLED=inline)
 elseif(MANDELMARCH_SANITIZER STREQUAL "thread")
     add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
     add_link_options(-fsanitize=thread)

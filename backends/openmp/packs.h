@@ -5,6 +5,11 @@ namespace mandelmarch::openmp {
 namespace HWY_NAMESPACE {
 namespace {
 
+#if HWY_TARGET & (HWY_SCALAR | HWY_EMU128)
+// Without vectors the scalar text runs.
+VariantList<MM_REAL> list() { return {}; }
+#else
+
 #define MM_COUNTED 1
 namespace counted {
 #include "backends/openmp/widths.h"
@@ -39,6 +44,7 @@ VariantList<MM_REAL> list()
 #endif
     return variants;
 }
+#endif
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -51,7 +51,7 @@ struct Variant {
     std::size_t memory;  // bytes that each thread needs, aligned to 64
 };
 
-// Every variant of one fractal, precision and mode that this machine can run, the best last.
+// Every variant in packs of one fractal, precision and mode that this machine can run, the best last.
 template <class Real>
 struct VariantList {
     static constexpr int most = 8;

@@ -12,6 +12,16 @@ namespace mandelmarch::field {
 namespace HWY_NAMESPACE {
 namespace {
 
+#if HWY_TARGET & (HWY_SCALAR | HWY_EMU128)
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/text.h"
+
+constexpr int pack_lanes = 1;
+
+HWY_INLINE real load(const double* from) { return *from; }
+
+HWY_INLINE void store(real from, double* to) { *to = from; }
+#else
 #include "core/kernel/prelude/pack.h"
 #include "core/kernel/text.h"
 
@@ -26,6 +36,7 @@ HWY_INLINE void store(real from, double* to)
 {
     for (int u = 0; u < MM_REGISTERS; ++u) hn::StoreU(from.of[u], Reals(), to + u * register_lanes);
 }
+#endif
 
 HWY_INLINE vec3 load3(Points from, std::size_t at)
 {

@@ -129,7 +129,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
 TEST_P(SameBits, EveryInstructionSet)
 {
     std::set<std::string> ran;
-    for (const char* name : {"SSE4", "AVX2", "AVX3"}) {
+    for (const char* name : {"SCALAR", "EMU128", "SSE4", "AVX2", "AVX3"}) {
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
         for (const auto& [scene_name, scene] : scenes()) {
             Image packed(scene.width, scene.height, Image::Layers::all);
@@ -148,6 +148,7 @@ TEST_P(SameBits, EveryInstructionSet)
     unsetenv("MANDELMARCH_INSTRUCTIONS");
     // A build under a sanitizer holds one instruction set (backends/openmp/CMakeLists.txt).
     EXPECT_TRUE(MANDELMARCH_SANITIZED || ran.contains("SSE4"));
+    EXPECT_TRUE(ran.contains("scalar"));
     EXPECT_TRUE(ran.contains(draw_report().instruction_set));
 }
 
