@@ -12,6 +12,7 @@
 #include "bench/stage_kernels.h"
 #include "bench/study.h"
 #include "bench/views.h"
+#include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 
