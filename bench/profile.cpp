@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "backends/openmp/pitch.h"
+#include "backends/openmp/spacing.h"
 #include "bench/stage_kernels.h"
 #include "bench/study.h"
 #include "bench/views.h"
@@ -95,7 +95,8 @@ template <class Real, class KernelScene>
 void add(std::vector<StageTime>& times, const Scene& scene, Precision precision, Mode mode, int repetitions)
 {
     const StageKernel<Real> kernel = stage_kernel<Real>(scene.fractal->name, mode);
-    if (kernel.profile == nullptr) throw Unavailable("study profile: openmp has no packs on this machine, only scalars");
+    if (kernel.profile == nullptr)
+        throw Unavailable("study profile: openmp has no packs on this machine, only scalars");
     const KernelScene data = kernel_scene<KernelScene>(scene, mode);
     Profiler<Real> profiler(kernel, scene);
     profiler.draw(data, *scene.fractal);  // warms up

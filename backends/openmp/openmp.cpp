@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "backends/openmp/peak.h"
-#include "backends/openmp/pitch.h"
+#include "backends/openmp/spacing.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"

@@ -6,7 +6,7 @@
 #include <new>
 #include <type_traits>
 
-#include "backends/openmp/pitch.h"
+#include "backends/openmp/spacing.h"
 #include "backends/openmp/variants.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"

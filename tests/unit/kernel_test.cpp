@@ -8,8 +8,8 @@
 #include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
 
-// The text in double for every fractal, and in float; its estimators are calls, which takes a minute less to build under
-// sanitizers.
+// The text in double for every fractal, and in float; its estimators are calls, which takes a minute less to build
+// under sanitizers.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
