@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -210,6 +211,22 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
         run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
     EXPECT_EQ(ran.code, exit_fine);
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
+}
+
+// g++ and clang++ have other names for what has no vectors; the one that is not there is a wrong argument.
+TEST(BenchProgram, AProfileNeedsPacks)
+{
+    const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
+                                             "profile", "--precision", "float",     "--repetitions", "1"};
+    EXPECT_EQ(run(Defect::none, arguments).code, exit_fine);
+    int refused = 0;
+    for (const char* name : {"SCALAR", "EMU128"}) {
+        ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
+        const Ran ran = run(Defect::none, arguments);
+        if (ran.code == exit_unavailable && ran.err.find("has no packs") != std::string::npos) ++refused;
+    }
+    unsetenv("MANDELMARCH_INSTRUCTIONS");
+    EXPECT_EQ(refused, 1);
 }
 
 TEST(BenchProgram, WrongArgumentsExitTwo)
