@@ -1,0 +1,65 @@
+// The scenes that are measured must be ones that all schedules draw alike: no speed is worth anything on noise.
+#include "bench/views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
+#include "core/image/compare.h"
+#include "core/render/agreement.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int side = 60;  // the reference takes seconds for the Mandelbulb's close-up
+
+double percent_off(const Scene& scene, Precision precision)
+{
+    const Image canonical = render(*make_reference_backend(), scene, {.mode = Mode::fast});
+    const Image image = render(*make_openmp_backend(), scene, {.precision = precision, .mode = Mode::fast});
+    const Comparison c = compare(canonical, image);
+    return 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
+}
+
+class Views : public testing::TestWithParam<std::string> {};
+
+TEST_P(Views, FastDrawsTheCanonicalPicture)
+{
+    for (const View& view : views_of(GetParam(), side, side)) {
+        for (const Precision precision : {Precision::f64, Precision::f32}) {
+            EXPECT_LE(percent_off(view.scene, precision), most_visible_percent)
+                << view.name << ", " << name_of(precision);
+        }
+    }
+}
+
+TEST_P(Views, TheCloseUpIsAllSurface)
+{
+    const Scene scene = views_of(GetParam(), side, side)[4].scene;
+    const Image image = render(*make_openmp_backend(), scene, {.mode = Mode::fast});
+    std::size_t hits = 0;
+    for (const PixelValue& value : image.values()) hits += std::isfinite(value.depth) ? 1U : 0U;
+    EXPECT_GE(hits, image.pixels() * 99 / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// The twin: close to a pole the estimate is several times too large and hits are noise.
+TEST(ViewsTwin, APoleIsNoScene)
+{
+    Scene scene = official_scene_of("bulb", side, side);
+    scene.eye = {0.1061, -0.1069, -0.8585};
+    scene.target = {-0.6317, 0.5252, -0.6216};
+    scene.up = {0.5395, 0.7630, -0.3560};
+    scene.field_of_view = 1;
+    EXPECT_GT(percent_off(scene, Precision::f64), most_visible_percent);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
