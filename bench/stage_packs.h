@@ -1,11 +1,13 @@
 // The body of every stages_*.cpp: included once per instruction set by Highway's foreach_target.h. No include guard.
 
+#include "core/kernel/prelude/vectorless.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::bench {
 namespace HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET & (HWY_SCALAR | HWY_EMU128)
+#if MM_VECTORLESS
 // Without vectors openmp has no packs.
 StageKernel<MM_REAL> kernel() { return {}; }
 #else

@@ -7,12 +7,14 @@
 #define MM_REAL_IS_FLOAT 0
 #define MM_REGISTERS 4
 
+#include "core/kernel/prelude/vectorless.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::field {
 namespace HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET & (HWY_SCALAR | HWY_EMU128)
+#if MM_VECTORLESS
 #include "core/kernel/prelude/scalar.h"
 #include "core/kernel/text.h"
 

@@ -1,4 +1,4 @@
-// Distances, planning, path files and audits: the same on any number of threads, and every row of an audit can fail.
+// Planning, path files and audits: the same on any number of threads, and every row of an audit can fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,27 +43,6 @@ void move_to(Frame& frame, Vector place)
 {
     frame.target = place + (frame.target - frame.eye);
     frame.eye = place;
-}
-
-TEST(Field, TheSameBitsOnAnyNumberOfThreads)
-{
-    for (const char* name : {"bulb", "box"}) {
-        const Scene scene = official_scene(name, 16, 9);
-        const Field one(scene, 1);
-        const Field many(scene, 5);
-        std::vector<Vector> points;
-        for (int i = 0; i < 30'000; ++i) points.push_back({std::sin(i * 1.7), std::cos(i * 2.3), std::sin(i * 0.31)});
-        std::vector<double> a(points.size());
-        std::vector<double> b(points.size());
-        one.distances(points, a);
-        many.distances(points, b);
-        EXPECT_EQ(a, b);
-        EXPECT_EQ(a[77], one.distance(points[77]));
-        const Vector outside{3 * one.hull().size, 0, 0};
-        EXPECT_FALSE(one.hull().contains(outside));
-        EXPECT_GT(one.distance(outside), 0);
-        EXPECT_LE(one.distance(outside), 3 * one.hull().size);
-    }
 }
 
 TEST(Field, SymmetricPlacesAreOne)

@@ -1,0 +1,93 @@
+// Distances: the same bits on any number of threads and in every instruction set.
+#include "flight/field/field.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/scene/fractal.h"
+#include "hwy/highway.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+std::vector<Vector> places(int count)
+{
+    std::vector<Vector> places;
+    for (int i = 0; i < count; ++i) places.push_back({std::sin(i * 1.7), std::cos(i * 2.3), std::sin(i * 0.31)});
+    return places;
+}
+
+// Distances at places, and where rays from twice as far away to the middle end; as bits.
+std::vector<std::uint64_t> bits_of(const Field& field)
+{
+    const std::vector<Vector> points = places(1001);  // no whole number of packs
+    std::vector<Vector> from;
+    std::vector<Vector> along;
+    for (const Vector& p : points) {
+        from.push_back(2 * p);
+        along.push_back(unit(Vector{} - p));
+    }
+    std::vector<double> distances(points.size());
+    std::vector<double> ends(points.size());
+    field.distances(points, distances);
+    field.casts(from, along, {.floor = 1e-6, .tolerance = 1e-4, .end = 4, .steps = 200}, ends);
+    std::vector<std::uint64_t> bits;
+    for (const double value : distances) bits.push_back(std::bit_cast<std::uint64_t>(value));
+    for (const double value : ends) bits.push_back(std::bit_cast<std::uint64_t>(value));
+    return bits;
+}
+
+TEST(Field, TheSameBitsOnAnyNumberOfThreads)
+{
+    for (const char* name : {"bulb", "box"}) {
+        const Scene scene = official_scene(name, 16, 9);
+        const Field one(scene, 1);
+        const Field many(scene, 5);
+        const std::vector<Vector> points = places(30'000);
+        std::vector<double> a(points.size());
+        std::vector<double> b(points.size());
+        one.distances(points, a);
+        many.distances(points, b);
+        EXPECT_EQ(a, b);
+        EXPECT_EQ(a[77], one.distance(points[77]));
+        const Vector outside{3 * one.hull().size, 0, 0};
+        EXPECT_FALSE(one.hull().contains(outside));
+        EXPECT_GT(one.distance(outside), 0);
+        EXPECT_LE(one.distance(outside), 3 * one.hull().size);
+    }
+}
+
+TEST(Field, TheSameBitsInEveryInstructionSet)
+{
+    for (const char* name : {"bulb", "box", "julia"}) {
+        const Scene scene = official_scene(name, 16, 9);
+        const std::vector<std::uint64_t> expected = bits_of(Field(scene, 1));
+        std::set<int> lanes;
+        for (const std::int64_t target : {HWY_STATIC_TARGET, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+            hwy::SetSupportedTargetsForTest(0);
+            if ((hwy::SupportedTargets() & target) == 0) continue;  // the machine has no such instructions
+            hwy::SetSupportedTargetsForTest(target);
+            lanes.insert(field::kernel_of(scene.fractal->name).lanes);
+            EXPECT_EQ(bits_of(Field(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
+        }
+        hwy::SetSupportedTargetsForTest(0);
+        // One lane is the scalar text, the others are packs.
+        EXPECT_TRUE(lanes.contains(1));
+        EXPECT_GT(lanes.size(), 1U);
+        // The twin: a scene that differs in a millionth.
+        Scene other = scene;
+        other.shape[0] += 1e-6;
+        other.shape[2] += 1e-6;
+        EXPECT_NE(bits_of(Field(other, 1)), expected) << name;
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch
