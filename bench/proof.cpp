@@ -84,11 +84,10 @@ void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick)
     proof.largest_ulps = found.largest_ulps;
     proof.psnr = found.comparison.psnr;
     if (!proof.fine) {
-        const bool bits = required == Level::same_bits;
         row.failure =
-            fmt::format("the picture is wrong: {} of {} pixels {} from {}, {} required",
-                        bits ? found.comparison.differing : found.comparison.visibly_differing, found.comparison.pixels,
-                        bits ? "differ" : "differ visibly", yardstick.name, name_of(required));
+            fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} of them visibly, {} required",
+                        found.comparison.differing, found.comparison.pixels, yardstick.name,
+                        found.comparison.visibly_differing, name_of(required));
         if (found.comparison.first >= 0) {
             row.failure += "; " + describe_pixel(yardstick.image, image, found.comparison.first);
         }
