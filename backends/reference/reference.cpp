@@ -22,6 +22,8 @@ constexpr double stride = 0.95;  // of the distance estimate
 // The canonical hit is looked for in small steps, as the Mandelbulb's estimate can be five times too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
+// Wider differences would step over the relief that a canonical picture shows, of about the tolerance's size and less.
+constexpr double difference_share = 1e-3;  // of the tolerance
 
 struct Axes {
     Vector forward, right, up;
@@ -71,8 +73,7 @@ public:
         const Hit hit = mode_ == Mode::exact ? plain_hit(direction) : canonical_hit(direction);
         Vector colour{0.4, 0.4, 0.4};
         if (hit.found) {
-            const Vector p = scene_.eye + hit.t * direction;
-            colour = shaded(normal(p - hit.tolerance * direction), direction);
+            colour = shaded(normal(hit, direction), direction);
         }
         tile.red[at] = colour.x;
         tile.green[at] = colour.y;
@@ -114,7 +115,7 @@ private:
         double high = 0;
         double distance = distance_at(direction, high);
         int steps = 1;
-        if (distance < 0) return {true, 0, 0};
+        if (distance < 0) return {true, 0, 0};  // the eye is in the solid
         while (outside(high, distance)) {
             low = high;
             high += small_stride * distance;
@@ -128,10 +129,14 @@ private:
         }
     }
 
-    // Central differences.
-    Vector normal(Vector p)
+    // By central differences, one tolerance before the hit. In a canonical picture an eye in the solid, which sees no
+    // surface, is faced by what it sees.
+    Vector normal(const Hit& hit, Vector direction)
     {
-        const double h = std::max(length(p), 1.0) * std::sqrt(std::numeric_limits<double>::epsilon());
+        if (mode_ == Mode::fast && hit.t == 0) return -1 * direction;
+        const Vector p = scene_.eye + hit.t * direction - hit.tolerance * direction;
+        double h = std::max(length(p), 1.0) * std::sqrt(std::numeric_limits<double>::epsilon());
+        if (mode_ == Mode::fast) h = std::min(h, difference_share * hit.tolerance);
         const auto slope = [&](Vector step) { return fractal_(p + step, work_) - fractal_(p - step, work_); };
         return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
     }

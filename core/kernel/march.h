@@ -54,14 +54,14 @@ FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), r
 
 // The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
 // slope) is where the spheres of a step's ends just touch (Ban and Valasek, "Automatic step size relaxation in sphere
-// tracing", Eurographics 2023); somewhat less misses less. Near a hit what is thin would be stepped over: no longer
-// steps there.
+// tracing", Eurographics 2023); somewhat less misses less. Where DE is little more than the tolerance a dip below it is
+// most easily stepped over: short steps there.
 FN real relaxed(Scene scene, Ray ray)
 {
     real way = ray.last_t - ray.before_t;
     real fall = larger(ray.before_distance - ray.last_distance, 0);  // -slope * way
     real factor = larger(rough_quotient(scene.relaxation * way, way + fall), R(1.2));
-    return pick(ray.last_distance > 2 * scene.tolerance * ray.last_t, factor, scene.stride);
+    return pick(ray.last_distance > R(1.3) * scene.tolerance * ray.last_t, factor, R(0.4));
 }
 
 // The ray's next sample. What steps do with a sample are functions of their own, so that a backend can take samples of

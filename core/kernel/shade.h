@@ -86,6 +86,16 @@ FN Pixel missed(Scene scene, Ray ray)
     return pixel;
 }
 
+// The normal at p, the hit at t. An eye in the solid sees no surface: canonical pictures face it.
+FN Normal normal_of_hit(Scene scene, Ray ray, vec3 p, real t, mask hit)
+{
+    Normal normal = normal_at(scene, p, hit);
+    if (scene.canonical != 0) {
+        normal.direction = pick3(t > 0, normal.direction, times(R(-1.0), ray.direction));
+    }
+    return normal;
+}
+
 // A ray that has ended, to its pixel.
 FN Pixel shade(Scene scene, Ray ray)
 {
@@ -97,7 +107,7 @@ FN Pixel shade(Scene scene, Ray ray)
         real back = scene.tolerance * t;
         if (scene.canonical == 0) back = tolerance(scene, ray);
         vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-        Normal normal = normal_at(scene, p, hit);
+        Normal normal = normal_of_hit(scene, ray, p, t, hit);
         if (scene.colouring > 1) {
             Look seen = look(scene, ray.direction, p, normal.direction, t, hit);
             pixel.colour = pick3(hit, seen.colour, pixel.colour);

@@ -17,6 +17,8 @@ constexpr double huge = 1e6;
 constexpr double largest = 1e37;        // of a float, with room
 constexpr double farthest_point = 1e4;  // of a sample's coordinates, with room
 constexpr double bulb_short_stride = 0.6;
+constexpr double bulb_low_power_stride = 0.4;
+constexpr double slow_growth = 1.8;  // of the Mandelbox: more of its orbits need a fifth iteration below
 constexpr Meaning ignored{"a number (ignored)", -1e300, 1e300};
 
 std::string_view no_objection(const Scene&) { return {}; }
@@ -51,7 +53,7 @@ double box_tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
     const double s = std::abs(scale);
-    if (s <= 1 || scene.iterations < 6) return 0;
+    if (s <= 1 || (scale > 0 && scale < slow_growth) || scene.iterations < 6) return 0;
     const double radius = 0.96 * scene.escape / (s * s * s);
     const double edge = scale > 0 ? 2 * (s + 1) / (s - 1) : 2;
     return radius > std::max({1.9 * edge, 2 * inner, 2 * fixed}) ? radius : 0;
@@ -84,7 +86,7 @@ double julia_growth(const Scene&) { return 2; }
 double any_stride(const Scene&) { return default_stride; }
 
 // At low powers longer steps miss more of what is thin: docs/performance.md.
-double bulb_fast_stride(const Scene& scene) { return scene.shape[2] < 4.5 ? bulb_short_stride : default_stride; }
+double bulb_fast_stride(const Scene& scene) { return scene.shape[2] < 4.5 ? bulb_low_power_stride : default_stride; }
 
 double bulb_growth(const Scene& scene) { return scene.shape[2]; }
 
