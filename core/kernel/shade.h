@@ -86,14 +86,11 @@ FN Pixel missed(Scene scene, Ray ray)
     return pixel;
 }
 
-// The normal at p, the hit at t. An eye in the solid sees no surface: canonical pictures face it.
-FN Normal normal_of_hit(Scene scene, Ray ray, vec3 p, real t, mask hit)
+// The normal n of a hit at t, but an eye in the solid sees no surface: in a canonical picture what it sees faces it.
+FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
-    Normal normal = normal_at(scene, p, hit);
-    if (scene.canonical != 0) {
-        normal.direction = pick3(t > 0, normal.direction, times(R(-1.0), ray.direction));
-    }
-    return normal;
+    if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
+    return n;
 }
 
 // A ray that has ended, to its pixel.
@@ -107,14 +104,16 @@ FN Pixel shade(Scene scene, Ray ray)
         real back = scene.tolerance * t;
         if (scene.canonical == 0) back = tolerance(scene, ray);
         vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-        Normal normal = normal_of_hit(scene, ray, p, t, hit);
+        Normal normal = normal_at(scene, p, hit);
         if (scene.colouring > 1) {
-            Look seen = look(scene, ray.direction, p, normal.direction, t, hit);
+            vec3 n = facing(scene, ray.direction, normal.direction, t);
+            Look seen = look(scene, ray.direction, p, n, t, hit);
             pixel.colour = pick3(hit, seen.colour, pixel.colour);
             pixel.estimates = pixel.estimates + seen.estimates;
             pixel.iterations = pixel.iterations + seen.iterations;
         } else {
-            pixel.colour = pick3(hit, lit(scene, ray.direction, normal.direction), pixel.colour);
+            vec3 n = facing(scene, ray.direction, normal.direction, t);
+            pixel.colour = pick3(hit, lit(scene, ray.direction, n), pixel.colour);
         }
         pixel.depth = pick(hit, t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
