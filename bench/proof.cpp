@@ -1,6 +1,7 @@
 #include "bench/proof.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/error.h"
 #include "core/render/agreement.h"
@@ -35,8 +36,11 @@ Source source_for(const Case& one)
 std::string yardstick_key(const Case& one)
 {
     const Scene& s = one.scene;
-    return fmt::format("{} {}x{} n{} D{} P{} at {} {} {} {}", s.fractal->name, s.width, s.height, s.iterations,
-                       s.detail, s.shape[2], s.eye.x, s.eye.y, s.eye.z, source_for(one).name);
+    const auto triple = [](const Vector& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
+    return fmt::format("{} {}x{} n{} D{} shape {} escape {} at {} to {} up {} field {} look {} {} step {} {} {}",
+                       s.fractal->name, s.width, s.height, s.iterations, s.detail, fmt::join(s.shape, " "), s.escape,
+                       triple(s.eye), triple(s.target), triple(s.up), s.field_of_view, s.colouring, s.brightness,
+                       s.stride, s.root_share, source_for(one).name);
 }
 
 bool Yardsticks::is_yardstick(const Case& one)

@@ -1,0 +1,49 @@
+// Which rows may share a yardstick's picture.
+#include "bench/proof.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
+
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+TEST(YardstickKeys, DifferForScenesThatLookDifferent)
+{
+    Case one;
+    one.scene = official_scene("box", 20, 10);
+    EXPECT_EQ(yardstick_key(one), yardstick_key(Case(one)));
+    const std::vector<std::function<void(Scene&)>> changes{
+        [](Scene& s) { s.eye.z += 1; },
+        [](Scene& s) { s.target.y += 1; },
+        [](Scene& s) {
+            s.up = {1, 2, 3};
+        },
+        [](Scene& s) { s.field_of_view = 0.5; },
+        [](Scene& s) { s.width += 1; },
+        [](Scene& s) { s.height += 1; },
+        [](Scene& s) { s.detail -= 1; },
+        [](Scene& s) { s.shape[0] = 3; },
+        [](Scene& s) { s.shape[1] = 0.25; },
+        [](Scene& s) { s.shape[2] = 1.5; },
+        [](Scene& s) { s.iterations += 1; },
+        [](Scene& s) { s.escape += 1; },
+        [](Scene& s) { s.colouring = 0; },
+        [](Scene& s) { s.brightness = 2; },
+        [](Scene& s) { s.stride = 0.5; },
+        [](Scene& s) { s.root_share = 0.5; },
+        [](Scene& s) { s.fractal = &fractal_named("bulb"); },
+    };
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        Case other = one;
+        changes[i](other.scene);
+        EXPECT_NE(yardstick_key(one), yardstick_key(other)) << "change " << i;
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
