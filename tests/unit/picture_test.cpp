@@ -118,7 +118,8 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
     for (const std::string fractal : {"bulb", "box"}) {
         Offness sums[2];
         Offness twins[2];
-        for (const auto& [name, scene] : scenes) {
+        for (const NamedScene& named : scenes) {
+            const Scene& scene = named.scene;
             if (scene.fractal->nickname != fractal) continue;
             const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
             for (const Precision precision : {Precision::f64, Precision::f32}) {
