@@ -87,6 +87,7 @@ FN Pixel missed(Scene scene, Ray ray)
 }
 
 // The normal n of a hit at t, but an eye in the solid sees no surface: in a canonical picture what it sees faces it.
+// shade() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));

@@ -31,7 +31,7 @@ struct Device {
 // measured. None changes a bit of an exact picture.
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
-    bool relaxation = true;  // fast: steps longer than the estimate
+    bool relaxation = true;  // fast: steps longer than the estimate, and short ones just before a hit
     bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
     bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
     bool tail = true;        // fast, Mandelbox: an orbit's last iterations are made without their tests
