@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "backends/openmp/spacing.h"
+#include "backends/openmp/threads.h"
 #include "bench/stage_kernels.h"
 #include "bench/study.h"
 #include "bench/views.h"
@@ -69,17 +70,29 @@ public:
     Seconds draw(const KernelScene& scene, const Fractal& fractal)
     {
         Seconds seconds{};
-        const openmp::Canvas<Real> canvas{.first_row = 0,
-                                          .end_row = image_.height(),
-                                          .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
-                                          .pitch = scene.canonical != 0 ? openmp::pitch_of(scene, fractal) : 0,
-                                          .block_hull = openmp::block_hull_of(scene, fractal),
-                                          .reals = nullptr,
-                                          .wholes = nullptr,
-                                          .bytes = image_.bytes().data()};
-        kernel_.profile(&scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
+        notes_.fit(image_.width(), image_.height());
+        openmp::Canvas<Real> canvas{.first_row = 0,
+                                    .end_row = image_.height(),
+                                    .pixels = static_cast<std::ptrdiff_t>(image_.pixels()),
+                                    .spacing = openmp::spacing_of(scene),
+                                    .cones = openmp::cones_pay(scene, fractal, {}),
+                                    .block_hull = openmp::block_hull_of(scene, fractal),
+                                    .lattice = {},
+                                    .starts = notes_.starts.data(),
+                                    .hits = notes_.hits.data(),
+                                    .reals = nullptr,
+                                    .wholes = nullptr,
+                                    .bytes = image_.bytes().data()};
+        const openmp::Lattices lattices = openmp::lattices_of(scene, fractal, {});
+        for (const openmp::Lattice& lattice : lattices) {
+            canvas.lattice = lattice;
+            kernel_.profile(&scene, canvas, tiles_.tiles(), memory_.get(), &now, seconds.data());
+        }
         const double start = now();
-        kernel_.draw(&scene, canvas, tiles_.tiles(), memory_.get());
+        for (const openmp::Lattice& lattice : lattices) {
+            canvas.lattice = lattice;
+            kernel_.draw(&scene, canvas, tiles_.tiles(), memory_.get());
+        }
         seconds.back() = now() - start;
         return seconds;
     }
@@ -89,6 +102,7 @@ private:
     Image image_;
     std::unique_ptr<void, decltype(&std::free)> memory_;
     TileList tiles_;
+    openmp::Notes<Real> notes_;
 };
 
 template <class Real, class KernelScene>

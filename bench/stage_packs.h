@@ -14,6 +14,7 @@ StageKernel<MM_REAL> kernel() { return {}; }
 
 using openmp::block_side;
 using openmp::Canvas;
+using openmp::Lattice;
 using openmp::most_lanes;
 using openmp::pool_rays;
 using openmp::RayPool;

@@ -78,10 +78,11 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
         for (const auto& [name, techniques] : {std::pair("hull", "hull"),
                                                {"relax", "relaxation"},
                                                {"cones", "cones"},
+                                               {"near", "neighbours"},
                                                {"tail", "tail"},
                                                {"root", "root"},
                                                {"normal", "normal"},
-                                               {"all", "hull,relaxation,cones"}}) {
+                                               {"all", "hull,relaxation,cones,neighbours"}}) {
             made.push_back({fmt::format("without={}", name), {.without = techniques}});
         }
         return made;

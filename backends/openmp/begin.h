@@ -1,122 +1,122 @@
-// Rays begin: the blocks of some tiles, and their cones before them. Included by pool.h, in its namespace; no guard.
+// Rays begin: those of some tiles, after the cones of their blocks. Included by pool.h, in its namespace; no guard.
 
-// A register covers a rectangle of a block's pixels, so that the rays of a pack stay close to each other.
-constexpr int across_lanes = register_lanes < block_side ? register_lanes : block_side;
-constexpr int up_lanes = register_lanes / across_lanes;
-static_assert(tile_side % block_side == 0 && block_side % up_lanes == 0);
-
-HWY_INLINE whole lane_across()
+// Where cones of blocks end, to Canvas::starts, for the first call of a picture; and paints the blocks where no ray
+// hits.
+HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
-    whole a = lane_numbers();
-    EACH_REGISTER(a.of[u] = hn::And(a.of[u], hn::Set(Wholes(), across_lanes - 1));)
-    return a;
+    const bool paints = paints_background(d);
+    if (!paints && !d.canvas.cones) {
+        for (int block = 0; block < blocks.count; ++block) d.canvas.starts[blocks.number[block]] = 0;
+        return;
+    }
+    begin_cones(d, blocks);
+    march_cones(d);
+    if (!paints) return;
+    const PaintedRow row(missed(d.scene, begin_at(d.scene, 0, 0)).colour);
+    for (int block = 0; block < blocks.count; ++block) {
+        if (d.canvas.starts[blocks.number[block]] > d.scene.end)
+            paint(d, blocks.left[block], blocks.bottom[block], row);
+    }
 }
 
-HWY_INLINE whole lane_up()
-{
-    whole a = lane_numbers();
-    EACH_REGISTER(a.of[u] = hn::ShiftRight<log2_of(across_lanes)>(a.of[u]);)
-    return a;
-}
+// What its lattice has left of a square's corners, row by row, one more than it has cells; nothing outside the picture.
+template <int across>
+struct Corners {
+    MM_REAL at[across + 1][across + 1];
 
-// The places in the picture of a block's columns or rows, from `first` on.
-struct Places {
-    MM_REAL at[block_side + register_lanes];  // whole registers can be read
-
-    HWY_INLINE Places(Int first, int size)
+    HWY_INLINE Corners(const Drawing& d, int left, int bottom)
     {
-        for (int n = 0; n < block_side; n += register_lanes) {
-            store_lanes(picture_place(real_of(lane_numbers() + whole(static_cast<Int>(first + n))), size), at + n);
+        const int apart = d.canvas.lattice.before;
+        const int columns = (d.scene.width - 1 - left) / apart + 1;
+        const int rows = (d.canvas.end_row - 1 - bottom) / apart + 1;
+        for (int j = 0; j <= across; ++j) {
+            const std::ptrdiff_t row = std::ptrdiff_t{bottom + j * apart - d.canvas.first_row} * d.scene.width + left;
+            for (int i = 0; i <= across; ++i) {
+                at[j][i] = i < columns && j < rows ? d.canvas.hits[(row + i * apart) / 2] : 0;
+            }
         }
     }
 };
 
-// Rays of a rectangle, (x, y) its first pixel in the block, after the fine cones from number `first` on. What a cone
-// cost is counted for one of its rays.
-HWY_INLINE Ray after_cones(Ray ray, const FineCones& cones, int first, int x, int y)
+// Where the rays in the cells of a square may begin.
+template <int across>
+HWY_NOINLINE void start_between_corners(const Drawing& d, int left, int bottom, MM_REAL* start)
 {
-    const whole across = lane_across();
-    const whole up = lane_up() + whole(static_cast<Int>(y));
-    const int row = first + y / fine_side * fine_across + x / fine_side;
-    EACH_REGISTER(const auto at = hn::ShiftRight<1>(across.of[u]);
-                  const auto odd = hn::And(hn::Or(across.of[u], up.of[u]), hn::Set(Wholes(), 1));
-                  const auto start = looked_up(Reals(), cones.start + row, at);
-                  ray.t.of[u] = hn::Max(ray.t.of[u], start); cones.costs.give(ray, row, at, odd);)
-    return ray;
-}
-
-// Begins the rays of a block, where its fine cones came to, if there are any.
-HWY_NOINLINE void begin_block(Drawing& d, const Blocks& blocks, int block, const FineCones* cones)
-{
-    const Scene& scene = d.scene;
-    const Places us(blocks.left[block], scene.width);
-    const Places vs(blocks.bottom[block], scene.height);
-    Int places[pack_lanes];
-    for (int n = 0; n < pack_lanes; ++n) {
-        places[n] = static_cast<Int>(n / across_lanes) * scene.width + n % across_lanes;
+    const Corners<across> corners(d, left, bottom);
+    MM_REAL first[block_pixels];
+    MM_REAL last[block_pixels];
+    const auto less = [](MM_REAL a, MM_REAL b) { return a < b ? a : b; };
+    const auto more = [](MM_REAL a, MM_REAL b) { return a < b ? b : a; };
+    for (int j = 0; j < across; ++j) {
+        const MM_REAL* a = corners.at[j];
+        const MM_REAL* b = corners.at[j + 1];
+        for (int i = 0; i < across; ++i) {
+            first[j * across + i] = less(less(a[i], a[i + 1]), less(b[i], b[i + 1]));
+            last[j * across + i] = more(more(a[i], a[i + 1]), more(b[i], b[i + 1]));
+        }
     }
-    for (int n = 0; n < block_pixels; n += pack_lanes) {
-        const int rectangle = n / pack_lanes;
-        constexpr int rectangles_across = block_side / across_lanes;
-        const int x = rectangle % rectangles_across * across_lanes;
-        const int y = rectangle / rectangles_across * up_lanes;
-        const int x0 = static_cast<int>(blocks.left[block]) + x;
-        const int y0 = static_cast<int>(blocks.bottom[block]) + y;
-        if (x0 >= scene.width || y0 >= d.canvas.end_row) continue;
-        const real i = real_of(lane_across() + whole(static_cast<Int>(x0)));
-        const real j = real_of(lane_up() + whole(static_cast<Int>(y0)));
-        Traveller a;
-        a.pixel = load_lanes(places) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
-        const mask on = i < scene.width && j < d.canvas.end_row;
-        real u;
-        real v;
-        u.of[0] = looked_up(Reals(), us.at + x, lane_across().of[0]);
-        v.of[0] = looked_up(Reals(), vs.at + y, lane_up().of[0]);
-        a.ray = begin_at(scene, u, v);
-        if (cones != nullptr) a.ray = after_cones(a.ray, *cones, block * fine_cones, x, y);
-        const mask go = marching(scene, a.ray);
-        append(d.pools.marching, a, on && go);
-        if (any(on && !go)) store_pixels(missed(scene, a.ray), a.pixel, on && !go, d.canvas, d.spent);
+    for (int n = 0; n < across * across; n += pack_lanes) {
+        store_lanes(start_between(d.scene, load_lanes(first + n), load_lanes(last + n)), start + n);
     }
 }
 
-// Paints the blocks that no ray of can hit anything, and forgets them.
-HWY_NOINLINE void paint_background(Drawing& d, Blocks& blocks, BlockCones& cones)
+// Where the blocks of a tile begin, for the sites of a square.
+HWY_INLINE bool starts_of(const Drawing& d, int left, int bottom, Sites& sites)
 {
-    const PaintedRow row(missed(d.scene, begin_at(d.scene, 0, 0)).colour);
-    const int count = blocks.count;
-    blocks.count = 0;
-    for (int block = 0; block < count; ++block) {
-        if (cones.start[block] > d.scene.end) {
-            paint(d, blocks.left[block], blocks.bottom[block], row);
-            cones.costs.add_to(d.spent, block);
-        } else {
-            const int to = blocks.count++;
-            blocks.left[to] = blocks.left[block];
-            blocks.bottom[to] = blocks.bottom[block];
-            cones.start[to] = cones.start[block];
-            cones.costs.move(to, block);
+    const int side = sites.across() << sites.log2_apart;
+    const int log2_sites = log2_of(block_side) - sites.log2_apart;  // of a block
+    bool all_gone = true;
+    for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
+        for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {
+            const MM_REAL start = d.canvas.starts[block_number(d, left + x, bottom + y)];
+            all_gone = all_gone && start > d.scene.end;
+            MM_REAL* to = sites.from + ((y >> sites.log2_apart) << sites.log2_across) + (x >> sites.log2_apart);
+            for (int j = 0; j < 1 << log2_sites; ++j) {
+                for (int i = 0; i < 1 << log2_sites; ++i) to[(j << sites.log2_across) + i] = start;
+            }
+        }
+    }
+    return all_gone;
+}
+
+// Begins the rays of a tile's pixels that are in the canvas's lattice.
+HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
+{
+    const Lattice lattice = d.canvas.lattice;
+    const bool painted = paints_background(d);
+    const int apart = lattice.before > 0 ? lattice.before : lattice.apart;
+    Sites sites;
+    sites.log2_apart = log2_of(apart);
+    sites.log2_across = apart == 4 ? 2 : 3;
+    const int side = sites.across() << sites.log2_apart;
+    for (int n = 0; n < sites.count(); ++n) sites.start[n] = 0;
+    for (int y = bottom; y < bottom + tile_side && y < d.canvas.end_row; y += side) {
+        for (int x = left; x < left + tile_side && x < d.scene.width; x += side) {
+            if (starts_of(d, x, y, sites) && painted) continue;
+            if (lattice.before == 4) start_between_corners<4>(d, x, y, sites.start);
+            if (lattice.before == 2) start_between_corners<8>(d, x, y, sites.start);
+            // Those at the corners of the cells of `before` pixels are there.
+            for (int k = lattice.before > 0 ? 1 : 0; k < (lattice.before > 0 ? 4 : 1); ++k) {
+                sites.left = x + k % 2 * lattice.apart;
+                sites.bottom = y + k / 2 * lattice.apart;
+                begin_sites(d, sites, painted);
+            }
         }
     }
 }
 
-// Begins the rays of some blocks, after their cones if there are any. A block's cone tells also whether a ray of it can
-// meet the hull at all.
-HWY_NOINLINE void begin_blocks(Drawing& d, Blocks& blocks)
+// A picture's first lattice: nothing is left yet but that where a block is painted all is clear.
+HWY_INLINE void clear_hits(const Drawing& d, const Blocks& blocks)
 {
-    BlockCones coarse;
-    FineCones fine;
-    const bool with_cones = d.canvas.pitch > 0;
-    const bool paints = paints_background(d);
-    if (with_cones || paints) begin_block_cones(d, blocks, coarse);
-    if (with_cones) march_cones(d, coarse);
-    d.pools.cones.size = 0;
-    if (paints) paint_background(d, blocks, coarse);
-    if (with_cones) {
-        begin_fine_cones(d, blocks, coarse, fine);
-        march_cones(d, fine);
+    for (int block = 0; block < blocks.count; ++block) {
+        const MM_REAL what = d.canvas.starts[blocks.number[block]] > d.scene.end ? -1 : 0;
+        const int left = static_cast<int>(blocks.left[block]);
+        const int bottom = static_cast<int>(blocks.bottom[block]);
+        for (int y = bottom; y < bottom + block_side && y < d.canvas.end_row; y += 2) {
+            MM_REAL* row = d.canvas.hits + (std::ptrdiff_t{y - d.canvas.first_row} * d.scene.width + left) / 2;
+            for (int x = 0; x < block_side / 2 && left + 2 * x < d.scene.width; ++x) row[x] = what;
+        }
     }
-    for (int block = 0; block < blocks.count; ++block) begin_block(d, blocks, block, with_cones ? &fine : nullptr);
 }
 
 // Begins tiles while the pool has room for them; false when there are no more.
@@ -126,7 +126,9 @@ HWY_NOINLINE bool begin_tiles(Drawing& d)
     while (more && d.pools.marching.size <= pool_rays - most_blocks * block_pixels) {
         Blocks blocks;
         more = take_tiles(d, blocks);
-        if (blocks.count > 0) begin_blocks(d, blocks);
+        if (d.canvas.lattice.before == 0) begin_blocks(d, blocks);
+        if (d.canvas.lattice.before == 0 && d.canvas.lattice.apart > 1) clear_hits(d, blocks);
+        for (int tile = 0; tile < blocks.tiles; ++tile) begin_tile(d, blocks.tile_left[tile], blocks.tile_bottom[tile]);
     }
     return more;
 }

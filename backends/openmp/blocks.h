@@ -8,7 +8,17 @@ struct Blocks {
     int count = 0;
     Int left[most_blocks + register_lanes] = {};  // whole registers can be read and written
     Int bottom[most_blocks + register_lanes] = {};
+    Int number[most_blocks + register_lanes] = {};  // in Canvas::starts
+    int tiles = 0;
+    int tile_left[most_blocks];
+    int tile_bottom[most_blocks];
 };
+
+HWY_INLINE std::ptrdiff_t block_number(const Drawing& d, int x, int y)
+{
+    const std::ptrdiff_t across = (d.scene.width + block_side - 1) / block_side;
+    return (y - d.canvas.first_row) / block_side * across + x / block_side;
+}
 
 // Takes tiles' blocks until there is no room for another tile's; false when there are no more.
 HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
@@ -17,10 +27,13 @@ HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
         int left = 0;
         int bottom = 0;
         if (!d.tiles.next(d.tiles.source, left, bottom)) return false;
+        blocks.tile_left[blocks.tiles] = left;
+        blocks.tile_bottom[blocks.tiles++] = bottom;
         for (int y = bottom; y < bottom + tile_side && y < d.canvas.end_row; y += block_side) {
             for (int x = left; x < left + tile_side && x < d.scene.width; x += block_side) {
                 blocks.left[blocks.count] = x;
                 blocks.bottom[blocks.count] = y;
+                blocks.number[blocks.count] = static_cast<Int>(block_number(d, x, y));
                 ++blocks.count;
             }
         }

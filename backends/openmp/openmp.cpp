@@ -5,18 +5,17 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <new>
 #include <span>
+#include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "backends/openmp/peak.h"
 #include "backends/openmp/spacing.h"
+#include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -27,6 +26,9 @@
 namespace mandelmarch {
 namespace {
 
+using openmp::Notes;
+using openmp::ThreadMemory;
+using openmp::TileQueue;
 using openmp::Variant;
 using Clock = std::chrono::steady_clock;
 
@@ -45,87 +47,22 @@ void add_to(Work& to, const Work& from)
 }
 #pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
 
-// Memory of one thread, kept from picture to picture: new pages cost time.
-class ThreadMemory {
-public:
-    ThreadMemory() = default;
-    ~ThreadMemory() { ::operator delete(at_, alignment); }
-    ThreadMemory(const ThreadMemory&) = delete;
-    ThreadMemory& operator=(const ThreadMemory&) = delete;
-
-    void* of_size(std::size_t bytes)
-    {
-        if (bytes > size_) {
-            ::operator delete(std::exchange(at_, nullptr), alignment);
-            size_ = 0;
-            at_ = ::operator new(bytes, alignment);
-            size_ = bytes;
-        }
-        return at_;
-    }
-
-private:
-    static constexpr std::align_val_t alignment{64};
-    void* at_ = nullptr;
-    std::size_t size_ = 0;
-};
-
-// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
-class TileQueue {
-public:
-    TileQueue(int width, const Band& band, int chunk)
-        : columns_((width + tile_side - 1) / tile_side),
-          count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
-          first_row_(band.first_row),
-          chunk_(chunk)
-    {
-    }
-
-    // One thread's tiles of the queue.
-    struct Share {
-        TileQueue& queue;
-        int at = 0, end = 0;  // tiles taken and not yet handed out
-
-        openmp::Tiles tiles() { return {next, this}; }
-    };
-
-private:
-    static bool next(void* source, int& left, int& bottom)
-    {
-        auto& [queue, at, end] = *static_cast<Share*>(source);
-        if (at == end) {
-            at = queue.taken_.fetch_add(queue.chunk_, std::memory_order_relaxed);
-            end = at + queue.chunk_;
-        }
-        const int index = at++;
-        if (index >= queue.count_) {
-            at = end = queue.count_;
-            return false;
-        }
-        left = index % queue.columns_ * tile_side;
-        bottom = queue.first_row_ + index / queue.columns_ * tile_side;
-        return true;
-    }
-
-    int columns_;
-    int count_;
-    int first_row_;
-    int chunk_;
-    std::atomic<int> taken_ = 0;
-};
-
 // Draws bands through planes in memory.
 template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image,
-                 std::span<ThreadMemory> memory)
+                 std::span<ThreadMemory> memory, Notes<Real>& notes)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           variant_(variant),
           image_(image),
           memory_(memory),
+          notes_(notes),
           threads_(options.threads),
-          pitch_(options.mode == Mode::fast && options.techniques.cones ? openmp::pitch_of(scene_, *scene.fractal) : 0),
+          lattices_(variant.pack > 1 ? openmp::lattices_of(scene_, *scene.fractal, options.techniques)
+                                     : openmp::all_at_once),
+          spacing_(openmp::spacing_of(scene_)),
+          cones_(openmp::cones_pay(scene_, *scene.fractal, options.techniques)),
           block_hull_(openmp::block_hull_of(scene_, *scene.fractal)),
           chunk_(std::max(1, options.chunk))
     {
@@ -143,22 +80,30 @@ public:
             bytes = image_.bytes().data() +
                     3 * static_cast<std::size_t>(band.first_row) * static_cast<std::size_t>(scene_.width);
         }
-        const openmp::Canvas<Real> canvas{band.first_row,
-                                          band.first_row + band.rows,
-                                          static_cast<std::ptrdiff_t>(pixels),
-                                          pitch_,
-                                          block_hull_,
-                                          reals_.data(),
-                                          wholes_.data(),
-                                          bytes};
-        TileQueue queue(scene_.width, band, chunk_);
+        notes_.fit(scene_.width, band.rows);
         Work band_work;
+        openmp::Canvas<Real> canvas{.first_row = band.first_row,
+                                    .end_row = band.first_row + band.rows,
+                                    .pixels = static_cast<std::ptrdiff_t>(pixels),
+                                    .spacing = spacing_,
+                                    .cones = cones_,
+                                    .block_hull = block_hull_,
+                                    .lattice = {},
+                                    .starts = notes_.starts.data(),
+                                    .hits = notes_.hits.data(),
+                                    .reals = reals_.data(),
+                                    .wholes = wholes_.data(),
+                                    .bytes = bytes};
+        for (const openmp::Lattice& lattice : lattices_) {
+            canvas.lattice = lattice;
+            TileQueue queue(scene_.width, band, chunk_);
 #pragma omp parallel num_threads(threads_) reduction(sum : band_work)
-        {
-            void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
-            TileQueue::Share share{queue};
-            const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory);
-            add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
+            {
+                void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
+                TileQueue::Share share{queue};
+                const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory);
+                add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
+            }
         }
         add_to(work, band_work);
         timings.kernel += seconds_since(start);
@@ -189,8 +134,11 @@ private:
     const Variant<Real>& variant_;
     Image& image_;
     std::span<ThreadMemory> memory_;  // each thread's
+    Notes<Real>& notes_;
     int threads_;
-    Real pitch_;
+    openmp::Lattices lattices_;
+    Real spacing_;
+    bool cones_;
     Real block_hull_;
     int chunk_;
     std::vector<Real> reals_;
@@ -243,7 +191,7 @@ private:
     {
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
-        BandExecutor<Real> executor(scene, options_, variant, image, memory_);
+        BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_));
         // Large bands: at the end of each the threads run out of rays to fill their lanes with.
         run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
                      image, progress);
@@ -280,6 +228,7 @@ private:
 
     RendererOptions options_;
     std::vector<ThreadMemory> memory_;
+    std::tuple<Notes<float>, Notes<double>> notes_;
 };
 
 class OpenmpBackend : public Backend {

@@ -28,7 +28,7 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// One sample for each ray of a pack that is on. take(ray, estimate, on) changes the rays of a register and returns
+// One sample for each ray of a pack that is on. take(a, estimate, on) changes the rays of a register and returns
 // which stay on. Returns how many do.
 template <class Take>
 HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& on, Take take)
@@ -43,7 +43,7 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
         Estimate here;
         here.distance = load_lanes(distances + u * register_lanes);
         here.iterations = load_lanes(iterations + u * register_lanes);
-        const mask stay = take(a.ray, here, mask_of(on.of[u]));
+        const mask stay = take(a, here, mask_of(on.of[u]));
         store_changed(a, pool, at);
         on.of[u] = stay.of[0];
         lanes += lanes_on(stay);
@@ -135,12 +135,23 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     begin_refining(d);
     sample_pool(
         d, d.pools.hits, 1,
-        [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
-            ray = narrowed(scene, ray, here, on);
-            return aim(scene, ray, on);
+        [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
+            a.ray = narrowed(scene, a.ray, here, on);
+            return aim(scene, a.ray, on);
         },
         [&](Traveller& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
     d.pools.refining = d.pools.hits.size;
+}
+
+// Leaves for the pixels between what became of rays of a lattice.
+HWY_INLINE void leave(const Drawing& d, const Traveller& a, const real& t, const mask& on)
+{
+    Int places[places_room] = {};
+    MM_REAL ts[places_room] = {};
+    store_compact(a.pixel, on, places);
+    store_compact(t, on, ts);
+    const int lanes = lanes_on(on);
+    for (int i = 0; i < lanes; ++i) d.canvas.hits[places[i] / 2] = ts[i];
 }
 
 // What becomes of rays that neither go on nor are off.
@@ -149,6 +160,10 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
     const Scene& scene = d.scene;
     const mask hit = stopped && has_hit(scene, a.ray);
     const mask gone = stopped && !hit;
+    if (d.canvas.lattice.apart > 1) {
+        const mask roomy = gone && a.room > 0 && a.ray.t > a.ray.end;
+        leave(d, a, pick(hit, a.ray.last_t, all_clear()), hit || roomy);
+    }
     if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, a, hit);
     append(d.pools.hits, a, hit);
@@ -156,14 +171,33 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
 }
 
 // Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.
-HWY_NOINLINE void march_pool(Drawing& d)
+template <bool of_lattice>
+HWY_NOINLINE void march_rays(Drawing& d)
 {
     const Scene& scene = d.scene;
+    const bool between = d.canvas.lattice.before > 0;
+    const real width = MM_REAL(0.5) * static_cast<MM_REAL>(d.canvas.lattice.apart) * d.canvas.spacing;
     sample_pool(
         d, d.pools.marching, steps_at_once,
-        [&](Ray& ray, const Estimate& here, const mask& on) MM_INLINED {
-            ray = advanced(scene, ray, here, on);
-            return on && marching(scene, ray);
+        [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
+            if (of_lattice) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
+            a.ray = advanced(scene, a.ray, here, on);
+            mask stay = on && marching(scene, a.ray);
+            if (between && any(on && !stay)) {
+                const mask late = on && began_late(scene, a.ray);
+                a.ray = begun_again(scene, a.ray, late);
+                stay = stay || late;
+            }
+            return stay;
         },
         [&](Traveller& a, const mask& stopped) MM_INLINED { stop_marching(d, a, stopped); });
+}
+
+HWY_INLINE void march_pool(Drawing& d)
+{
+    if (d.canvas.lattice.apart > 1) {
+        march_rays<true>(d);
+    } else {
+        march_rays<false>(d);
+    }
 }

@@ -43,6 +43,8 @@ struct Drawing {
 
 #include "backends/openmp/cones.h"
 
+#include "backends/openmp/sites.h"
+
 #include "backends/openmp/begin.h"
 
 // Draws tiles until there are no more.

@@ -7,6 +7,7 @@ static_assert(pack_lanes <= most_lanes);
 struct Traveller {
     Ray ray;
     whole pixel;
+    real room;  // the least that a sample had beside the way of the pixels around
 };
 
 // Lambdas that stay calls cost more than what they do.
@@ -26,6 +27,7 @@ HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
     on_real(6, a.ray.last_distance);
     on_real(7, a.ray.before_t);
     on_real(8, a.ray.before_distance);
+    on_real(9, a.room);
     on_whole(0, a.ray.steps);
     on_whole(1, a.pixel);
 #if MM_COUNTED

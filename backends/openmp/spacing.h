@@ -1,9 +1,12 @@
-// How far apart the rays of a picture are: how wide its cones, and how far around the hull its blocks ask.
+// How far apart the rays of a picture are, and what follows: whether blocks begin with cones, how far around the hull
+// they ask, and in which lattices pixels are drawn.
 #pragma once
 
 #include <cmath>
 
+#include "backends/openmp/lattice.h"
 #include "backends/openmp/ray_pool.h"
+#include "core/render/backend.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::openmp {
@@ -24,13 +27,24 @@ auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
                           length_of(scene.upward) / static_cast<Real>(scene.height));
 }
 
-// The same where cones pay, else 0. A cone ends some of its widths before the surface; where a pixel is many tolerances
+// The lattices in which a picture is drawn: the coarsest is one whose hits tell enough of what is between them.
+template <class KernelScene>
+Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
+{
+    if (scene.canonical == 0 || !techniques.neighbours) return all_at_once;
+    int apart = 4;
+    while (apart > 1 && apart * spacing_of(scene) > fractal.lattice_pitch * scene.tolerance) apart /= 2;
+    Lattices lattices{{{0, apart}}, 1};
+    for (; apart > 1; apart /= 2) lattices.of[lattices.count++] = {apart, apart / 2};
+    return lattices;
+}
+
+// Whether blocks begin with cones. A cone ends some of its widths before the surface; where a pixel is many tolerances
 // wide, that can be at once.
 template <class KernelScene>
-auto pitch_of(const KernelScene& scene, const Fractal& fractal) -> decltype(scene.tolerance + 0)
+bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
-    const auto pitch = spacing_of(scene);
-    return pitch < fractal.cone_pitch * scene.tolerance ? pitch : 0;
+    return scene.canonical != 0 && techniques.cones && spacing_of(scene) < fractal.cone_pitch * scene.tolerance;
 }
 
 // The size of a hull in which the ray through a block's middle is wherever one of the block's rays is in the scene's

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "backends/openmp/lattice.h"
 #include "backends/openmp/ray_pool.h"
 #include "core/image/tile.h"
 
@@ -17,8 +18,12 @@ struct Canvas {
     int first_row;
     int end_row;
     std::ptrdiff_t pixels;  // of a plane
-    Real pitch;             // how far neighbouring pixels' rays are apart at distance 1, diagonally; 0: no cones
+    Real spacing;           // how far diagonal neighbours' rays are apart at distance 1
+    bool cones;             // whether blocks begin with cones
     Real block_hull;        // the middle ray of a block meets it where a ray of the block meets the scene's; 0: none
+    Lattice lattice;        // its pixels are drawn, counted from first_row
+    Real* starts;           // a number for each block: no ray of it hits before
+    Real* hits;             // of the pixels in even columns and rows, at half their number: for start_between()
     Real* reals;
     int* wholes;
     unsigned char* bytes;

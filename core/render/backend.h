@@ -32,7 +32,8 @@ struct Device {
 struct Techniques {
     bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
     bool relaxation = true;  // fast: steps longer than the estimate, and short ones just before a hit
-    bool cones = true;       // fast, openmp: cones of 8 and of 2 pixels find where their rays begin
+    bool cones = true;       // fast, openmp: cones of 8 x 8 pixels find where their rays begin
+    bool neighbours = true;  // fast, openmp: rays begin near the hits of pixels around them
     bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
     bool tail = true;        // fast, Mandelbox: an orbit's last iterations are made without their tests
     bool normal = true;      // fast, double: normals from the gradient, else from differences of six estimates

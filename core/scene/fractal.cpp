@@ -110,6 +110,7 @@ constexpr std::array table{
             0.8,
             bulb_short_stride,
             40,
+            48,
             0.02},
     Fractal{"mandelbox",
             "box",
@@ -124,6 +125,7 @@ constexpr std::array table{
             1,
             default_stride,
             8,
+            80,
             0.003},
     Fractal{"julia",
             "julia",
@@ -138,6 +140,7 @@ constexpr std::array table{
             1,
             default_stride,
             40,
+            48,
             0.01},
 };
 

@@ -56,6 +56,8 @@ struct Fractal {
     double short_stride;
     // Cones of neighbouring rays pay where those are no more than this many tolerances apart.
     double cone_pitch;
+    // The hits of pixels around one tell where its ray begins while those are no more than this many tolerances apart.
+    double lattice_pitch;
     // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
     // change.
     double root_share;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "backends/openmp/spacing.h"
+#include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
@@ -53,12 +54,18 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     const std::unique_ptr<void, Freed> memory(::operator new (variant.memory, std::align_val_t{64}));
     Drawn<Real> drawn;
     drawn.bytes.resize(3 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+    openmp::Notes<Real> notes;
+    notes.fit(scene.width, scene.height);
     const openmp::Canvas<Real> canvas{
         .first_row = 0,
         .end_row = scene.height,
         .pixels = static_cast<std::ptrdiff_t>(scene.width) * scene.height,
-        .pitch = 0,  // cones begin at the block hull, which changes where samples are
+        .spacing = openmp::spacing_of(kernel),
+        .cones = false,  // they begin at the block hull, which changes where samples are
         .block_hull = static_cast<Real>(share) * openmp::block_hull_of(kernel, *scene.fractal),
+        .lattice = {0, 1},
+        .starts = notes.starts.data(),
+        .hits = notes.hits.data(),
         .reals = nullptr,
         .wholes = nullptr,
         .bytes = drawn.bytes.data()};

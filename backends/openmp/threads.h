@@ -1,0 +1,100 @@
+// What threads need to draw tiles: memory of their own, and a queue.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "backends/openmp/variant.h"
+#include "core/image/tile.h"
+#include "core/render/schedule.h"
+
+namespace mandelmarch::openmp {
+
+// Memory of one thread, kept from picture to picture: new pages cost time.
+class ThreadMemory {
+public:
+    ThreadMemory() = default;
+    ~ThreadMemory() { ::operator delete(at_, alignment); }
+    ThreadMemory(const ThreadMemory&) = delete;
+    ThreadMemory& operator=(const ThreadMemory&) = delete;
+
+    void* of_size(std::size_t bytes)
+    {
+        if (bytes > size_) {
+            ::operator delete(std::exchange(at_, nullptr), alignment);
+            size_ = 0;
+            at_ = ::operator new(bytes, alignment);
+            size_ = bytes;
+        }
+        return at_;
+    }
+
+private:
+    static constexpr std::align_val_t alignment{64};
+    void* at_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
+class TileQueue {
+public:
+    TileQueue(int width, const Band& band, int chunk)
+        : columns_((width + tile_side - 1) / tile_side),
+          count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
+          first_row_(band.first_row),
+          chunk_(chunk)
+    {
+    }
+
+    // One thread's tiles of the queue.
+    struct Share {
+        TileQueue& queue;
+        int at = 0, end = 0;  // tiles taken and not yet handed out
+
+        Tiles tiles() { return {next, this}; }
+    };
+
+private:
+    static bool next(void* source, int& left, int& bottom)
+    {
+        auto& [queue, at, end] = *static_cast<Share*>(source);
+        if (at == end) {
+            at = queue.taken_.fetch_add(queue.chunk_, std::memory_order_relaxed);
+            end = at + queue.chunk_;
+        }
+        const int index = at++;
+        if (index >= queue.count_) {
+            at = end = queue.count_;
+            return false;
+        }
+        left = index % queue.columns_ * tile_side;
+        bottom = queue.first_row_ + index / queue.columns_ * tile_side;
+        return true;
+    }
+
+    int columns_;
+    int count_;
+    int first_row_;
+    int chunk_;
+    std::atomic<int> taken_ = 0;
+};
+
+// What the rays of a picture's rows leave for later ones (Canvas::starts and hits), kept from picture to picture.
+template <class Real>
+struct Notes {
+    std::vector<Real> starts;
+    std::vector<Real> hits;
+
+    void fit(int width, int rows)
+    {
+        const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
+        const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+        if (starts.size() < sides(width) * sides(rows)) starts.resize(sides(width) * sides(rows));
+        if (hits.size() < pixels / 2 + 1) hits.resize(pixels / 2 + 1);
+    }
+};
+
+}  // namespace mandelmarch::openmp

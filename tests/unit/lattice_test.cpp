@@ -1,0 +1,205 @@
+// openmp draws fast pictures lattice by lattice: every pixel once, and nearly the picture of rays that begin alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "backends/all.h"
+#include "backends/openmp/spacing.h"
+#include "backends/openmp/threads.h"
+#include "backends/openmp/variants.h"
+#include "core/image/compare.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/registry.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+using openmp::Lattice;
+using openmp::Notes;
+
+constexpr float not_drawn = -7;  // no depth
+
+struct Freed {
+    void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
+};
+
+// A picture in float whose lattices are drawn one by one, by one thread.
+class Drawn {
+public:
+    explicit Drawn(const Scene& scene)
+        : scene_(scene),
+          kernel_(kernel_scene<layout_f32::Scene>(scene, Mode::fast, {})),
+          pixels_(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)),
+          reals_(real_planes * pixels_, not_drawn),
+          wholes_(whole_planes * pixels_)
+    {
+        notes.fit(scene.width, scene.height);
+    }
+
+    void draw(Lattice lattice)
+    {
+        const auto variants = openmp::variants_of<float>(scene_.fractal->name, Mode::fast);
+        const auto& variant = *std::ranges::find_if(variants.rbegin(), variants.rend(),
+                                                    [](const auto& one) { return one.counted && one.pack > 1; });
+        const std::unique_ptr<void, Freed> memory(::operator new (variant.memory, std::align_val_t{64}));
+        const openmp::Canvas<float> canvas{.first_row = 0,
+                                           .end_row = scene_.height,
+                                           .pixels = static_cast<std::ptrdiff_t>(pixels_),
+                                           .spacing = openmp::spacing_of(kernel_),
+                                           .cones = openmp::cones_pay(kernel_, *scene_.fractal, {}),
+                                           .block_hull = openmp::block_hull_of(kernel_, *scene_.fractal),
+                                           .lattice = lattice,
+                                           .starts = notes.starts.data(),
+                                           .hits = notes.hits.data(),
+                                           .reals = reals_.data(),
+                                           .wholes = wholes_.data(),
+                                           .bytes = nullptr};
+        openmp::TileQueue queue(scene_.width, {0, scene_.height}, 1);
+        openmp::TileQueue::Share share{queue};
+        variant.draw(&kernel_, canvas, share.tiles(), memory.get());
+    }
+
+    float depth(int x, int y) const
+    {
+        return reals_[3 * pixels_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.width) +
+                      static_cast<std::size_t>(x)];
+    }
+
+    Image image() const
+    {
+        Image image(scene_.width, scene_.height, Image::Layers::all);
+        const auto width = static_cast<std::size_t>(scene_.width);
+        image.store(planes_of(reals_.data(), wholes_.data(), pixels_, width), 0, 0, scene_.width, scene_.height);
+        return image;
+    }
+
+    Notes<float> notes;
+
+private:
+    Scene scene_;
+    layout_f32::Scene kernel_;
+    std::size_t pixels_;
+    std::vector<float> reals_;
+    std::vector<int> wholes_;
+};
+
+constexpr Lattice lattices[] = {{0, 4}, {4, 2}, {2, 1}};
+
+// True where exactly the pixels in columns and rows that are multiples of `apart` are drawn.
+bool drawn_are_multiples(const Drawn& drawn, const Scene& scene, int apart)
+{
+    for (int y = 0; y < scene.height; ++y) {
+        for (int x = 0; x < scene.width; ++x) {
+            const bool asked = x % apart == 0 && y % apart == 0;
+            if (asked != (drawn.depth(x, y) != not_drawn)) return false;
+        }
+    }
+    return true;
+}
+
+TEST(Lattices, DrawTheirPixelsAndNoOthers)
+{
+    std::vector<Scene> scenes;
+    for (const char* name : {"bulb", "box"}) {
+        for (const auto& [width, height] : {std::pair(333, 217), {64, 48}, {1, 1}, {5, 3}, {3, 18}, {17, 1}}) {
+            scenes.push_back(official_scene(name, width, height));
+        }
+    }
+    for (const NamedScene& named : random_scenes(10, 505)) scenes.push_back(named.scene);
+    for (const Scene& scene : scenes) {
+        Drawn drawn(scene);
+        for (const Lattice& lattice : lattices) {
+            drawn.draw(lattice);
+            EXPECT_TRUE(drawn_are_multiples(drawn, scene, lattice.apart))
+                << scene.fractal->name << ", " << scene.width << " x " << scene.height << ", " << lattice.apart;
+        }
+        // The twin: a lattice less.
+        if (scene.width > 1) {
+            Drawn twin(scene);
+            twin.draw(lattices[0]);
+            twin.draw(lattices[1]);
+            EXPECT_FALSE(drawn_are_multiples(twin, scene, 1));
+        }
+    }
+}
+
+// What is off a picture drawn all at once where what lattices leave is changed by `change` before the last one.
+Comparison off(const Scene& scene, const std::function<void(float& hit)>& change)
+{
+    Drawn alone(scene);
+    alone.draw({0, 1});
+    Drawn drawn(scene);
+    for (const Lattice& lattice : lattices) {
+        if (lattice.apart == 1) {
+            for (float& hit : drawn.notes.hits) change(hit);
+        }
+        drawn.draw(lattice);
+    }
+    return compare(alone.image(), drawn.image());
+}
+
+double percent(std::uint64_t count, const Comparison& c)
+{
+    return 100.0 * static_cast<double>(count) / static_cast<double>(c.pixels);
+}
+
+TEST(Lattices, LeaveWhatHoldsForPixelsBetween)
+{
+    for (const char* name : {"bulb", "box"}) {
+        const Scene scene = official_scene(name, 540, 540);
+        const Comparison drawn = off(scene, [](float&) {});
+        EXPECT_LE(percent(drawn.visibly_differing, drawn), 1) << name;
+        EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
+        // Rays that begin beyond the surface begin again.
+        const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
+        const Comparison late = off(scene, [&](float& hit) { hit *= hit > 0 ? 1 + 4 * tolerance : 1; });
+        EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
+        EXPECT_LE(percent(late.hit_or_miss, late), 0.02) << name;
+        // The twins: hits behind the fractal, and none at all.
+        const Comparison behind = off(scene, [](float& hit) { hit *= hit > 0 ? 10 : 1; });
+        EXPECT_GT(percent(behind.hit_or_miss, behind), 10) << name;
+        const Comparison clear = off(scene, [](float& hit) { hit = -1; });
+        EXPECT_GT(percent(clear.hit_or_miss, clear), 10) << name;
+    }
+}
+
+// Random scenes in which pixels are few tolerances apart, as far as they are.
+TEST(Lattices, ChangeLittleAndSaveEstimates)
+{
+    const Registry registry = all_backends();
+    for (const std::string fractal : {"bulb", "box"}) {
+        Comparison all;
+        Work with;
+        Work without;
+        for (const NamedScene& named : random_scenes(20, 606)) {
+            if (named.scene.fractal->nickname != fractal) continue;
+            Scene scene = named.scene;
+            scene.width *= 4;
+            scene.height *= 4;
+            const auto drawn = [&](bool neighbours, Work& work) {
+                const RendererOptions options{.mode = Mode::fast, .techniques = {.neighbours = neighbours}};
+                Image image(scene.width, scene.height, Image::Layers::all);
+                work.estimates += registry.find("openmp")->create(options)->render(scene, image).work.estimates;
+                return image;
+            };
+            const Comparison one = compare(drawn(true, with), drawn(false, without));
+            all.pixels += one.pixels;
+            all.visibly_differing += one.visibly_differing;
+            all.hit_or_miss += one.hit_or_miss;
+        }
+        EXPECT_LE(percent(all.visibly_differing, all), 1) << fractal;
+        EXPECT_LE(percent(all.hit_or_miss, all), 0.01) << fractal;
+        EXPECT_LT(with.estimates, without.estimates * 9 / 10) << fractal;
+        EXPECT_GT(all.visibly_differing, 0U) << fractal;  // the technique was in use
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch
