@@ -125,7 +125,7 @@ constexpr std::array table{
             1,
             default_stride,
             8,
-            80,
+            35,
             0.003},
     Fractal{"julia",
             "julia",
