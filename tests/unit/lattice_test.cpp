@@ -30,6 +30,9 @@ struct Freed {
     void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
 };
 
+// Without vectors the scalar text draws all at once.
+bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
+
 // A picture in float whose lattices are drawn one by one, by one thread.
 class Drawn {
 public:
@@ -106,6 +109,7 @@ bool drawn_are_multiples(const Drawn& drawn, const Scene& scene, int apart)
 
 TEST(Lattices, DrawTheirPixelsAndNoOthers)
 {
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
     std::vector<Scene> scenes;
     for (const char* name : {"bulb", "box"}) {
         for (const auto& [width, height] : {std::pair(333, 217), {64, 48}, {1, 1}, {5, 3}, {3, 18}, {17, 1}}) {
@@ -152,6 +156,7 @@ double percent(std::uint64_t count, const Comparison& c)
 
 TEST(Lattices, LeaveWhatHoldsForPixelsBetween)
 {
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
     for (const char* name : {"bulb", "box"}) {
         const Scene scene = official_scene(name, 540, 540);
         const Comparison drawn = off(scene, [](float&) {});
@@ -173,6 +178,7 @@ TEST(Lattices, LeaveWhatHoldsForPixelsBetween)
 // Random scenes in which pixels are few tolerances apart, as far as they are.
 TEST(Lattices, ChangeLittleAndSaveEstimates)
 {
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
     const Registry registry = all_backends();
     for (const std::string fractal : {"bulb", "box"}) {
         Comparison all;
