@@ -38,13 +38,12 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
     for (int from = 0; from < blocks.count; from += pack_lanes) {
         Traveller a;
         a.pixel = load_lanes(blocks.number + from);
-        a.room = 0;
         a.ray = begin(d.around_blocks, real_of(load_lanes(blocks.left + from)) + middle,
                       real_of(load_lanes(blocks.bottom + from)) + middle);
         mask ended = first_lanes(blocks.count - from);
         if (d.canvas.cones) {
             const mask go = ended && a.ray.t <= a.ray.end;
-            append(d.pools.cones, a, go);
+            append<alone>(d.pools.cones, a, go);
             ended = ended && !go;
         }
         if (any(ended)) end_cones(d, a, ended);
@@ -56,7 +55,7 @@ HWY_NOINLINE void march_cones(Drawing& d)
 {
     const scalar span = d.canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
     while (d.pools.cones.size > 0) {
-        sample_pool(
+        sample_pool<alone, Fields{0x1f0, ~2U}>(
             d, d.pools.cones, steps_at_once,
             [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
                 a.ray = advanced_cone(d.scene, a.ray, span, here, on);

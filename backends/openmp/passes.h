@@ -28,9 +28,9 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// One sample for each ray of a pack that is on. take(a, estimate, on) changes the rays of a register and returns
-// which stay on. Returns how many do.
-template <class Take>
+// One sample for each ray of a pack that is on. take(a, estimate, on) changes some fields of the rays of a register and
+// returns which stay on. Returns how many do.
+template <Fields held, Fields changed, class Take>
 HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& on, Take take)
 {
     alignas(64) MM_REAL distances[most_lanes];
@@ -39,12 +39,12 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
     int lanes = 0;
     for (int u = 0; u < d.wide.registers; ++u) {
         const int at = from + u * register_lanes;
-        Traveller a = load(pool, at);
+        Traveller a = load<held>(pool, at);
         Estimate here;
         here.distance = load_lanes(distances + u * register_lanes);
         here.iterations = load_lanes(iterations + u * register_lanes);
         const mask stay = take(a, here, mask_of(on.of[u]));
-        store_changed(a, pool, at);
+        store<changed>(a, pool, at);
         on.of[u] = stay.of[0];
         lanes += lanes_on(stay);
     }
@@ -53,7 +53,7 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
 
 // Samples for every ray of a pool, at most `at_once` a ray, pack by pack until a quarter of a pack's lanes has ended.
 // Rays that go on are stored without gaps; ended(rays, lanes) gets the others.
-template <class Take, class Ended>
+template <Fields held, Fields changed, class Take, class Ended>
 HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ended ended)
 {
     const int size = pool.size;
@@ -64,13 +64,13 @@ HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ende
         int step = 0;
         int going = 0;
         do {
-            going = take_samples(d, pool, from, on, take);
+            going = take_samples<held, changed>(d, pool, from, on, take);
         } while (++step < at_once && going > enough);
         for (int u = 0; u < d.wide.registers; ++u) {
             const int at = from + u * register_lanes;
-            Traveller a = load(pool, at);
+            Traveller a = load<held>(pool, at);
             const mask go = mask_of(on.of[u]);
-            append(pool, a, go);
+            append<held>(pool, a, go);
             const mask stopped = first_lanes(size - at) && !go;
             if (any(stopped)) ended(a, stopped);
         }
@@ -83,8 +83,8 @@ HWY_INLINE void keep_rest(Pool& pool, int done)
     const int size = pool.size;
     pool.size = 0;
     for (int from = done; from < size; from += pack_lanes) {
-        Traveller a = load(pool, from);
-        append(pool, a, first_lanes(size - from));
+        Traveller a = load<finishing>(pool, from);
+        append<finishing>(pool, a, first_lanes(size - from));
     }
 }
 
@@ -100,7 +100,7 @@ HWY_NOINLINE void shade_pool(Drawing& d, bool all)
 
 HWY_INLINE void append_ended(Drawing& d, Traveller& a, const mask& on)
 {
-    append(d.pools.ended, a, on);
+    append<finishing>(d.pools.ended, a, on);
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
 }
 
@@ -119,11 +119,11 @@ HWY_NOINLINE void begin_refining(Drawing& d)
     const int size = hits.size;
     hits.size = d.pools.refining;
     for (int from = hits.size; from < size; from += pack_lanes) {
-        Traveller a = load(hits, from);
+        Traveller a = load<finishing>(hits, from);
         const mask on = first_lanes(size - from);
         a.ray = refine_begin(d.scene, a.ray);
         const mask coarse = aim(d.scene, a.ray, on);
-        append(hits, a, coarse);
+        append<finishing>(hits, a, coarse);
         append_ended(d, a, on && !coarse);
     }
 }
@@ -133,7 +133,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
 {
     const Scene& scene = d.scene;
     begin_refining(d);
-    sample_pool(
+    sample_pool<finishing, Fields{0x1f8, ~3U}>(
         d, d.pools.hits, 1,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
             a.ray = narrowed(scene, a.ray, here, on);
@@ -166,7 +166,7 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
     }
     if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, a, hit);
-    append(d.pools.hits, a, hit);
+    append<finishing>(d.pools.hits, a, hit);
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
 }
 
@@ -177,7 +177,7 @@ HWY_NOINLINE void march_rays(Drawing& d)
     const Scene& scene = d.scene;
     const bool between = d.canvas.lattice.before > 0;
     const real width = MM_REAL(0.5) * static_cast<MM_REAL>(d.canvas.lattice.apart) * d.canvas.spacing;
-    sample_pool(
+    sample_pool<of_lattice ? every_field : alone, Fields{of_lattice ? 0x3f0 : 0x1f0, ~2U}>(
         d, d.pools.marching, steps_at_once,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
             if (of_lattice) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);

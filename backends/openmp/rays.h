@@ -14,25 +14,40 @@ struct Traveller {
 #undef MM_INLINED
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 
-// Calls f(number of the field, its pack) for each field.
-template <class OnReal, class OnWhole>
+// Some of a ray's fields, a bit for the number of each.
+struct Fields {
+    unsigned reals;
+    unsigned wholes;
+};
+constexpr Fields every_field{~0U, ~0U};
+constexpr Fields alone{0x1ff, ~0U};                         // what a ray needs that leaves nothing for others
+constexpr Fields finishing{0x1ff, MM_COUNTED ? ~0U : ~1U};  // and one that has hit
+
+// Calls f(number of the field, its pack) for each field of some.
+template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
 {
-    on_real(0, a.ray.direction.x);
-    on_real(1, a.ray.direction.y);
-    on_real(2, a.ray.direction.z);
-    on_real(3, a.ray.end);
-    on_real(4, a.ray.t);
-    on_real(5, a.ray.last_t);
-    on_real(6, a.ray.last_distance);
-    on_real(7, a.ray.before_t);
-    on_real(8, a.ray.before_distance);
-    on_real(9, a.room);
-    on_whole(0, a.ray.steps);
-    on_whole(1, a.pixel);
+    const auto real_field = [&](unsigned f, real& v) MM_INLINED {
+        if ((some.reals >> f & 1) != 0) on_real(f, v);
+    };
+    const auto whole_field = [&](unsigned f, whole& v) MM_INLINED {
+        if ((some.wholes >> f & 1) != 0) on_whole(f, v);
+    };
+    real_field(0, a.ray.direction.x);
+    real_field(1, a.ray.direction.y);
+    real_field(2, a.ray.direction.z);
+    real_field(3, a.ray.end);
+    real_field(4, a.ray.t);
+    real_field(5, a.ray.last_t);
+    real_field(6, a.ray.last_distance);
+    real_field(7, a.ray.before_t);
+    real_field(8, a.ray.before_distance);
+    real_field(9, a.room);
+    whole_field(0, a.ray.steps);
+    whole_field(1, a.pixel);
 #if MM_COUNTED
-    on_whole(2, a.ray.estimates);
-    on_whole(3, a.ray.iterations);
+    whole_field(2, a.ray.estimates);
+    whole_field(3, a.ray.iterations);
 #endif
 }
 
@@ -64,26 +79,23 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
 HWY_INLINE void store_lanes(const effort&, Int*) {}
 #endif
 
+template <Fields held = every_field>
 HWY_INLINE Traveller load(const Pool& pool, int from)
 {
     Traveller a;
-    each_field(
-        a, [&](int f, real& v) MM_INLINED { v = load_lanes(pool.real_fields[f] + from); },
-        [&](int f, whole& v) MM_INLINED { v = load_lanes(pool.whole_fields[f] + from); });
+    each_field<held>(
+        a, [&](unsigned f, real& v) MM_INLINED { v = load_lanes(pool.real_fields[f] + from); },
+        [&](unsigned f, whole& v) MM_INLINED { v = load_lanes(pool.whole_fields[f] + from); });
     return a;
 }
 
-// Back to its place, what samples change: not where the ray comes from and where its pixel is.
-HWY_INLINE void store_changed(Traveller& a, Pool& pool, int at)
+// Back to their place.
+template <Fields some>
+HWY_INLINE void store(Traveller& a, Pool& pool, int at)
 {
-    each_field(
-        a,
-        [&](int f, real& v) MM_INLINED {
-            if (f > 2) store_lanes(v, pool.real_fields[f] + at);
-        },
-        [&](int f, whole& v) MM_INLINED {
-            if (f != 1) store_lanes(v, pool.whole_fields[f] + at);
-        });
+    each_field<some>(
+        a, [&](unsigned f, real& v) MM_INLINED { store_lanes(v, pool.real_fields[f] + at); },
+        [&](unsigned f, whole& v) MM_INLINED { store_lanes(v, pool.whole_fields[f] + at); });
 }
 
 HWY_INLINE int lanes_on(const mask& on)
@@ -121,22 +133,21 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 #endif
 
 // Appends the lanes that are on. The pool has room for a pack more than it holds.
+template <Fields held = every_field>
 MM_APPEND void append(Pool& pool, Traveller& a, const mask& on)
 {
     const int lanes = lanes_on(on);
     const int at = pool.size;
     pool.size = at + lanes;
     if (lanes == pack_lanes) {
-        each_field(
-            a, [&](int f, real& v) MM_INLINED { store_lanes(v, pool.real_fields[f] + at); },
-            [&](int f, whole& v) MM_INLINED { store_lanes(v, pool.whole_fields[f] + at); });
+        store<held>(a, pool, at);
     } else if (lanes > 0) {
         int to = at;
-        EACH_REGISTER(const auto keep = on.of[u]; each_field(
+        EACH_REGISTER(const auto keep = on.of[u]; each_field<held>(
                           a,
-                          [&](int f, real& v)
+                          [&](unsigned f, real& v)
                               MM_INLINED { hn::StoreU(compressed(v.of[u], keep), Reals(), pool.real_fields[f] + to); },
-                          [&](int f, whole& v) MM_INLINED {
+                          [&](unsigned f, whole& v) MM_INLINED {
                               hn::StoreU(compressed(v.of[u], keep), Wholes(), pool.whole_fields[f] + to);
                           });
                       to += static_cast<int>(hn::CountTrue(Reals(), keep));)

@@ -26,7 +26,7 @@ HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, cons
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     for (int from = 0; from < count; from += pack_lanes) {
-        Traveller a = load(pool, from);
+        Traveller a = load<finishing>(pool, from);
         const mask on = first_lanes(count - from);
         // Lanes beyond the last ray hit nothing.
         a.ray.last_distance = pick(on, a.ray.last_distance, scene.end);
