@@ -68,8 +68,9 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
     app.add_option("--size", options.size, "WxH in pixels, instead of the file's");
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
-    app.add_option("--without", without,
-                   "switch techniques off, to see what they are worth: hull,relaxation,cones,tail,root,normal");
+    app.add_option(
+        "--without", without,
+        "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal");
     app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");

@@ -130,6 +130,13 @@ CommandLine parse_command_line(int argc, char** argv)
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
     portability->add_option("FILES", line.files, "result files of --json")->required();
     portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
+    CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
+    std::string scenes;
+    random->add_option("--backend", line.random.backend, "the backend that draws them")->capture_default_str();
+    random->add_option("--without", line.random.without, "techniques to switch off, `trial` say");
+    random->add_option("--scenes", scenes, "scenes of a fractal in each set (default 60)");
+    random->add_option("--sets", line.random.sets, "seeds, one for each set")->delimiter(',')->capture_default_str();
+    random->add_option("--json", line.options.json, "write every scene to this file (- is standard output)");
     app.footer(
         "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests work, too.\n"
         "Exit codes: 0 fine, 1 a wrong picture, a regression or a failure, 2 wrong arguments, 77 the one backend asked "
@@ -152,6 +159,8 @@ CommandLine parse_command_line(int argc, char** argv)
     if (compare->parsed()) line.command = Command::compare;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;
+    if (random->parsed()) line.command = Command::random;
+    if (!scenes.empty()) line.random.scenes = whole_option("scenes", scenes, 1, 100'000);
     static_cast<void>(study_named(o.study));
     static_cast<void>(fractals_of(o));
     static_cast<void>(size_of(o));

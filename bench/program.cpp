@@ -127,6 +127,18 @@ int portability_of(const CommandLine& line)
     return exit_fine;
 }
 
+int random_scenes(const Registry& registry, const CommandLine& line)
+{
+    Display display(line.quiet);
+    const RandomResult result =
+        measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
+    display.finish();
+    const std::string& json = line.options.json;
+    if (!json.empty()) write_text(json, to_json(result).dump(1) + "\n");
+    if (json != "-") write_text("-", to_console(result));
+    return result.held() ? exit_fine : exit_failure;
+}
+
 }  // namespace
 
 int bench_program(const Registry& registry, int argc, char** argv)
@@ -135,6 +147,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
     switch (line.command) {
         case Command::help: return line.exit_code;
         case Command::peak: return peak(registry, line);
+        case Command::random: return random_scenes(registry, line);
         case Command::portability: return portability_of(line);
         case Command::compare: {
             const ComparedResults comparison =

@@ -79,6 +79,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
                                                {"relax", "relaxation"},
                                                {"cones", "cones"},
                                                {"near", "neighbours"},
+                                               {"trial", "trial"},
                                                {"tail", "tail"},
                                                {"root", "root"},
                                                {"normal", "normal"},

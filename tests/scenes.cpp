@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
 
 #include "core/scene/fractal.h"
+#include "core/scene/random_scene.h"
 
 namespace mandelmarch {
 
@@ -71,34 +71,11 @@ std::vector<NamedScene> odd_scenes()
 std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed)
 {
     std::mt19937 random(seed);
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
-    };
-    // The single precision of parameter files.
-    const auto single = [&](double low, double high) { return double{static_cast<float>(between(low, high))}; };
     std::vector<NamedScene> scenes;
     for (const Fractal& fractal : fractals()) {
+        const Scene like = official_scene(std::string(fractal.nickname), 61, 45);
         for (int i = 0; i < per_fractal; ++i) {
-            Scene scene = official_scene(std::string(fractal.nickname), 61, 45);
-            const double distance = fractal.nickname == "box" ? between(3, 14) : between(1.1, 2.5);
-            const double height = between(-0.9, 0.9);
-            const double angle = between(0, 6.28);
-            scene.eye = {distance * std::cos(angle), distance * height, distance * std::sin(angle)};
-            scene.target = {between(-0.3, 0.3), between(-0.3, 0.3), between(-0.3, 0.3)};
-            scene.field_of_view = between(0.5, 2);
-            scene.detail = single(-4, -2);
-            scene.colouring = i % 2;
-            scene.iterations = static_cast<int>(between(4, 40));
-            if (fractal.nickname == "bulb") {
-                scene.shape[1] = single(2, 6);
-                scene.shape[2] = i % 2 == 0 ? std::floor(between(2, 12)) : single(2, 12);
-            } else if (fractal.nickname == "box") {
-                scene.shape = {i % 2 == 0 ? single(1.5, 3) : single(-2.5, -1.2), single(0.2, 0.8), single(0.8, 1.5)};
-            } else {
-                scene.shape = {single(-0.6, 0.2), single(-0.6, 0.6), single(-0.4, 0.4)};
-                scene.escape = single(-0.5, 0.5);
-            }
-            scenes.push_back({fmt::format("{}, random {}", fractal.nickname, i), scene});
+            scenes.push_back({fmt::format("{}, random {}", fractal.nickname, i), random_scene(like, i, random)});
         }
     }
     return scenes;

@@ -34,6 +34,7 @@ struct Techniques {
     bool relaxation = true;  // fast: steps longer than the estimate, and short ones just before a hit
     bool cones = true;       // fast, openmp: cones of 8 x 8 pixels find where their rays begin
     bool neighbours = true;  // fast, openmp: rays begin near the hits of pixels around them
+    bool trial = true;       // fast: a small picture shows before whether steps must be shorter
     bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
     bool tail = true;        // fast, Mandelbox: an orbit's last iterations are made without their tests
     bool normal = true;      // fast, double: normals from the gradient, else from differences of six estimates

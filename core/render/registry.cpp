@@ -32,10 +32,10 @@ struct NamedTechnique {
 };
 
 constexpr std::array names_of_techniques{
-    NamedTechnique{"hull", &Techniques::hull},    NamedTechnique{"relaxation", &Techniques::relaxation},
-    NamedTechnique{"cones", &Techniques::cones},  NamedTechnique{"neighbours", &Techniques::neighbours},
-    NamedTechnique{"root", &Techniques::root},    NamedTechnique{"tail", &Techniques::tail},
-    NamedTechnique{"normal", &Techniques::normal}};
+    NamedTechnique{"hull", &Techniques::hull},   NamedTechnique{"relaxation", &Techniques::relaxation},
+    NamedTechnique{"cones", &Techniques::cones}, NamedTechnique{"neighbours", &Techniques::neighbours},
+    NamedTechnique{"trial", &Techniques::trial}, NamedTechnique{"root", &Techniques::root},
+    NamedTechnique{"tail", &Techniques::tail},   NamedTechnique{"normal", &Techniques::normal}};
 
 }  // namespace
 

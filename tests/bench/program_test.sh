@@ -60,6 +60,13 @@ grep -q march out || fail "no profile"
 expect 0 "${quick[@]}" --study box-vs-bulb --repetitions 1 --json study.json
 grep -q angles out || fail "no trigonometric Mandelbulb"
 
+expect 0 random --scenes 3 --sets 1001,77 --json random.json
+grep -q ' of 6 ' out || fail "random has no line of six scenes"
+python3 -c 'import json; assert len(json.load(open("random.json"))["scenes"]) == 24' || fail "random --json"
+expect 2 random --backend nosuch
+expect 2 random --scenes 0
+expect 2 random --sets one
+
 expect 2 --nosuch
 expect 2 --size 10
 expect 2 compare a.json

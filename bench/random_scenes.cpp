@@ -1,0 +1,245 @@
+#include "bench/random_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <random>
+#include <thread>
+
+#include "bench/environment.h"
+#include "bench/views.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/random_scene.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int width = 61;  // pixels
+constexpr int height = 45;
+constexpr std::string_view measured[] = {"bulb", "box"};
+constexpr Precision precisions[] = {Precision::f64, Precision::f32};
+
+struct Drawn {
+    unsigned set;
+    int number;
+    Scene scene;
+    Image canonical{width, height, Image::Layers::all};
+};
+
+// The same scenes as tests/scenes.cpp draws: one stream of numbers goes through the fractals in their order.
+std::vector<Drawn> scenes_of(const RandomOptions& options)
+{
+    std::vector<Drawn> scenes;
+    for (const unsigned set : options.sets) {
+        std::mt19937 random(set);
+        for (const std::string_view fractal : measured) {
+            const Scene like = official_scene_of(fractal, width, height);
+            for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
+        }
+    }
+    std::ranges::stable_sort(scenes, {}, [](const Drawn& one) { return one.scene.fractal; });
+    return scenes;
+}
+
+// reference is one thread: as many scenes at once as there are cores.
+void draw_canonical(const Backend& reference, std::vector<Drawn>& scenes, const std::function<void(double)>& progress)
+{
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::exception_ptr failure;
+    std::atomic_flag failed;
+    const auto work = [&](bool shows) {
+        try {
+            const auto renderer = reference.create({.mode = Mode::fast});
+            for (std::size_t i = next++; i < scenes.size(); i = next++) {
+                renderer->render(scenes[i].scene, scenes[i].canonical);
+                ++done;
+                if (shows) progress(static_cast<double>(done) / static_cast<double>(scenes.size()));
+            }
+        } catch (...) {
+            if (!failed.test_and_set()) failure = std::current_exception();
+            next = scenes.size();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) others.emplace_back(work, false);
+        work(true);
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+double share(std::uint64_t part, std::uint64_t whole)
+{
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+nlohmann::ordered_json to_json(const RandomSum& sum)
+{
+    return {{"scenes", sum.scenes},
+            {"pixels", sum.pixels},
+            {"off_percent", 100 * sum.off()},
+            {"hit_or_miss_percent", 100 * sum.wrong_hits()},
+            {"scenes_far_off", sum.far_off},
+            {"of_these_short_of_digits", sum.short_of_digits},
+            {"worst_off_percent", 100 * sum.worst}};
+}
+
+}  // namespace
+
+void RandomSum::add(const RandomRow& row)
+{
+    const Comparison& off = row.off;
+    pixels += off.pixels;
+    visibly_differing += off.visibly_differing;
+    hit_or_miss += off.hit_or_miss;
+    const double part = share(off.visibly_differing, off.pixels);
+    worst = std::max(worst, part);
+    if (part > most_off) {
+        ++far_off;
+        if (row.exact_off > most_off) ++short_of_digits;
+    }
+    ++scenes;
+}
+
+double RandomSum::off() const { return share(visibly_differing, pixels); }
+double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
+
+RandomSum RandomResult::sum(std::string_view fractal, Precision precision, const unsigned* set) const
+{
+    RandomSum sum;
+    for (const RandomRow& row : rows) {
+        const bool asked = row.scene.fractal->nickname == fractal && row.precision == precision;
+        if (asked && (set == nullptr || row.set == *set)) sum.add(row);
+    }
+    return sum;
+}
+
+bool RandomResult::held() const
+{
+    for (const std::string_view fractal : measured) {
+        for (const Precision precision : precisions) {
+            for (const unsigned& set : options.sets) {
+                const RandomSum one = sum(fractal, precision, &set);
+                if (one.off() > most_off || one.wrong_hits() > most_wrong_hits) return false;
+            }
+        }
+    }
+    return true;
+}
+
+RandomResult measure_random(const Registry& registry, const RandomOptions& options,
+                            const std::function<void(double)>& progress)
+{
+    const Backend* backend = registry.find(options.backend);
+    if (backend == nullptr) {
+        throw InputError(fmt::format("--backend: '{}' given, expected the name of a backend", options.backend));
+    }
+    if (const auto why = backend->unavailable()) {
+        throw Unavailable(fmt::format("backend {}: {}", options.backend, *why));
+    }
+    const Techniques techniques = techniques_without(options.without);
+    RandomResult result{.options = options, .environment = environment(registry), .rows = {}};
+    std::vector<Drawn> scenes = scenes_of(options);
+    draw_canonical(*registry.find("reference"), scenes, progress);
+    std::unique_ptr<Renderer> renderers[2][2];
+    for (const Precision precision : precisions) {
+        for (const Mode mode : {Mode::exact, Mode::fast}) {
+            renderers[precision == Precision::f32][mode == Mode::fast] =
+                backend->create({.precision = precision, .mode = mode, .techniques = techniques});
+        }
+    }
+    const auto drawn = [&](const Scene& scene, Precision precision, Mode mode) {
+        Image image(width, height, Image::Layers::all);
+        renderers[precision == Precision::f32][mode == Mode::fast]->render(scene, image);
+        return image;
+    };
+    for (const Precision precision : precisions) {
+        for (const Drawn& one : scenes) {
+            const Comparison off = compare(one.canonical, drawn(one.scene, precision, Mode::fast));
+            double exact_off = 0;
+            if (precision == Precision::f32 && share(off.visibly_differing, off.pixels) > most_off) {
+                const Comparison exact = compare(drawn(one.scene, Precision::f64, Mode::exact),
+                                                 drawn(one.scene, Precision::f32, Mode::exact));
+                exact_off = share(exact.visibly_differing, exact.pixels);
+            }
+            result.rows.push_back({one.set, one.number, one.scene, precision, off, exact_off});
+        }
+    }
+    return result;
+}
+
+nlohmann::ordered_json to_json(const RandomResult& result)
+{
+    using Json = nlohmann::ordered_json;
+    Json sums = Json::array();
+    for (const std::string_view fractal : measured) {
+        for (const Precision precision : precisions) {
+            Json sets = Json::object();
+            for (const unsigned& set : result.options.sets) {
+                sets[fmt::format("{}", set)] = to_json(result.sum(fractal, precision, &set));
+            }
+            sums.push_back({{"fractal", fractal},
+                            {"precision", name_of(precision)},
+                            {"all", to_json(result.sum(fractal, precision, nullptr))},
+                            {"sets", sets}});
+        }
+    }
+    Json rows = Json::array();
+    for (const RandomRow& row : result.rows) {
+        rows.push_back({{"fractal", row.scene.fractal->nickname},
+                        {"precision", name_of(row.precision)},
+                        {"set", row.set},
+                        {"number", row.number},
+                        {"off", row.off.visibly_differing},
+                        {"hit_or_miss", row.off.hit_or_miss},
+                        {"exact_off_percent", 100 * row.exact_off}});
+    }
+    return {{"schema", "mandelmarch-bench-random"}, {"version", 1},   {"backend", result.options.backend},
+            {"without", result.options.without},    {"width", width}, {"height", height},
+            {"environment", result.environment},    {"sums", sums},   {"scenes", rows}};
+}
+
+std::string to_console(const RandomResult& result)
+{
+    const RandomOptions& options = result.options;
+    std::string text = fmt::format(
+        "Fast mode by {}{} against reference's canonical pictures: {} random scenes a fractal in each of {} sets, "
+        "{} x {} pixels\n",
+        options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
+        options.sets.size(), width, height);
+    text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "number",
+                        "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
+                        "short of digits", "worst");
+    for (const std::string_view fractal : measured) {
+        for (const Precision precision : precisions) {
+            double least = 1;
+            double most = 0;
+            double least_wrong = 1;
+            double most_wrong = 0;
+            for (const unsigned& set : result.options.sets) {
+                const RandomSum one = result.sum(fractal, precision, &set);
+                least = std::min(least, one.off());
+                most = std::max(most, one.off());
+                least_wrong = std::min(least_wrong, one.wrong_hits());
+                most_wrong = std::max(most_wrong, one.wrong_hits());
+            }
+            const RandomSum all = result.sum(fractal, precision, nullptr);
+            text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>5.1f}%\n", fractal, name_of(precision),
+                                fmt::format("{:.2f} to {:.2f} %", 100 * least, 100 * most),
+                                fmt::format("{:.3f} to {:.3f} %", 100 * least_wrong, 100 * most_wrong),
+                                fmt::format("{} of {}", all.far_off, all.scenes), all.short_of_digits, 100 * all.worst);
+        }
+    }
+    return text +
+           fmt::format(
+               "off: by more than 2 of 255; short of digits: scenes over {0:.0f} % of which exact mode's picture "
+               "in float is\nover {0:.0f} % off that in double, too; every set is held to {0:.0f} % and {1:.2f} "
+               "%: {2}\n",
+               100 * most_off, 100 * most_wrong_hits, result.held() ? "held" : "NOT HELD");
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,112 @@
+#include "core/render/trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image/compare.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+namespace {
+
+// docs/performance.md, "Random scenes", for these constants.
+constexpr double trial_pixels = 1024;
+constexpr double most_off = 0.015;   // of its pixels, visibly: what is less is 2 % of the picture's at most, mostly
+constexpr double converging = 0.75;  // of the share before
+constexpr double shorter[] = {0.4, 0.2, 0.1};
+
+double share_off(const Image& a, const Image& b)
+{
+    const Comparison c = compare(a, b);
+    return static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
+}
+
+class TrialRenderer : public Renderer {
+public:
+    explicit TrialRenderer(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        Timings spent;
+        Scene careful = scene;
+        careful.stride = tried_stride(scene, [&](const Scene& small, Image& picture) {
+            const Timings t = renderer_->render(small, picture).timings;
+            spent.build += t.build;
+            spent.upload += t.upload;
+            spent.kernel += t.kernel;
+            spent.readback += t.readback;
+            spent.wall += t.wall;
+        });
+        RenderReport report = renderer_->render(careful, image, progress);
+        report.timings.build += spent.build;
+        report.timings.upload += spent.upload;
+        report.timings.kernel += spent.kernel;
+        report.timings.readback += spent.readback;
+        report.timings.wall += spent.wall;
+        return report;
+    }
+
+private:
+    std::unique_ptr<Renderer> renderer_;
+};
+
+class TrialBackend : public Backend {
+public:
+    explicit TrialBackend(std::unique_ptr<Backend> backend) : backend_(std::move(backend)) {}
+
+    std::string_view name() const override { return backend_->name(); }
+    std::optional<std::string> unavailable() const override { return backend_->unavailable(); }
+    std::vector<Device> devices() const override { return backend_->devices(); }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        auto renderer = backend_->create(options);
+        if (options.mode == Mode::exact || !options.techniques.trial) return renderer;
+        return std::make_unique<TrialRenderer>(std::move(renderer));
+    }
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        return backend_->multiply_add_peak(options);
+    }
+
+private:
+    std::unique_ptr<Backend> backend_;
+};
+
+}  // namespace
+
+double tried_stride(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
+{
+    Scene small = scene;
+    const double pixels = static_cast<double>(scene.width) * scene.height;
+    const double scale = std::min(1.0, std::sqrt(trial_pixels / pixels));
+    small.width = std::max(1, static_cast<int>(std::lround(scale * scene.width)));
+    small.height = std::max(1, static_cast<int>(std::lround(scale * scene.height)));
+    const auto drawn = [&](double stride) {
+        small.stride = stride;
+        Image image(small.width, small.height, Image::Layers::bytes);
+        draw(small, image);
+        return image;
+    };
+    const double own = std::min(scene.stride, scene.fractal->fast_stride(scene));
+    double stride = scene.stride;
+    Image picture = drawn(stride);
+    double last_off = 1;
+    for (const double next : shorter) {
+        if (next >= own) continue;
+        Image again = drawn(next);
+        const double off = share_off(picture, again);
+        if (off <= most_off) return stride;
+        if (off > converging * last_off) return scene.stride;
+        last_off = off;
+        stride = next;
+        picture = std::move(again);
+    }
+    return stride;
+}
+
+std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend)
+{
+    return std::make_unique<TrialBackend>(std::move(backend));
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,88 @@
+// `bench random`: the scenes that tests draw, compared with the canonical pictures, held to what fast mode promises.
+#include "bench/random_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// Draws exact pictures where fast ones are asked for.
+class PlainBackend : public Backend {
+public:
+    std::string_view name() const override { return "plain"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return openmp_->devices(); }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        RendererOptions exact = options;
+        exact.mode = Mode::exact;
+        return openmp_->create(exact);
+    }
+
+private:
+    std::unique_ptr<Backend> openmp_ = make_openmp_backend();
+};
+
+Registry registry()
+{
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_reference_backend());
+    backends.push_back(make_openmp_backend());
+    backends.push_back(std::make_unique<PlainBackend>());
+    backends.push_back(not_built("vulkan"));
+    return Registry(std::move(backends));
+}
+
+void no_progress(double) {}
+
+TEST(Random, ComparesTheScenesThatTestsDraw)
+{
+    const RandomResult result = measure_random(registry(), {.scenes = 3, .sets = {1001, 77}}, no_progress);
+    ASSERT_EQ(result.rows.size(), 2U * 2 * 2 * 3);
+    for (const RandomRow& row : result.rows) {
+        // The second of three fractals begins where the first ends.
+        const bool box = row.scene.fractal->nickname == "box";
+        const auto index = static_cast<std::size_t>(row.number + (box ? 3 : 0));
+        const Scene scene = random_scenes(3, row.set).at(index).scene;
+        ASSERT_EQ(row.scene.fractal, scene.fractal);
+        EXPECT_EQ(row.scene.eye.x, scene.eye.x);
+        EXPECT_EQ(row.scene.shape, scene.shape);
+        const auto drawn = [&](const char* backend) {
+            return render(*registry().find(backend), scene, {.precision = row.precision, .mode = Mode::fast});
+        };
+        const Image canonical = render(*registry().find("reference"), scene, {.mode = Mode::fast});
+        EXPECT_EQ(row.off.visibly_differing, compare(canonical, drawn("openmp")).visibly_differing);
+    }
+    const RandomSum all = result.sum("box", Precision::f64, nullptr);
+    const unsigned set = 77;
+    EXPECT_EQ(all.scenes, 6);
+    EXPECT_EQ(result.sum("box", Precision::f64, &set).scenes, 3);
+    EXPECT_EQ(all.pixels, 6U * 61 * 45);
+}
+
+TEST(Random, HoldsSetsToTheirShares)
+{
+    const RandomOptions options{.scenes = 12, .sets = {1001}};
+    EXPECT_TRUE(measure_random(registry(), options, no_progress).held());
+    RandomOptions plain = options;
+    plain.backend = "plain";
+    EXPECT_FALSE(measure_random(registry(), plain, no_progress).held());  // the twin
+}
+
+TEST(Random, NamesWhatIsNotThere)
+{
+    EXPECT_THROW(measure_random(registry(), {.backend = "nosuch"}, no_progress), InputError);
+    EXPECT_THROW(measure_random(registry(), {.backend = "vulkan"}, no_progress), Unavailable);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

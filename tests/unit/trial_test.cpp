@@ -1,0 +1,100 @@
+// Fast mode tries its steps: scenes whose surface they pass through are drawn with shorter ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "backends/all.h"
+#include "backends/openmp/openmp.h"
+#include "core/image/compare.h"
+#include "core/render/trial.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+// Pictures made up: `off` thousandths of each have a colour that no other picture has, so that of two pictures the
+// larger one of their shares differs.
+struct Pictures {
+    std::vector<int> off;
+    std::vector<double> strides{};  // asked for
+
+    double tried(const Scene& scene)
+    {
+        return tried_stride(scene, [&](const Scene& small, Image& image) {
+            EXPECT_LE(small.width * small.height, 1100);
+            std::ranges::fill(image.bytes(), static_cast<unsigned char>(0));
+            const auto share = static_cast<std::size_t>(off.at(strides.size()));
+            strides.push_back(small.stride);
+            std::fill_n(image.bytes().begin(), image.bytes().size() * share / 1000,
+                        static_cast<unsigned char>(10 * strides.size()));
+        });
+    }
+};
+
+TEST(Trial, ShortensStepsUntilPicturesAgree)
+{
+    const Scene bulb = official_scene("bulb", 1080, 1080);
+    Pictures agree{{0, 14}};
+    EXPECT_EQ(agree.tried(bulb), default_stride);
+    EXPECT_EQ(agree.strides, (std::vector{default_stride, 0.4}));
+    Pictures settle{{60, 0, 14}};
+    EXPECT_EQ(settle.tried(bulb), 0.4);
+    EXPECT_EQ(settle.strides, (std::vector{default_stride, 0.4, 0.2}));
+    Pictures come_nearer{{90, 40, 0, 20}};
+    EXPECT_EQ(come_nearer.tried(bulb), 0.1);
+    Pictures stay_apart{{0, 60, 60, 60}};
+    EXPECT_EQ(stay_apart.tried(bulb), default_stride);
+    EXPECT_EQ(stay_apart.strides, (std::vector{default_stride, 0.4, 0.2}));
+    Scene low = bulb;
+    low.shape[2] = 3;  // its own steps are 0.4 of the estimate
+    Pictures low_agree{{0, 0}};
+    EXPECT_EQ(low_agree.tried(low), default_stride);
+    EXPECT_EQ(low_agree.strides, (std::vector{default_stride, 0.2}));
+}
+
+Scene random_bulb(unsigned seed, int number)
+{
+    return random_scenes(60, seed).at(static_cast<std::size_t>(number)).scene;
+}
+
+// Scenes of which fast mode's usual steps leave more than 2 % off.
+TEST(Trial, BringsPicturesNearTheCanonicalOnes)
+{
+    const Registry registry = all_backends();
+    const std::vector<Scene> scenes{random_bulb(1001, 12), random_bulb(3003, 20), random_bulb(6006, 14)};
+    for (const Scene& scene : scenes) {
+        const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
+        for (const Precision precision : {Precision::f64, Precision::f32}) {
+            const auto off = [&](bool trial) {
+                const RendererOptions options{
+                    .precision = precision, .mode = Mode::fast, .techniques = {.trial = trial}};
+                return compare(canonical, render(*registry.find("openmp"), scene, options)).visibly_differing;
+            };
+            EXPECT_LE(50 * off(true), canonical.pixels()) << scene.shape[2];
+            EXPECT_GT(50 * off(false), canonical.pixels()) << scene.shape[2];  // the twin
+        }
+    }
+}
+
+TEST(Trial, ChangesNothingWhereStepsWereFine)
+{
+    const auto plain = make_openmp_backend();
+    const auto tried = with_trials(make_openmp_backend());
+    for (const char* name : {"bulb", "box"}) {
+        for (const auto& [width, height] : {std::pair(270, 270), {1, 1}, {300, 2}}) {
+            const Scene scene = official_scene(name, width, height);
+            for (const Precision precision : {Precision::f64, Precision::f32}) {
+                const RendererOptions options{.precision = precision, .mode = Mode::fast};
+                EXPECT_TRUE(compare(render(*plain, scene, options), render(*tried, scene, options)).same()) << name;
+            }
+        }
+    }
+    // Exact pictures are what they are on every scene.
+    const Scene scene = random_bulb(1001, 12);
+    EXPECT_TRUE(compare(render(*plain, scene, {}), render(*tried, scene, {})).same());
+}
+
+}  // namespace
+}  // namespace mandelmarch
