@@ -108,8 +108,9 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
 // A picture's first lattice: nothing is left yet but that where a block is painted all is clear.
 HWY_INLINE void clear_hits(const Drawing& d, const Blocks& blocks)
 {
+    const MM_REAL clear = hn::GetLane(all_clear().of[0]);
     for (int block = 0; block < blocks.count; ++block) {
-        const MM_REAL what = d.canvas.starts[blocks.number[block]] > d.scene.end ? -1 : 0;
+        const MM_REAL what = d.canvas.starts[blocks.number[block]] > d.scene.end ? clear : 0;
         const int left = static_cast<int>(blocks.left[block]);
         const int bottom = static_cast<int>(blocks.bottom[block]);
         for (int y = bottom; y < bottom + block_side && y < d.canvas.end_row; y += 2) {

@@ -133,7 +133,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
 {
     const Scene& scene = d.scene;
     begin_refining(d);
-    sample_pool<finishing, Fields{0x1f8, ~3U}>(
+    sample_pool<finishing, refined>(
         d, d.pools.hits, 1,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
             a.ray = narrowed(scene, a.ray, here, on);
@@ -177,7 +177,7 @@ HWY_NOINLINE void march_rays(Drawing& d)
     const Scene& scene = d.scene;
     const bool between = d.canvas.lattice.before > 0;
     const real width = MM_REAL(0.5) * static_cast<MM_REAL>(d.canvas.lattice.apart) * d.canvas.spacing;
-    sample_pool<of_lattice ? every_field : alone, Fields{of_lattice ? 0x3f0 : 0x1f0, ~2U}>(
+    sample_pool<of_lattice ? every_field : alone, of_lattice ? marched_for_others : marched>(
         d, d.pools.marching, steps_at_once,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
             if (of_lattice) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);

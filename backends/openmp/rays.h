@@ -20,8 +20,12 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{~0U, ~0U};
-constexpr Fields alone{0x1ff, ~0U};                         // what a ray needs that leaves nothing for others
-constexpr Fields finishing{0x1ff, MM_COUNTED ? ~0U : ~1U};  // and one that has hit
+constexpr Fields alone{0x1ff, ~0U};                         // of a ray that leaves nothing for those between
+constexpr Fields finishing{0x1ff, MM_COUNTED ? ~0U : ~1U};  // of one that has hit
+// What a step of marching changes, where rays leave something and where not, and a step of refining.
+constexpr Fields marched_for_others{0x3f0, ~2U};
+constexpr Fields marched{0x1f0, ~2U};
+constexpr Fields refined{0x1f8, ~3U};
 
 // Calls f(number of the field, its pack) for each field of some.
 template <Fields some, class OnReal, class OnWhole>

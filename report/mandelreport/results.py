@@ -11,6 +11,8 @@ from typing import Any
 from .bench import SCHEMA, Bench, read_bench, read_portability
 from .errors import InputError
 from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
+from .random_scenes import SCHEMA as RANDOM_SCHEMA
+from .random_scenes import read_random
 
 
 @dataclass
@@ -22,6 +24,7 @@ class Results:
     audits: list[Audit] = field(default_factory=list)
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
+    random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     portability: list[dict[str, Any]] | None = None  # bench portability --json
     k40: str | None = None  # the tables of make k40
     loop_mix: str | None = None  # the table of make loop-mix
@@ -51,6 +54,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         return
     if kind.get("schema") == SCHEMA:
         results.benches.append(read_bench(name, path, data))
+    elif kind.get("schema") == RANDOM_SCHEMA:
+        results.random.append(read_random(name, data))
     elif kind.get("format") == MAP_FORMAT:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:

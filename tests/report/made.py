@@ -237,6 +237,21 @@ def write(folder: Path, files: dict[str, Any]) -> Path:
     return folder
 
 
+def random_scenes() -> dict[str, Any]:
+    def sums(off: float) -> dict[str, Any]:
+        return {
+            "scenes": 60,
+            "off_percent": off,
+            "hit_or_miss_percent": 0.0123,
+            "scenes_far_off": 3,
+            "of_these_short_of_digits": 1,
+            "worst_off_percent": 4.04,
+        }
+
+    entry = {"fractal": "bulb", "precision": "double", "all": sums(0.5), "sets": {"1": sums(0.123), "2": sums(0.987)}}
+    return {"schema": "mandelmarch-bench-random", "version": 1, "backend": "openmp", "without": "", "sums": [entry]}
+
+
 def everything() -> dict[str, Any]:
     return {
         "bench.json": bench(),
@@ -244,6 +259,7 @@ def everything() -> dict[str, Any]:
         "profile.json": bench("profile"),
         "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),
+        "random.json": random_scenes(),
         "map.json": flight_map(),
         "flight.json": audit(),
         "film.json": film(),

@@ -109,6 +109,7 @@ class ReportTest(unittest.TestCase):
         # Numbers come from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s a frame, the revision.
         for text in ("100", "95.0 – 105", "1.17 deg", "0.25", "0123456789abcdef", "OpenMP"):
             self.assertIn(f">{text}", page)
+        self.assertIn(">0.12 – 0.99<", page)  # of two sets
         # Equal pictures are stored once: a good one and a broken one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)
@@ -153,6 +154,11 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(Faults(self.page()).found, [])
 
     def test_bad_files(self) -> None:
+        # Files of one test stay in its folder and are read by name: each below comes before the broken ones.
+        self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version 2", "expected 1")
+        cut_off = made.random_scenes()
+        del cut_off["sums"][0]["sets"]
+        self.refused({"random.json": cut_off}, "random.json", "sets")
         self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "no JSON")
         self.refused({"bench.json": made.bench() | {"version": 0}}, "bench.json", "version 0", "expected 1")
         whole = made.bench()

@@ -66,13 +66,21 @@ public:
                                            .bytes = nullptr};
         openmp::TileQueue queue(scene_.width, {0, scene_.height}, 1);
         openmp::TileQueue::Share share{queue};
-        variant.draw(&kernel_, canvas, share.tiles(), memory.get());
+        steps_ += variant.draw(&kernel_, canvas, share.tiles(), memory.get()).steps;
     }
 
     float depth(int x, int y) const
     {
         return reals_[3 * pixels_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.width) +
                       static_cast<std::size_t>(x)];
+    }
+
+    // True where no pixel's steps were taken but those that are on the canvas: none was drawn twice.
+    bool drawn_once() const
+    {
+        std::uint64_t steps = 0;
+        for (std::size_t i = 0; i < pixels_; ++i) steps += static_cast<std::uint64_t>(wholes_[i]);
+        return steps == steps_;
     }
 
     Image image() const
@@ -91,6 +99,7 @@ private:
     std::size_t pixels_;
     std::vector<float> reals_;
     std::vector<int> wholes_;
+    std::uint64_t steps_ = 0;
 };
 
 constexpr Lattice lattices[] = {{0, 4}, {4, 2}, {2, 1}};
@@ -124,7 +133,12 @@ TEST(Lattices, DrawTheirPixelsAndNoOthers)
             EXPECT_TRUE(drawn_are_multiples(drawn, scene, lattice.apart))
                 << scene.fractal->name << ", " << scene.width << " x " << scene.height << ", " << lattice.apart;
         }
-        // The twin: a lattice less.
+        EXPECT_TRUE(drawn.drawn_once()) << scene.fractal->name << ", " << scene.width << " x " << scene.height;
+        // The twins: a lattice twice, a lattice less.
+        if (scene.width > 17) {
+            drawn.draw(lattices[2]);
+            EXPECT_FALSE(drawn.drawn_once());
+        }
         if (scene.width > 1) {
             Drawn twin(scene);
             twin.draw(lattices[0]);

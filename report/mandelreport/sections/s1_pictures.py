@@ -9,6 +9,7 @@ from ..agreement import Difference, compare, difference_map, encode, flip_mean, 
 from ..blocks import Block, Figure, Missing, Table, data_uri
 from ..figures.style import order
 from ..pictures import SCENES, SIDE, Key, Picture
+from ..random_scenes import random_table
 from ..text import digits, join
 from . import Material
 
@@ -158,6 +159,9 @@ def section(material: Material) -> dict[str, Any]:
         "tables": tables,
         "float": _float_against_double(material, pictures),
         "flip": _flip(material, pictures),
+        "random": random_table(material.results.random)
+        if material.results.random
+        else Missing("Fast pictures of random scenes", "bin/bench random --json report/results/random.json"),
         "devices": Table(
             ["backend", "device"], [list(entry) for entry in devices], "What drew the pictures of this section."
         ),

@@ -1,0 +1,63 @@
+"""The result of `bench random`: how near fast pictures of random scenes come to the canonical ones."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .blocks import Table
+from .errors import InputError
+
+SCHEMA = "mandelmarch-bench-random"
+VERSION = 1
+
+
+def read_random(name: str, data: dict[str, Any]) -> dict[str, Any]:
+    if data.get("version") != VERSION:
+        raise InputError(f"{name}: version {data.get('version')} of bench random, expected {VERSION}")
+    try:
+        random_table([data])
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"{name}: not as bench random writes it: {error!r}") from None
+    return data
+
+
+def _range(values: list[float], places: int) -> str:
+    return f"{min(values):.{places}f} – {max(values):.{places}f}"
+
+
+def random_table(results: list[dict[str, Any]]) -> Table:
+    rows = []
+    for data in results:
+        for entry in data["sums"]:
+            sets, every = list(entry["sets"].values()), entry["all"]
+            rows.append(
+                [
+                    entry["fractal"],
+                    entry["precision"],
+                    data["backend"] + (f" without {data['without']}" if data["without"] else ""),
+                    f"{len(sets)} of {sets[0]['scenes']}",
+                    _range([one["off_percent"] for one in sets], 2),
+                    _range([one["hit_or_miss_percent"] for one in sets], 3),
+                    f"{every['scenes_far_off']} of {every['scenes']}",
+                    str(every["of_these_short_of_digits"]),
+                    f"{every['worst_off_percent']:.1f}",
+                ]
+            )
+    headers = [
+        "fractal",
+        "precision",
+        "backend",
+        "sets",
+        "visibly off by set [%]",
+        "hit or miss by set [%]",
+        "scenes over 2 %",
+        "of these short of digits",
+        "worst [%]",
+    ]
+    return Table(
+        headers,
+        rows,
+        "Fast pictures of random scenes against the reference's canonical ones (bench random). Short of digits: exact "
+        "mode's picture in float is more than 2 % off that in double, too.",
+        [3, 4, 5, 6, 7, 8],
+    )
