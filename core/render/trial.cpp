@@ -60,7 +60,9 @@ public:
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         auto renderer = backend_->create(options);
-        if (options.mode == Mode::exact || !options.techniques.trial) return renderer;
+        // Where hits are not refined every schedule draws a picture of its own.
+        const bool comparable = options.mode == Mode::fast && options.techniques.root;
+        if (!comparable || !options.techniques.trial) return renderer;
         return std::make_unique<TrialRenderer>(std::move(renderer));
     }
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
