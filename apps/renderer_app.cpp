@@ -186,6 +186,13 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     ProgressBar bar(program);
     const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
     bar.finish();
+    if (report.unsettled > 0) {
+        fmt::print(stderr, "{}: shorter steps would change {:.0f} % of the picture: it is finer than {}\n", program,
+                   100 * report.unsettled,
+                   options.renderer.precision == Precision::f32 ? "float's digits (try --precision double) or than the "
+                                                                  "distance estimate"
+                                                                : "the distance estimate");
+    }
     write_image(output, format, image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report);
     return exit_fine;

@@ -22,6 +22,8 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
         {"threads", report.threads},
         {"pack", report.pack},
         {"instruction_set", report.instruction_set},
+        {"stride", report.stride > 0 ? nlohmann::ordered_json(report.stride) : nlohmann::ordered_json()},
+        {"unsettled", report.unsettled},
         {"seconds",
          {{"context", t.context},
           {"build", t.build},

@@ -21,6 +21,15 @@ double share_off(const Image& a, const Image& b)
     return static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
 }
 
+void add_to(Timings& to, const Timings& from)
+{
+    to.build += from.build;
+    to.upload += from.upload;
+    to.kernel += from.kernel;
+    to.readback += from.readback;
+    to.wall += from.wall;
+}
+
 class TrialRenderer : public Renderer {
 public:
     explicit TrialRenderer(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
@@ -28,21 +37,15 @@ public:
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
         Timings spent;
-        Scene careful = scene;
-        careful.stride = tried_stride(scene, [&](const Scene& small, Image& picture) {
-            const Timings t = renderer_->render(small, picture).timings;
-            spent.build += t.build;
-            spent.upload += t.upload;
-            spent.kernel += t.kernel;
-            spent.readback += t.readback;
-            spent.wall += t.wall;
+        const Trial trial = try_steps(scene, [&](const Scene& small, Image& picture) {
+            add_to(spent, renderer_->render(small, picture).timings);
         });
-        RenderReport report = renderer_->render(careful, image, progress);
-        report.timings.build += spent.build;
-        report.timings.upload += spent.upload;
-        report.timings.kernel += spent.kernel;
-        report.timings.readback += spent.readback;
-        report.timings.wall += spent.wall;
+        Scene tried = scene;
+        tried.stride = trial.stride;
+        RenderReport report = renderer_->render(tried, image, progress);
+        add_to(report.timings, spent);
+        report.stride = trial.stride;
+        report.unsettled = trial.settled() ? 0 : trial.off;
         return report;
     }
 
@@ -76,7 +79,9 @@ private:
 
 }  // namespace
 
-double tried_stride(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
+bool Trial::settled() const { return off <= most_off; }
+
+Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
 {
     Scene small = scene;
     const double pixels = static_cast<double>(scene.width) * scene.height;
@@ -90,20 +95,19 @@ double tried_stride(const Scene& scene, const std::function<void(const Scene&, I
         return image;
     };
     const double own = std::min(scene.stride, scene.fractal->fast_stride(scene));
-    double stride = scene.stride;
-    Image picture = drawn(stride);
-    double last_off = 1;
+    Trial trial{scene.stride, 1};
+    Image picture = drawn(scene.stride);
     for (const double next : shorter) {
         if (next >= own) continue;
         Image again = drawn(next);
-        const double off = share_off(picture, again);
-        if (off <= most_off) return stride;
-        if (off > converging * last_off) return scene.stride;
-        last_off = off;
-        stride = next;
+        const double last_off = trial.off;
+        trial.off = share_off(picture, again);
+        if (trial.settled()) return trial;
+        if (trial.off > converging * last_off) return {scene.stride, trial.off};
+        trial.stride = next;
         picture = std::move(again);
     }
-    return stride;
+    return trial;
 }
 
 std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend)

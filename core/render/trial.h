@@ -9,10 +9,18 @@
 
 namespace mandelmarch {
 
-// The stride of fast mode in which the scene can be drawn: the scene's own where the shorter one of 0.4, 0.2, 0.1 that
-// comes next shows the same picture but for a few pixels, else the first of these of which that is true; the scene's
-// own again where shorter steps bring no two pictures nearer, as digits are short. `draw` draws a small picture.
-double tried_stride(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
+// What a trial found.
+struct Trial {
+    double stride = 0;  // in which the picture is drawn, as Scene::stride
+    double off = 0;     // the share of the trial's pixels that shorter steps still changed visibly
+
+    bool settled() const;  // shorter steps would change little
+};
+
+// Which stride of fast mode draws the scene: its own where the shorter one of 0.4, 0.2 and 0.1 that comes next shows
+// the same picture but for a few pixels, else the first of these of which that is true; its own again where shorter
+// steps bring pictures no nearer to each other, as digits are short. `draw` draws a small picture.
+Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
 
 // The backend, with a trial before each picture of fast mode. Timings include the trial's; Work does not.
 std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend);

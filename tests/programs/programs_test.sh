@@ -75,6 +75,15 @@ for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"thre
     grep -q "$text" stats.json || fail "statistics without $text"
 done
 
+# A detail finer than float's digits: fast mode's trial says so, and how it was drawn stands in the statistics.
+sed 's/^-4$/-8/' paramsBox.dat >fine.dat
+expect 0 "$bin/mandelbox" fine.dat --size 64x64 --precision float --mode fast --stats stats.json --output a.png
+grep -q 'shorter steps would change .* float' stderr || fail "nothing said of float's digits"
+grep -q '"unsettled": 0.[0-9]' stats.json || fail "statistics without what is unsettled"
+expect 0 "$bin/mandelbox" paramsBox.dat --size 64x64 --precision float --mode fast --stats stats.json --output a.png
+! grep -q 'shorter steps' stderr || fail "the official scene is called too fine"
+grep -q '"stride": 0.95' stats.json || fail "statistics without the steps"
+
 # Backends and devices.
 for backend in openacc opencl vulkan; do
     "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
