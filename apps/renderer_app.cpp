@@ -187,11 +187,12 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
     bar.finish();
     if (report.unsettled > 0) {
-        fmt::print(stderr, "{}: shorter steps would change {:.0f} % of the picture: it is finer than {}\n", program,
-                   100 * report.unsettled,
-                   options.renderer.precision == Precision::f32 ? "float's digits (try --precision double) or than the "
-                                                                  "distance estimate"
-                                                                : "the distance estimate");
+        fmt::print(stderr,
+                   "{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n",
+                   program, 100 * report.unsettled,
+                   options.renderer.precision == Precision::f32
+                       ? "float's digits are too few (--precision double has more) or "
+                       : "");
     }
     write_image(output, format, image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report);
