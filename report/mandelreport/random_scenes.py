@@ -16,7 +16,7 @@ def read_random(name: str, data: dict[str, Any]) -> dict[str, Any]:
         raise InputError(f"{name}: version {data.get('version')} of bench random, expected {VERSION}")
     try:
         random_table([data])
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, IndexError, TypeError, ValueError) as error:
         raise InputError(f"{name}: not as bench random writes it: {error!r}") from None
     return data
 
@@ -29,13 +29,13 @@ def random_table(results: list[dict[str, Any]]) -> Table:
     rows = []
     for data in results:
         for entry in data["sums"]:
-            sets, every = list(entry["sets"].values()), entry["all"]
+            sets, seeds, every = list(entry["sets"].values()), list(entry["sets"]), entry["all"]
             rows.append(
                 [
                     entry["fractal"],
                     entry["precision"],
                     data["backend"] + (f" without {data['without']}" if data["without"] else ""),
-                    f"{len(sets)} of {sets[0]['scenes']}",
+                    f"{len(sets)} of {sets[0]['scenes']}: {seeds[0]} … {seeds[-1]}",
                     _range([one["off_percent"] for one in sets], 2),
                     _range([one["hit_or_miss_percent"] for one in sets], 3),
                     f"{every['scenes_far_off']} of {every['scenes']}",
@@ -47,7 +47,7 @@ def random_table(results: list[dict[str, Any]]) -> Table:
         "fractal",
         "precision",
         "backend",
-        "sets",
+        "sets and their seeds",
         "visibly off by set [%]",
         "hit or miss by set [%]",
         "scenes over 2 %",
