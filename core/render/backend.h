@@ -85,8 +85,8 @@ struct RenderReport {
     int threads = 1;
     int pack = 1;
     std::string instruction_set;  // or device architecture; may be empty
-    // Fast mode with a trial (core/render/trial.h): the stride that it chose, as Scene::stride, else 0; and the share of
-    // its pixels that shorter steps would still change visibly, where that is more than a few.
+    // Fast mode with a trial (core/render/trial.h): the stride that it chose, as Scene::stride, else 0; and the share
+    // of its pixels that shorter steps would still change visibly, where that is more than a few.
     double stride = 0;
     double unsettled = 0;
     Timings timings;
