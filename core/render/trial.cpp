@@ -95,16 +95,17 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
         return image;
     };
     const double own = std::min(scene.stride, scene.fractal->fast_stride(scene));
-    Trial trial{scene.stride, 1};
+    Trial trial{scene.stride};
+    double last_off = 1;
     Image picture = drawn(scene.stride);
     for (const double next : shorter) {
         if (next >= own) continue;
         Image again = drawn(next);
-        const double last_off = trial.off;
         trial.off = share_off(picture, again);
         if (trial.settled()) return trial;
         if (trial.off > converging * last_off) return {scene.stride, trial.off};
         trial.stride = next;
+        last_off = trial.off;
         picture = std::move(again);
     }
     return trial;

@@ -12,7 +12,7 @@ namespace mandelmarch {
 // What a trial found.
 struct Trial {
     double stride = 0;  // in which the picture is drawn, as Scene::stride
-    double off = 0;     // the share of the trial's pixels that shorter steps still changed visibly
+    double off = 0;     // the share of the trial's pixels that shorter steps still changed visibly; 0: none were tried
 
     bool settled() const;  // shorter steps would change little
 };

@@ -57,6 +57,12 @@ TEST(Trial, ShortensStepsUntilPicturesAgree)
     Pictures low_agree{{0, 0}};
     EXPECT_EQ(low_agree.tried(low).stride, default_stride);
     EXPECT_EQ(low_agree.strides, (std::vector{default_stride, 0.2}));
+    Scene shortest = bulb;
+    shortest.stride = 0.1;  // nothing shorter is tried, and so nothing is known to be wrong
+    Pictures once{{60}};
+    const Trial untried = once.tried(shortest);
+    EXPECT_EQ(untried.stride, 0.1);
+    EXPECT_TRUE(untried.settled());
 }
 
 Scene random_bulb(unsigned seed, int number)
