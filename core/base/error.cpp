@@ -6,6 +6,9 @@
 #include <exception>
 #include <new>
 
+#include "core/base/console.h"
+#include "core/base/text.h"
+
 namespace mandelmarch {
 
 double device_timeout()
@@ -21,22 +24,25 @@ int run_program(const char* program, int (*body)(int, char**), int argc, char** 
     // A reader that goes away and a file size limit become errors of the write that meets them.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    const auto complain = [&](const std::exception& error) { say("{}: {}\n", program, printable(error.what())); };
     try {
-        return body(argc, argv);
+        const int code = body(argc, argv);
+        flush_stdout();
+        return code;
     } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        say("{}\n", printable(error.what()));
         return exit_usage;
     } catch (const Unavailable& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
+        complain(error);
         return exit_unavailable;
     } catch (const DeviceHung& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
+        complain(error);
         std::fflush(nullptr);
         std::_Exit(exit_failure);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "%s: out of memory\n", program);
+        say("{}: out of memory\n", program);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
+        complain(error);
     }
     return exit_failure;
 }

@@ -1,0 +1,75 @@
+#include "core/base/text.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace mandelmarch {
+namespace {
+
+// Bytes of the UTF-8 character at the beginning of `text`, 0 where there is none.
+std::size_t utf8_length(std::string_view text)
+{
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t length = byte(0) < 0x80   ? 1
+                               : byte(0) < 0xc2 ? 0
+                               : byte(0) < 0xe0 ? 2
+                               : byte(0) < 0xf0 ? 3
+                               : byte(0) < 0xf5 ? 4
+                                                : 0;
+    if (length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    }
+    // U+0080 to U+009F are control characters, too.
+    return length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0 ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t most)
+{
+    std::string made;
+    while (!text.empty()) {
+        if (made.size() >= most) return made + "...";
+        const unsigned char c = static_cast<unsigned char>(text.front());
+        std::size_t length = utf8_length(text);
+        if (c == '\n') {
+            made += "\\n";
+        } else if (c == '\t') {
+            made += "\\t";
+        } else if (c == '\r') {
+            made += "\\r";
+        } else if (c < 0x20 || c == 0x7f || length == 0) {
+            made += fmt::format("\\x{:02x}", c);
+            length = 1;
+        } else {
+            made += text.substr(0, length);
+        }
+        text.remove_prefix(length);
+    }
+    return made;
+}
+
+void check_json_depth(std::string_view text, const std::string& name)
+{
+    std::size_t depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted) {
+            if (c == '\\') ++i;
+            quoted = c != '"';
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > deepest_json) {
+                throw InputError(fmt::format("{}: brackets are nested more than {} deep", name, deepest_json));
+            }
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+}
+
+}  // namespace mandelmarch
