@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "backends/all.h"
+#include "core/base/console.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
@@ -48,16 +49,18 @@ public:
                 report.timings.wall = std::min(report.timings.wall, renderer->render(scene, image).timings.wall);
             }
         } catch (const Unavailable& error) {
-            fmt::print("{}unavailable: {}\n", head, error.what());
+            print("{}unavailable: {}\n", head, error.what());
             return true;
+        } catch (const Error& error) {
+            print("{}FAILED: {}\n", head, error.what());
+            return false;
         }
         const auto key = std::pair(scene.fractal->name, options.mode);
         if (backend.name() == "reference") reference_[key] = {image, report.timings.wall};
         const auto& [expected, ignored] = reference_.at(key);
         const double seconds = reference_.at({scene.fractal->name, Mode::exact}).second;
         if (backend.name() == "reference") {
-            fmt::print("{}{:9.1f} {:>9.2f}   yardstick\n", head, 1e3 * report.timings.wall,
-                       seconds / report.timings.wall);
+            print("{}{:9.1f} {:>9.2f}   yardstick\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall);
             return true;
         }
         const Comparison c = compare(expected, image);
@@ -72,10 +75,9 @@ public:
             proof += is_first ? "" : same ? ", same bits" : ", OTHER BITS";
         }
         if (fine) {
-            fmt::print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall,
-                       proof);
+            print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall, proof);
         } else {
-            fmt::print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", proof);
+            print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", proof);
         }
         return fine;
     }
@@ -88,21 +90,23 @@ private:
 int body(int argc, char**)
 {
     if (argc > 1) throw InputError("demo: it takes no arguments");
-    const Registry registry = all_backends();
-    fmt::print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
-    fmt::print(
-        "{} x {} pixels; fastest of {} pictures; speed-up over reference, exact; openmp 1: the text as scalar C++\n",
-        side, side, repetitions);
-    fmt::print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms",
-               "speed-up", "picture");
+    const Registry registry = all_backends(Drivers::isolated);
+    print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
+    print("{} x {} pixels; fastest of {} pictures; speed-up over reference, exact; openmp 1: the text as scalar C++\n",
+          side, side, repetitions);
+    print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms", "speed-up",
+          "picture");
     Demo demo;
     bool fine = true;
     for (const auto& [fractal, file] : {std::pair("mandelbulb", "paramsBulb.dat"), {"mandelbox", "paramsBox.dat"}}) {
         Scene scene = read_parameters(file, fractal_named(fractal)).scene;
         scene.width = scene.height = side;
         for (const auto& backend : registry.backends()) {
-            if (const auto why = backend->unavailable()) {
-                fmt::print("{:<11} {:<10} unavailable: {}\n", fractal, backend->name(), *why);
+            const Listing listing = listing_of(*backend);
+            if (listing.devices.empty()) {
+                fine = fine && listing.failure.empty();
+                print("{:<11} {:<10} {}{}\n", fractal, backend->name(),
+                      listing.failure.empty() ? "unavailable: " : "FAILED: ", listing.unavailable + listing.failure);
                 continue;
             }
             for (const Mode mode : {Mode::exact, Mode::fast}) {

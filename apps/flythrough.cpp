@@ -110,7 +110,7 @@ void refuse_broken(const Path& path, const Flythrough& options)
 
 int render(const Flythrough& options, const Path& path, Ranks& ranks)
 {
-    const Registry registry = all_backends();
+    const Registry registry = all_backends(Drivers::isolated);
     const Backend& backend = choose_backend(registry, options, ranks.rank() == 0);
     const RendererOptions renderer = renderer_of(options, backend, ranks);
     const Picture picture{options.width, options.height, options.samples, options.look};

@@ -12,6 +12,7 @@
 #include "apps/progress_bar.h"
 #include "apps/stats.h"
 #include "backends/all.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
@@ -135,18 +136,21 @@ void check_memory(const Scene& scene, ImageFormat format, bool stream)
                     scene.width, scene.height, needed >> 20, available >> 20));
 }
 
-void list_devices(const Registry& registry)
+// Lists every backend; false where a driver failed.
+bool list_devices(const Registry& registry)
 {
+    bool fine = true;
     for (const auto& backend : registry.backends()) {
-        if (const auto why = backend->unavailable()) {
-            fmt::print("{:<10} unavailable: {}\n", backend->name(), *why);
-            continue;
-        }
+        const Listing listing = listing_of(*backend);
         int index = 0;
-        for (const Device& device : backend->devices()) {
-            fmt::print("{:<10} {}: {} ({}, {})\n", backend->name(), index++, device.name, device.vendor, device.driver);
+        for (const Device& device : listing.devices) {
+            print("{:<10} {}: {} ({}, {})\n", backend->name(), index++, device.name, device.vendor, device.driver);
         }
+        if (!listing.unavailable.empty()) print("{:<10} unavailable: {}\n", backend->name(), listing.unavailable);
+        if (!listing.failure.empty()) print("{:<10} FAILED: {}\n", backend->name(), listing.failure);
+        fine = fine && listing.failure.empty();
     }
+    return fine;
 }
 
 const Backend& choose_backend(const Registry& registry, const std::string& name)
@@ -164,10 +168,9 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     std::optional<int> done;
     const Options options = parse_options(program, fractal, argc, argv, done);
     if (done) return *done;
-    const Registry registry = all_backends();
+    const Registry registry = all_backends(Drivers::isolated);
     if (options.list_devices) {
-        list_devices(registry);
-        return exit_fine;
+        return list_devices(registry) ? exit_fine : exit_failure;
     }
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
     for (const std::string& warning : parameters.warnings) fmt::print(stderr, "{}\n", warning);

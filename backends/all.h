@@ -5,6 +5,12 @@
 
 namespace mandelmarch {
 
-Registry all_backends();
+// Where devices' drivers run.
+enum class Drivers {
+    in_this_process,
+    isolated  // each device in a process of its own (core/isolation/isolated.h); before the program has threads
+};
+
+Registry all_backends(Drivers drivers = Drivers::in_this_process);
 
 }  // namespace mandelmarch

@@ -129,18 +129,18 @@ Json backends(const Registry& registry)
 {
     Json found = Json::array();
     for (const auto& backend : registry.backends()) {
+        const Listing listing = listing_of(*backend);
         Json devices = Json::array();
-        if (!backend->unavailable()) {
-            for (const Device& device : backend->devices()) {
-                devices.push_back({{"name", device.name},
-                                   {"vendor", device.vendor},
-                                   {"driver", device.driver},
-                                   {"is_gpu", device.is_gpu}});
-            }
+        for (const Device& device : listing.devices) {
+            devices.push_back({{"name", device.name},
+                               {"vendor", device.vendor},
+                               {"driver", device.driver},
+                               {"is_gpu", device.is_gpu}});
         }
+        const std::string why = listing.unavailable + listing.failure;
         const BackendBuild build = build_of(backend->name());
         found.push_back({{"name", backend->name()},
-                         {"unavailable", backend->unavailable() ? Json(*backend->unavailable()) : Json()},
+                         {"unavailable", or_null(why)},
                          {"compiler", build.compiler},
                          {"flags_exact", build.exact},
                          {"flags_fast", build.fast},

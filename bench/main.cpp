@@ -5,7 +5,10 @@
 
 namespace {
 
-int body(int argc, char** argv) { return mandelmarch::bench::bench_program(mandelmarch::all_backends(), argc, argv); }
+int body(int argc, char** argv)
+{
+    return mandelmarch::bench::bench_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), argc, argv);
+}
 
 }  // namespace
 

@@ -75,8 +75,6 @@ std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules
             live.fingerprint = fingerprint(image);
         }
         describe(row, report);
-    } catch (const DeviceHung&) {
-        throw;
     } catch (const Unavailable& error) {
         row.unavailable = error.what();
     } catch (const InputError& error) {
@@ -144,10 +142,9 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
 {
     std::vector<Peak> peaks;
     for (const auto& backend : registry.backends()) {
-        if (backend->unavailable()) continue;
         // Any backend may reach the most of a device: all are asked, whichever rows are timed.
         int index = 0;
-        for (const Device& device : backend->devices()) {
+        for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : precisions_of(options)) {
                 phase(fmt::format("multiply-add peak, {} {}", backend->name(), name_of(precision)), 0);
                 try {
@@ -155,8 +152,8 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
                     if (rate) {
                         peaks.push_back({platform_of(device), std::string(backend->name()), index, precision, *rate});
                     }
-                } catch (const Unavailable&) {
-                    continue;  // no double, say
+                } catch (const Error&) {
+                    continue;  // no double, say; a device that fails has said so in its rows
                 }
             }
             ++index;
@@ -176,9 +173,9 @@ Outcome measure(const Registry& registry, const Options& options, const Phase& p
     std::vector<Case> cases = cases_of(registry, options);
     if (cases.empty()) throw InputError("bench: no row is left by these options (bench --list shows the rows)");
     for (const Case& one : cases) {
-        if (one.backend == nullptr && one.row.backend == options.backend) {
-            throw Unavailable(fmt::format("backend {}: {}", options.backend, one.row.unavailable));
-        }
+        if (one.backend != nullptr || one.row.backend != options.backend) continue;
+        if (!one.row.failure.empty()) throw Error(one.row.failure);
+        throw Unavailable(fmt::format("backend {}: {}", options.backend, one.row.unavailable));
     }
 
     const auto start = std::chrono::steady_clock::now();

@@ -1,7 +1,6 @@
 #include "bench/steadiness.h"
 
 #include <fmt/format.h>
-#include <sys/times.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "bench/family_time.h"
 #include "bench/figures.h"
 
 namespace mandelmarch::bench {
@@ -61,10 +61,7 @@ Steadiness::Look Steadiness::look()
     const auto per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
     for (const double value : ticks) now.processors += value / per_second;
     now.stolen = ticks[7] / per_second;
-    tms mine{};
-    times(&mine);
-    const double own = static_cast<double>(mine.tms_utime + mine.tms_stime + mine.tms_cutime + mine.tms_cstime);
-    now.others = (ticks[0] + ticks[1] + ticks[2] - own) / per_second;
+    now.others = (ticks[0] + ticks[1] + ticks[2]) / per_second - family_seconds();
     return now;
 }
 

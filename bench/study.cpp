@@ -144,12 +144,13 @@ Case case_of(const std::string& nickname, const Point& point, std::pair<int, int
 }
 
 // The row of a backend without a device.
-Case missing(const Backend& backend, std::string why)
+Case missing(const Backend& backend, Listing listing)
 {
     Case made;
     made.row.fractal = "all";
     made.row.backend = backend.name();
-    made.row.unavailable = std::move(why);
+    made.row.unavailable = std::move(listing.unavailable);
+    made.row.failure = std::move(listing.failure);
     return made;
 }
 
@@ -225,11 +226,12 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
         const bool yardstick = options.study == "standard" && backend->name() == "reference";
         const bool asked = options.backend == "all" || options.backend == backend->name();
         if ((!asked && !yardstick) || !takes_part(options.study, backend->name())) continue;
-        if (const auto why = backend->unavailable()) {
-            if (asked) cases.push_back(missing(*backend, *why));
+        Listing listing = listing_of(*backend);
+        if (listing.devices.empty()) {
+            if (asked) cases.push_back(missing(*backend, std::move(listing)));
             continue;
         }
-        const std::vector<Device> devices = backend->devices();
+        const std::vector<Device>& devices = listing.devices;
         for (const std::string& nickname : fractals_of(options)) {
             for (const Point& point : points_of(options.study, nickname)) {
                 for (const Precision precision : precisions_of(options)) {

@@ -29,10 +29,10 @@ struct Case {
     Row row;
     Scene scene;
     RendererOptions options;
-    const Backend* backend = nullptr;  // nullptr in a row that is unavailable
+    const Backend* backend = nullptr;  // nullptr in a row of a backend without devices
 };
 
-// Every row of the study that the options choose, unavailable ones included: a backend without any device is one row.
+// Every row of the study that the options choose. A backend without any device is one row, which says why.
 // Throws InputError for an unknown name or a bad size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);
 

@@ -2,7 +2,8 @@
 
 namespace mandelmarch {
 
-Image::Image(int width, int height, Layers layers) : width_(width), height_(height)
+Image::Image(int width, int height, Layers layers, std::pmr::memory_resource* memory)
+    : width_(width), height_(height), bytes_(memory), values_(memory)
 {
     bytes_.resize(3 * pixels());
     if (layers == Layers::all) values_.resize(pixels());

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "core/image/tile.h"
@@ -45,21 +46,26 @@ public:
     enum class Layers { bytes, all };
 
     Image() = default;
-    // Black. `all` keeps, beside the three bytes, the values they came from.
-    Image(int width, int height, Layers layers);
+    // Black. `all` keeps, beside the three bytes, the values they came from. A copy takes its memory from the heap.
+    Image(int width, int height, Layers layers,
+          std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
     int width() const { return width_; }
     int height() const { return height_; }
-    std::size_t pixels() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_); }
+    std::size_t pixels() const { return pixels(width_, height_); }
+    static std::size_t pixels(int width, int height)
+    {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
     bool has_values() const { return !values_.empty(); }
 
     // Three bytes a pixel: red, green, blue.
-    const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-    std::vector<std::uint8_t>& bytes() { return bytes_; }
+    const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
+    std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
     // Empty unless the image keeps all layers.
-    const std::vector<PixelValue>& values() const { return values_; }
-    std::vector<PixelValue>& values() { return values_; }
+    const std::pmr::vector<PixelValue>& values() const { return values_; }
+    std::pmr::vector<PixelValue>& values() { return values_; }
 
     // Takes pixel (0, 0) to (width - 1, height - 1) of the planes to (left, bottom) and up. A byte is trunc(255 c),
     // computed in the tile's own number type. Different parts of an image can be stored from different threads.
@@ -72,8 +78,8 @@ public:
 private:
     int width_ = 0;
     int height_ = 0;
-    std::vector<std::uint8_t> bytes_;
-    std::vector<PixelValue> values_;
+    std::pmr::vector<std::uint8_t> bytes_;
+    std::pmr::vector<PixelValue> values_;
 };
 
 }  // namespace mandelmarch

@@ -63,6 +63,16 @@ Techniques techniques_without(std::string_view names)
     return techniques;
 }
 
+Listing listing_of(const Backend& backend)
+{
+    try {
+        if (auto why = backend.unavailable()) return {{}, std::move(*why), {}};
+        return {backend.devices(), {}, {}};
+    } catch (const Error& error) {
+        return {{}, {}, error.what()};
+    }
+}
+
 const Backend* Registry::find(std::string_view name) const
 {
     const auto found = std::ranges::find(backends_, name, [](const auto& backend) { return backend->name(); });
@@ -73,10 +83,12 @@ AutomaticChoice Registry::automatic() const
 {
     std::string reason = "openacc is not in this build";
     if (const Backend* openacc = find("openacc")) {
-        const auto devices = openacc->devices();
-        const auto gpu = std::ranges::find_if(devices, &Device::is_gpu);
-        if (gpu != devices.end()) return {openacc, "openacc has the GPU " + gpu->name};
-        reason = "openacc has no GPU: " + openacc->unavailable().value_or("only the host");
+        const Listing listing = listing_of(*openacc);
+        const auto gpu = std::ranges::find_if(listing.devices, &Device::is_gpu);
+        if (gpu != listing.devices.end()) return {openacc, "openacc has the GPU " + gpu->name};
+        reason = "openacc has no GPU: " + (!listing.failure.empty()       ? listing.failure
+                                           : !listing.unavailable.empty() ? listing.unavailable
+                                                                          : "only the host");
     }
     const Backend* openmp = find("openmp");
     if (openmp == nullptr) throw Unavailable(reason + ", and openmp is not in this build");

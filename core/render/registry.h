@@ -3,12 +3,22 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/render/backend.h"
 
 namespace mandelmarch {
+
+// What a backend has. Of the three one is not empty.
+struct Listing {
+    std::vector<Device> devices;
+    std::string unavailable;  // why there are none
+    std::string failure;      // how its driver failed while it listed them
+};
+
+Listing listing_of(const Backend& backend);
 
 // What `auto` chose, and why, in words for the user.
 struct AutomaticChoice {

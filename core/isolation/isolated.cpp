@@ -1,0 +1,209 @@
+#include "core/isolation/isolated.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "core/isolation/process.h"
+#include "core/isolation/shared_memory.h"
+#include "core/isolation/worker.h"
+
+namespace mandelmarch {
+namespace {
+
+using namespace isolation;
+
+// A device: its process, while a renderer uses it, and the memory for its pictures.
+class Host {
+public:
+    Host(const Nursery& nursery, std::string name) : nursery_(nursery), name_(std::move(name)) {}
+
+    // The process that there is, or a new one. Throws Error where the device was given up.
+    std::shared_ptr<Process> process()
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!given_up_.empty()) throw Error(given_up_);
+        auto found = process_.lock();
+        if (found == nullptr || found->has_ended()) {
+            process_ = found = std::make_shared<Process>(nursery_, name_);
+            memory_.reset();
+        }
+        return found;
+    }
+
+    // Draws what `request` asks for. Renderers of one device take turns.
+    RenderReport draw(Process& process, const Writer& request, Image& image, const Progress& progress)
+    {
+        const std::scoped_lock lock(drawing_);
+        const auto layers = image.has_values() ? Image::Layers::all : Image::Layers::bytes;
+        const std::size_t size = shared_size(image.pixels(), layers);
+        const bool fits = memory_ != nullptr && memory_->size() >= size && memory_->size() / most_spare <= size;
+        if (!fits) {
+            memory_.reset();
+            memory_ = std::make_unique<SharedMemory>(size);
+        }
+        Reader answer = process.ask(request, "drawing", fits ? -1 : memory_->descriptor(), progress);
+        RenderReport report;
+        transfer(answer, report);
+        copy_shared(*memory_, image);
+        return report;
+    }
+
+    // Calls `body`. A device that hangs is not asked again: each time would take as long.
+    template <class Body>
+    auto guarded(const Body& body)
+    {
+        try {
+            return body();
+        } catch (const DeviceHung& hung) {
+            const std::scoped_lock lock(mutex_);
+            given_up_ = fmt::format("{}: it did not answer before and was given up", name_);
+            throw Error(hung.what());
+        }
+    }
+
+    int next_number() { return numbers_++; }
+
+private:
+    static constexpr std::size_t most_spare = 64;  // times as much memory as is needed
+
+    const Nursery& nursery_;
+    std::string name_;
+    std::weak_ptr<Process> process_;
+    std::unique_ptr<SharedMemory> memory_;  // that the process has been given
+    std::string given_up_;                  // why
+    std::atomic<int> numbers_ = 0;          // of renderers
+    std::mutex mutex_;
+    std::mutex drawing_;
+};
+
+class IsolatedRenderer : public Renderer {
+public:
+    IsolatedRenderer(Host& host, const RendererOptions& options)
+        : host_(host), options_(options), number_(host.next_number())
+    {
+        host_.guarded([&] { create(); });
+    }
+
+    ~IsolatedRenderer() override
+    {
+        if (process_ == nullptr) return;
+        Writer request;
+        request(Request::release, number_);
+        process_->tell(request);
+    }
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        return host_.guarded([&] {
+            // A crash, in another renderer's call perhaps, has taken the process along.
+            if (process_->has_ended()) create();
+            Writer request;
+            request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes);
+            transfer(request, scene);
+            return host_.draw(*process_, request, image, progress);
+        });
+    }
+
+private:
+    void create()
+    {
+        process_ = host_.process();
+        Writer request;
+        request(Request::create, number_, options_);
+        process_->ask(request, "opening the device");
+    }
+
+    Host& host_;
+    RendererOptions options_;
+    int number_;
+    std::shared_ptr<Process> process_;
+};
+
+class IsolatedBackend : public Backend {
+public:
+    explicit IsolatedBackend(std::unique_ptr<Backend> backend)
+        : backend_(std::move(backend)), nursery_([this](Channel channel) { serve(*backend_, channel); })
+    {
+    }
+
+    std::string_view name() const override { return backend_->name(); }
+
+    std::optional<std::string> unavailable() const override
+    {
+        const Listing& found = listing();
+        return found.unavailable.empty() ? std::nullopt : std::optional(found.unavailable);
+    }
+
+    std::vector<Device> devices() const override { return listing().devices; }
+
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        return std::make_unique<IsolatedRenderer>(host(options.device), options);
+    }
+
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        Host& device = host(options.device);
+        return device.guarded([&] {
+            Writer request;
+            request(Request::peak, options);
+            Reader answer = device.process()->ask(request, "measuring the multiply-add peak");
+            const bool known = answer.take<bool>();
+            const auto rate = answer.take<double>();
+            return known ? std::optional(rate) : std::nullopt;
+        });
+    }
+
+private:
+    struct Listing {
+        std::string unavailable;
+        std::vector<Device> devices;
+        std::string failure;  // why there is neither
+    };
+
+    // Drivers are asked once, by a process that ends with its answer.
+    const Listing& listing() const
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!listing_) {
+            Listing& found = listing_.emplace();
+            try {
+                Process process(nursery_, fmt::format("backend {}", name()));
+                Writer request;
+                request(Request::list);
+                Reader answer = process.ask(request, "listing devices");
+                answer(found.unavailable, found.devices);
+            } catch (const Error& error) {
+                found.failure = error.what();
+            }
+        }
+        if (!listing_->failure.empty()) throw Error(listing_->failure);
+        return *listing_;
+    }
+
+    Host& host(int device) const
+    {
+        const std::scoped_lock lock(mutex_);
+        const std::string called = fmt::format("backend {}: device {}", name(), device);
+        return hosts_.try_emplace(device, nursery_, called).first->second;
+    }
+
+    std::unique_ptr<Backend> backend_;
+    Nursery nursery_;
+    mutable std::mutex mutex_;
+    mutable std::optional<Listing> listing_;
+    mutable std::map<int, Host> hosts_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> isolated(std::unique_ptr<Backend> backend)
+{
+    return std::make_unique<IsolatedBackend>(std::move(backend));
+}
+
+}  // namespace mandelmarch

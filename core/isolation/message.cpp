@@ -1,0 +1,12 @@
+#include "core/isolation/message.h"
+
+namespace mandelmarch::isolation {
+
+const char* Reader::advance(std::size_t size)
+{
+    if (size > bytes_.size() - at_) throw Error("a message of a device's process is too short");
+    at_ += size;
+    return bytes_.data() + at_ - size;
+}
+
+}  // namespace mandelmarch::isolation

@@ -1,0 +1,91 @@
+// What a program and the processes of its devices tell each other: values one after another, as they stand in memory.
+// Both are the same program, so that layouts and addresses of constants agree.
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mandelmarch::isolation {
+
+class Writer {
+public:
+    template <class... Values>
+    void operator()(const Values&... values)
+    {
+        (put(values), ...);
+    }
+
+    const std::string& bytes() const { return bytes_; }
+
+private:
+    template <class Value>
+    void put(const Value& value)
+    {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void put(const std::string& text)
+    {
+        put(text.size());
+        bytes_ += text;
+    }
+    template <class Value>
+    void put(const std::vector<Value>& values)
+    {
+        put(values.size());
+        for (const Value& value : values) transfer(*this, value);
+    }
+
+    std::string bytes_;
+};
+
+// Throws Error where the message ends too early.
+class Reader {
+public:
+    explicit Reader(std::string bytes) : bytes_(std::move(bytes)) {}
+
+    template <class... Values>
+    void operator()(Values&... values)
+    {
+        (take(values), ...);
+    }
+
+    template <class Value>
+    Value take()
+    {
+        Value value{};
+        take(value);
+        return value;
+    }
+
+private:
+    // Where the next `size` bytes stand.
+    const char* advance(std::size_t size);
+
+    template <class Value>
+    void take(Value& value)
+    {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        std::memcpy(&value, advance(sizeof value), sizeof value);
+    }
+    void take(std::string& text)
+    {
+        const auto size = take<std::size_t>();
+        text.assign(advance(size), size);
+    }
+    template <class Value>
+    void take(std::vector<Value>& values)
+    {
+        values.clear();
+        for (auto left = take<std::size_t>(); left > 0; --left) transfer(*this, values.emplace_back());
+    }
+
+    std::string bytes_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace mandelmarch::isolation

@@ -1,0 +1,129 @@
+#include "core/isolation/process.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <new>
+
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::isolation {
+namespace {
+
+// The process gives a device up by itself after device_timeout(), and then says more exactly what hung.
+std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
+
+constexpr std::size_t most_said = 1 << 16;  // bytes that are kept until they are printed
+constexpr std::size_t last_words = 300;     // bytes of them in a message
+
+}  // namespace
+
+Process::Process(const Nursery& nursery, std::string name)
+    : nursery_(nursery), name_(std::move(name)), child_(nursery.start())
+{
+}
+
+Process::~Process()
+{
+    if (!ended_) end();
+}
+
+std::optional<Packet> Process::heard(const char* doing)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit());
+    for (;;) {
+        std::array<pollfd, 2> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0}};
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        if (left <= 0) break;
+        poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
+        // What it prints must not wait in a full pipe, and is no answer.
+        if (from[1].revents != 0) listen();
+        if (from[0].revents != 0) return child_.channel.receive();
+    }
+    end();
+    repeat_said();
+    throw DeviceHung(fmt::format("{}: no answer in {} s while {}", name_, device_timeout(), doing));
+}
+
+void Process::listen()
+{
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
+        if (size == 0) child_.said = Descriptor();  // closed: nothing more will come
+        if (size <= 0) return;
+        said_.append(buffer.data(), static_cast<std::size_t>(size));
+        if (said_.size() > most_said) said_.erase(0, said_.size() - most_said);
+    }
+}
+
+void Process::repeat_said()
+{
+    say(said_);
+    said_.clear();
+}
+
+std::string Process::end()
+{
+    child_.channel = Channel(Descriptor());
+    std::string how = nursery_.end(child_.id);
+    listen();
+    ended_ = true;
+    return how;
+}
+
+void Process::tell(const Writer& request)
+{
+    const std::scoped_lock lock(mutex_);
+    if (!ended_) child_.channel.send(request.bytes());
+}
+
+Reader Process::ask(const Writer& request, const char* doing, int descriptor,
+                    const std::function<void(double)>& progress)
+{
+    const std::scoped_lock lock(mutex_);
+    const auto ended = [&]() -> Error {
+        const std::string how = end();
+        while (!said_.empty() && said_.back() == '\n') said_.pop_back();
+        std::string words = said_.substr(said_.rfind('\n') + 1);
+        said_.clear();
+        if (!words.empty()) words = fmt::format("; its last words: {}", printable(words, last_words));
+        return Error(fmt::format("{}: the driver ended the device's process while {}: {}{}", name_, doing, how, words));
+    };
+    if (ended_ || !child_.channel.send(request.bytes(), descriptor)) throw ended();
+    for (;;) {
+        auto packet = heard(doing);
+        if (!packet) throw ended();
+        Reader answer(std::move(packet->bytes));
+        const auto kind = answer.take<Answer>();
+        if (kind == Answer::progress) {
+            if (progress) progress(answer.take<double>());
+            continue;
+        }
+        listen();
+        repeat_said();
+        if (kind == Answer::done) return answer;
+        fail(kind, answer, doing);
+    }
+}
+
+void Process::fail(Answer kind, Reader& answer, const char* doing)
+{
+    if (kind == Answer::no_memory) throw std::bad_alloc();
+    const auto why = answer.take<std::string>();
+    switch (kind) {
+        case Answer::input_error: throw InputError(why);
+        case Answer::unavailable: throw Unavailable(why);
+        case Answer::hung: end(); throw DeviceHung(why);
+        case Answer::error: throw Error(why);
+        default: throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));
+    }
+}
+
+}  // namespace mandelmarch::isolation

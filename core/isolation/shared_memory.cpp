@@ -1,0 +1,60 @@
+#include "core/isolation/shared_memory.h"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <cstring>
+#include <new>
+
+#include "core/base/error.h"
+
+namespace mandelmarch::isolation {
+namespace {
+
+// The bytes come first, then the values at their alignment, as SharedImage's resource hands memory out.
+std::size_t values_at(std::size_t pixels)
+{
+    constexpr std::size_t alignment = alignof(PixelValue);
+    return (3 * pixels + alignment - 1) / alignment * alignment;
+}
+
+}  // namespace
+
+SharedMemory::SharedMemory(std::size_t size) : descriptor_(memfd_create("mandelmarch image", MFD_CLOEXEC)), size_(size)
+{
+    if (descriptor() < 0 || ftruncate(descriptor(), static_cast<off_t>(size)) != 0) throw std::bad_alloc();
+    map();
+}
+
+SharedMemory::SharedMemory(Descriptor descriptor) : descriptor_(std::move(descriptor))
+{
+    struct stat status {};
+    if (fstat(descriptor_.number(), &status) != 0)
+        throw Error("a device's process was given no memory for its picture");
+    size_ = static_cast<std::size_t>(status.st_size);
+    map();
+}
+
+SharedMemory::~SharedMemory() { munmap(data_, size_); }
+
+void SharedMemory::map()
+{
+    void* mapped = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor(), 0);
+    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    data_ = static_cast<std::byte*>(mapped);
+}
+
+std::size_t shared_size(std::size_t pixels, Image::Layers layers)
+{
+    return values_at(pixels) + (layers == Image::Layers::all ? pixels * sizeof(PixelValue) : 0);
+}
+
+void copy_shared(const SharedMemory& memory, Image& image)
+{
+    std::memcpy(image.bytes().data(), memory.data(), image.bytes().size());
+    if (!image.has_values()) return;
+    std::memcpy(image.values().data(), memory.data() + values_at(image.pixels()),
+                image.values().size() * sizeof(PixelValue));
+}
+
+}  // namespace mandelmarch::isolation

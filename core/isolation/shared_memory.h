@@ -1,0 +1,55 @@
+// Memory that two processes see: an image's layers, which a device's process draws and the program reads.
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+
+#include "core/image/image.h"
+#include "core/isolation/descriptor.h"
+
+namespace mandelmarch::isolation {
+
+class SharedMemory {
+public:
+    explicit SharedMemory(std::size_t size);       // new, all 0; throws std::bad_alloc
+    explicit SharedMemory(Descriptor descriptor);  // what the other process made; throws Error
+    SharedMemory(const SharedMemory&) = delete;
+    SharedMemory& operator=(const SharedMemory&) = delete;
+    ~SharedMemory();
+
+    int descriptor() const { return descriptor_.number(); }
+    std::size_t size() const { return size_; }
+    std::byte* data() const { return data_; }
+
+private:
+    void map();
+
+    Descriptor descriptor_;
+    std::size_t size_ = 0;
+    std::byte* data_ = nullptr;
+};
+
+// Bytes that an image takes there.
+std::size_t shared_size(std::size_t pixels, Image::Layers layers);
+
+// An image that lives there; it must not outlive the memory. A second one of the same size and layers is at the same
+// place.
+class SharedImage {
+public:
+    SharedImage(const SharedMemory& memory, int width, int height, Image::Layers layers)
+        : resource_(memory.data(), memory.size(), std::pmr::null_memory_resource()),
+          image(width, height, layers, &resource_)
+    {
+    }
+
+private:
+    std::pmr::monotonic_buffer_resource resource_;
+
+public:
+    Image image;
+};
+
+// Copies what another process has drawn in a SharedImage of the same size and layers.
+void copy_shared(const SharedMemory& memory, Image& image);
+
+}  // namespace mandelmarch::isolation

@@ -1,0 +1,112 @@
+#include "core/isolation/worker.h"
+
+#include <cstdlib>
+#include <map>
+#include <new>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/isolation/codec.h"
+#include "core/isolation/shared_memory.h"
+
+namespace mandelmarch::isolation {
+namespace {
+
+class Worker {
+public:
+    Worker(const Backend& backend, const Channel& channel) : backend_(backend), channel_(channel) {}
+
+    // False where nothing more will be asked.
+    bool answer(Packet& asked)
+    {
+        Reader request(std::move(asked.bytes));
+        if (asked.descriptor.number() >= 0) memory_ = std::make_unique<SharedMemory>(std::move(asked.descriptor));
+        const auto kind = request.take<Request>();
+        if (kind == Request::release) {
+            renderers_.erase(request.take<int>());
+            return true;
+        }
+        try {
+            Writer made;
+            made(Answer::done);
+            carry_out(kind, request, made);
+            return channel_.send(made.bytes());
+        } catch (const InputError& error) {
+            return refuse(Answer::input_error, error.what());
+        } catch (const Unavailable& error) {
+            return refuse(Answer::unavailable, error.what());
+        } catch (const DeviceHung& error) {
+            return refuse(Answer::hung, error.what());
+        } catch (const std::bad_alloc&) {
+            return refuse(Answer::no_memory, {});
+        } catch (const std::exception& error) {
+            return refuse(Answer::error, error.what());
+        }
+    }
+
+private:
+    void carry_out(Request kind, Reader& request, Writer& made)
+    {
+        switch (kind) {
+            case Request::list: return list(made);
+            case Request::create: {
+                const int number = request.take<int>();
+                renderers_[number] = backend_.create(request.take<RendererOptions>());
+                return;
+            }
+            case Request::render: return render(request, made);
+            case Request::peak: {
+                const auto rate = backend_.multiply_add_peak(request.take<RendererOptions>());
+                return made(rate.has_value(), rate.value_or(0));
+            }
+            case Request::release: return;
+        }
+    }
+
+    void list(Writer& made) const
+    {
+        const auto why = backend_.unavailable();
+        made(why.value_or(std::string()), why ? std::vector<Device>() : backend_.devices());
+    }
+
+    void render(Reader& request, Writer& made)
+    {
+        Renderer& renderer = *renderers_.at(request.take<int>());
+        const auto layers = request.take<Image::Layers>();
+        Scene scene;
+        transfer(request, scene);
+        if (memory_ == nullptr || memory_->size() < shared_size(Image::pixels(scene.width, scene.height), layers)) {
+            throw Error("a device's process has no memory for its picture");
+        }
+        SharedImage shared(*memory_, scene.width, scene.height, layers);
+        const RenderReport report = renderer.render(scene, shared.image, [&](double share) {
+            Writer progress;
+            progress(Answer::progress, share);
+            channel_.send(progress.bytes());
+        });
+        transfer(made, report);
+    }
+
+    bool refuse(Answer kind, const std::string& why) const
+    {
+        Writer made;
+        made(kind, printable(why));
+        return channel_.send(made.bytes());
+    }
+
+    const Backend& backend_;
+    const Channel& channel_;
+    std::unique_ptr<SharedMemory> memory_;
+    std::map<int, std::unique_ptr<Renderer>> renderers_;
+};
+
+}  // namespace
+
+void serve(const Backend& backend, const Channel& channel)
+{
+    Worker worker(backend, channel);
+    for (auto asked = channel.receive(); asked && worker.answer(*asked);) asked = channel.receive();
+    std::_Exit(exit_fine);  // nothing is tidied up: some drivers crash or hang there
+}
+
+}  // namespace mandelmarch::isolation
