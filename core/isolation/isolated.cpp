@@ -19,7 +19,10 @@ using namespace isolation;
 // A device: its process, while a renderer uses it, and the memory for its pictures.
 class Host {
 public:
-    Host(const Nursery& nursery, std::string name) : nursery_(nursery), name_(std::move(name)) {}
+    Host(std::shared_ptr<const Nursery> nursery, std::string name)
+        : nursery_(std::move(nursery)), name_(std::move(name))
+    {
+    }
 
     // The process that there is, or a new one. Throws Error where the device was given up.
     std::shared_ptr<Process> process()
@@ -70,7 +73,7 @@ public:
 private:
     static constexpr std::size_t most_spare = 64;  // times as much memory as is needed
 
-    const Nursery& nursery_;
+    std::shared_ptr<const Nursery> nursery_;
     std::string name_;
     std::weak_ptr<Process> process_;
     std::unique_ptr<SharedMemory> memory_;  // that the process has been given
@@ -82,10 +85,10 @@ private:
 
 class IsolatedRenderer : public Renderer {
 public:
-    IsolatedRenderer(Host& host, const RendererOptions& options)
-        : host_(host), options_(options), number_(host.next_number())
+    IsolatedRenderer(std::shared_ptr<Host> host, const RendererOptions& options)
+        : host_(std::move(host)), options_(options), number_(host_->next_number())
     {
-        host_.guarded([&] { create(); });
+        host_->guarded([&] { create(); });
     }
 
     ~IsolatedRenderer() override
@@ -98,26 +101,26 @@ public:
 
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
-        return host_.guarded([&] {
+        return host_->guarded([&] {
             // A crash, in another renderer's call perhaps, has taken the process along.
             if (process_->has_ended()) create();
             Writer request;
             request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes);
             transfer(request, scene);
-            return host_.draw(*process_, request, image, progress);
+            return host_->draw(*process_, request, image, progress);
         });
     }
 
 private:
     void create()
     {
-        process_ = host_.process();
+        process_ = host_->process();
         Writer request;
         request(Request::create, number_, options_);
         process_->ask(request, "opening the device");
     }
 
-    Host& host_;
+    std::shared_ptr<Host> host_;
     RendererOptions options_;
     int number_;
     std::shared_ptr<Process> process_;
@@ -126,7 +129,8 @@ private:
 class IsolatedBackend : public Backend {
 public:
     explicit IsolatedBackend(std::unique_ptr<Backend> backend)
-        : backend_(std::move(backend)), nursery_([this](Channel channel) { serve(*backend_, channel); })
+        : backend_(std::move(backend)),
+          nursery_(std::make_shared<Nursery>([this](const Channel& channel) { serve(*backend_, channel); }))
     {
     }
 
@@ -147,11 +151,11 @@ public:
 
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
     {
-        Host& device = host(options.device);
-        return device.guarded([&] {
+        const auto device = host(options.device);
+        return device->guarded([&] {
             Writer request;
             request(Request::peak, options);
-            Reader answer = device.process()->ask(request, "measuring the multiply-add peak");
+            Reader answer = device->process()->ask(request, "measuring the multiply-add peak");
             const bool known = answer.take<bool>();
             const auto rate = answer.take<double>();
             return known ? std::optional(rate) : std::nullopt;
@@ -185,18 +189,21 @@ private:
         return *listing_;
     }
 
-    Host& host(int device) const
+    std::shared_ptr<Host> host(int device) const
     {
         const std::scoped_lock lock(mutex_);
-        const std::string called = fmt::format("backend {}: device {}", name(), device);
-        return hosts_.try_emplace(device, nursery_, called).first->second;
+        std::shared_ptr<Host>& found = hosts_[device];
+        if (found == nullptr) {
+            found = std::make_shared<Host>(nursery_, fmt::format("backend {}: device {}", name(), device));
+        }
+        return found;
     }
 
     std::unique_ptr<Backend> backend_;
-    Nursery nursery_;
+    std::shared_ptr<const Nursery> nursery_;
     mutable std::mutex mutex_;
     mutable std::optional<Listing> listing_;
-    mutable std::map<int, Host> hosts_;
+    mutable std::map<int, std::shared_ptr<Host>> hosts_;
 };
 
 }  // namespace

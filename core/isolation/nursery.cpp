@@ -60,13 +60,13 @@ pid_t fork_tied()
     _exit(exit_fine);
 }
 
-// The status that waitpid() tells, after the process has had some time to end by itself.
-int status_of(pid_t child)
+// The status that waitpid() tells; unless `now`, after the process has had some time to end by itself.
+int status_of(pid_t child, bool now)
 {
     const auto start = std::chrono::steady_clock::now();
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
-        if (std::chrono::steady_clock::now() - start > patience) {
+        if (now || std::chrono::steady_clock::now() - start > patience) {
             kill(child, SIGKILL);
             waitpid(child, &status, 0);
             break;
@@ -89,7 +89,9 @@ int status_of(pid_t child)
             if (child == 0) run(work, std::move(asked->descriptor), std::move(said->descriptor));
             answer(child, errno);
         } else {
-            answer(status_of(Reader(asked->bytes).take<pid_t>()));
+            Reader reader(asked->bytes);
+            const auto child = reader.take<pid_t>();
+            answer(status_of(child, reader.take<bool>()));
         }
         if (!channel.send(answer.bytes())) break;
     }
@@ -140,10 +142,10 @@ Child Nursery::start() const
     return {id, std::move(ours), std::move(said)};
 }
 
-std::string Nursery::end(pid_t child) const
+std::string Nursery::end(pid_t child, bool now) const
 {
     Writer message;
-    message(child);
+    message(child, now);
     const auto answer = ask({{message.bytes(), -1}});
     if (!answer) return "all of the program's other processes have ended";
     const int status = Reader(answer->bytes).take<int>();

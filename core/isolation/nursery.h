@@ -31,9 +31,9 @@ public:
     // Throws Error.
     Child start() const;
 
-    // Ends the process, if it has not ended by itself a moment later, and tells how it ended in words: "exit code 0",
-    // "signal 11 (Segmentation fault)".
-    std::string end(pid_t child) const;
+    // Ends the process, `now` or if it has not ended by itself a moment later, and tells how it ended in words: "exit
+    // code 0", "signal 11 (Segmentation fault)".
+    std::string end(pid_t child, bool now) const;
 
 private:
     // What it answers to messages that belong together.

@@ -23,8 +23,8 @@ constexpr std::size_t last_words = 300;     // bytes of them in a message
 
 }  // namespace
 
-Process::Process(const Nursery& nursery, std::string name)
-    : nursery_(nursery), name_(std::move(name)), child_(nursery.start())
+Process::Process(std::shared_ptr<const Nursery> nursery, std::string name)
+    : nursery_(std::move(nursery)), name_(std::move(name)), child_(nursery_->start())
 {
 }
 
@@ -46,7 +46,7 @@ std::optional<Packet> Process::heard(const char* doing)
         if (from[1].revents != 0) listen();
         if (from[0].revents != 0) return child_.channel.receive();
     }
-    end();
+    end(true);
     repeat_said();
     throw DeviceHung(fmt::format("{}: no answer in {} s while {}", name_, device_timeout(), doing));
 }
@@ -69,10 +69,10 @@ void Process::repeat_said()
     said_.clear();
 }
 
-std::string Process::end()
+std::string Process::end(bool now)
 {
     child_.channel = Channel(Descriptor());
-    std::string how = nursery_.end(child_.id);
+    std::string how = nursery_->end(child_.id, now);
     listen();
     ended_ = true;
     return how;
@@ -120,7 +120,7 @@ void Process::fail(Answer kind, Reader& answer, const char* doing)
     switch (kind) {
         case Answer::input_error: throw InputError(why);
         case Answer::unavailable: throw Unavailable(why);
-        case Answer::hung: end(); throw DeviceHung(why);
+        case Answer::hung: end(true); throw DeviceHung(why);
         case Answer::error: throw Error(why);
         default: throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));
     }

@@ -14,7 +14,7 @@ namespace mandelmarch::isolation {
 class Process {
 public:
     // `name` is what messages call it, "backend opencl: device 0".
-    Process(const Nursery& nursery, std::string name);
+    Process(std::shared_ptr<const Nursery> nursery, std::string name);
     ~Process();  // ends it
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -32,12 +32,12 @@ public:
 private:
     // The next message; nullopt where the process has ended. Throws DeviceHung.
     std::optional<Packet> heard(const char* doing);
-    void listen();       // takes what the process has printed
-    void repeat_said();  // prints it
-    std::string end();   // how it ended
+    void listen();                      // takes what the process has printed
+    void repeat_said();                 // prints it
+    std::string end(bool now = false);  // how it ended
     [[noreturn]] void fail(Answer kind, Reader& answer, const char* doing);
 
-    const Nursery& nursery_;
+    std::shared_ptr<const Nursery> nursery_;
     std::string name_;
     Child child_;
     std::string said_;

@@ -1,0 +1,286 @@
+// Drivers that crash, hang or end their process: what a program sees of them.
+#include "core/isolation/isolated.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include "core/base/error.h"
+#include "core/render/registry.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+// What a made driver does, by the number of its device.
+enum Conduct : int { draws, aborts, crashes, exits, leaves, hangs, refuses, lacks, dislikes, starves, conducts };
+enum class Where { listing, opening, drawing, releasing, nowhere };
+
+void misbehave(Conduct conduct)
+{
+    std::fputs("driver: something is wrong\n", stderr);
+    switch (conduct) {
+        case aborts: std::abort();
+        case crashes: raise(SIGSEGV); break;
+        case exits: std::exit(0);
+        case leaves: std::_Exit(0);
+        case hangs:
+            for (;;) pause();
+        case refuses: throw Error("the driver refuses");
+        case lacks: throw Unavailable("the driver has no double");
+        case dislikes: throw InputError("--pack: the driver dislikes 3");
+        case starves: throw std::bad_alloc();
+        default: break;
+    }
+}
+
+class MadeRenderer : public Renderer {
+public:
+    MadeRenderer(Conduct conduct, Where where) : conduct_(conduct), where_(where) {}
+    ~MadeRenderer() override
+    {
+        if (where_ == Where::releasing) misbehave(conduct_);
+    }
+
+    // A picture that depends on the scene; of a scene with detail -9 nothing is drawn.
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        if (where_ == Where::nowhere) std::puts("driver: junk on stdout");
+        if (where_ == Where::drawing && scene.brightness != 1) misbehave(conduct_);
+        for (std::size_t i = 0; i < image.bytes().size() && scene.detail != -9; ++i) {
+            image.bytes()[i] = static_cast<std::uint8_t>(i * static_cast<std::size_t>(scene.iterations));
+        }
+        for (std::size_t i = 0; i < image.values().size(); ++i) image.values()[i].depth = static_cast<double>(i) / 3;
+        progress(0.5);
+        RenderReport report;
+        report.backend = "made";
+        report.device.name = scene.fractal == nullptr ? "" : "draws fractals";
+        report.timings.kernel = 1.25;
+        report.work.steps = 1ULL << 40;
+        return report;
+    }
+
+private:
+    Conduct conduct_;
+    Where where_;
+};
+
+class MadeBackend : public Backend {
+public:
+    MadeBackend(Where where, Conduct listing) : where_(where), listing_(listing) {}
+
+    std::string_view name() const override { return "made"; }
+    std::optional<std::string> unavailable() const override
+    {
+        if (where_ == Where::listing) misbehave(listing_);
+        return std::nullopt;
+    }
+    std::vector<Device> devices() const override { return std::vector<Device>(conducts, {"made", "us", "0", true}); }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        const auto conduct = static_cast<Conduct>(options.device);
+        if (where_ == Where::opening) misbehave(conduct);
+        return std::make_unique<MadeRenderer>(conduct, where_);
+    }
+
+private:
+    Where where_;
+    Conduct listing_;
+};
+
+std::unique_ptr<Backend> made(Where where, Conduct listing = draws)
+{
+    return isolated(std::make_unique<MadeBackend>(where, listing));
+}
+
+Scene scene_of(int width, int height)
+{
+    Scene scene = official_scene("bulb", width, height);
+    scene.brightness = 1;
+    return scene;
+}
+
+// A scene in whose drawing a driver misbehaves.
+Scene bad_scene()
+{
+    Scene scene = scene_of(8, 8);
+    scene.brightness = 2;
+    return scene;
+}
+
+// What the exception says that `call` throws; "" where it throws none of that type.
+template <class Exception, class Call>
+std::string thrown_by(const Call& call)
+{
+    try {
+        call();
+    } catch (const Exception& error) {
+        return error.what();
+    } catch (const std::exception& error) {
+        return std::string("another exception: ") + error.what();
+    }
+    return {};
+}
+
+class Isolation : public testing::Test {
+protected:
+    void SetUp() override { setenv("MANDELMARCH_DEVICE_TIMEOUT", "0.2", 1); }
+    void TearDown() override { unsetenv("MANDELMARCH_DEVICE_TIMEOUT"); }
+};
+
+TEST_F(Isolation, DrawsTheSamePictureAndReport)
+{
+    // The renderer outlives its backend.
+    const auto renderer = made(Where::nowhere)->create({.device = draws});
+    for (const auto& [width, height, layers] : {std::tuple(5, 3, Image::Layers::all),
+                                                {600, 400, Image::Layers::all},
+                                                {600, 401, Image::Layers::bytes},
+                                                {1, 1, Image::Layers::bytes}}) {
+        const Scene scene = scene_of(width, height);
+        Image here(width, height, layers);
+        MadeRenderer(draws, Where::nowhere).render(scene, here, [](double) {});
+        Image image(width, height, layers);
+        double progress = 0;
+        const RenderReport report = renderer->render(scene, image, [&](double share) { progress = share; });
+        EXPECT_EQ(image.bytes(), here.bytes());
+        if (layers == Image::Layers::all) {
+            EXPECT_EQ(image.values().back().depth, here.values().back().depth);
+        }
+        EXPECT_EQ(progress, 0.5);
+        EXPECT_EQ(report.device.name, "draws fractals");
+        EXPECT_EQ(report.timings.kernel, 1.25);
+        EXPECT_EQ(report.work.steps, 1ULL << 40);
+    }
+}
+
+// The twin of the test before: nothing of a picture before is left where a driver draws nothing.
+TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
+{
+    const auto backend = made(Where::nowhere);
+    const auto renderer = backend->create({.device = draws});
+    Scene scene = scene_of(8, 8);
+    Image image(8, 8, Image::Layers::bytes);
+    renderer->render(scene, image);
+    EXPECT_NE(image.bytes()[1], 0);
+    scene.detail = -9;
+    renderer->render(scene, image);
+    EXPECT_EQ(image.bytes()[1], 0);
+}
+
+TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
+{
+    const auto backend = made(Where::opening);
+    const auto create = [&](Conduct conduct) { return [&backend, conduct] { backend->create({.device = conduct}); }; };
+    EXPECT_EQ(thrown_by<Error>(create(refuses)), "the driver refuses");
+    EXPECT_EQ(thrown_by<Unavailable>(create(lacks)), "the driver has no double");
+    EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--pack: the driver dislikes 3");
+    EXPECT_NE(thrown_by<std::bad_alloc>(create(starves)), "");
+}
+
+TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
+{
+    const auto backend = made(Where::drawing);
+    Image image(8, 8, Image::Layers::bytes);
+    for (const auto& [conduct, how] :
+         {std::pair(aborts, "signal 6"), {crashes, "signal 11"}, {exits, "exit code 0"}, {leaves, "exit code 0"}}) {
+        const auto renderer = backend->create({.device = conduct});
+        const std::string why = thrown_by<Error>([&] { renderer->render(bad_scene(), image); });
+        EXPECT_NE(why.find("backend made: device " + std::to_string(conduct)), std::string::npos) << why;
+        EXPECT_NE(why.find("while drawing"), std::string::npos) << why;
+        EXPECT_NE(why.find(how), std::string::npos) << why;
+        EXPECT_NE(why.find("its last words: driver: something is wrong"), std::string::npos) << why;
+    }
+}
+
+TEST_F(Isolation, AProcessThatEndsWhileItOpensADeviceIsAnError)
+{
+    const auto backend = made(Where::opening);
+    for (const Conduct conduct : {aborts, crashes, exits, leaves}) {
+        const std::string why = thrown_by<Error>([&] { backend->create({.device = conduct}); });
+        EXPECT_NE(why.find("while opening the device"), std::string::npos) << why;
+    }
+}
+
+TEST_F(Isolation, AProcessThatEndsWhileItListsIsAFailureAndNoAbsence)
+{
+    for (const Conduct conduct : {aborts, crashes, exits, leaves, hangs}) {
+        const auto backend = made(Where::listing, conduct);
+        const Listing listing = listing_of(*backend);
+        EXPECT_NE(listing.failure, "");
+        EXPECT_EQ(listing.unavailable, "");
+        EXPECT_TRUE(listing.devices.empty());
+    }
+}
+
+TEST_F(Isolation, AfterACrashTheSameRendererDrawsInANewProcess)
+{
+    const auto backend = made(Where::drawing);
+    const auto renderer = backend->create({.device = crashes});
+    Image image(8, 8, Image::Layers::bytes);
+    EXPECT_THROW(renderer->render(bad_scene(), image), Error);
+    renderer->render(scene_of(8, 8), image);
+    EXPECT_NE(image.bytes()[1], 0);
+}
+
+TEST_F(Isolation, ACrashDoesNotTakeAnotherRendererOfItsDeviceAlong)
+{
+    const auto backend = made(Where::drawing);
+    const auto renderer = backend->create({.device = crashes});
+    const auto other = backend->create({.device = crashes});
+    Image image(8, 8, Image::Layers::bytes);
+    EXPECT_THROW(renderer->render(bad_scene(), image), Error);
+    other->render(scene_of(8, 8), image);
+    EXPECT_NE(image.bytes()[1], 0);
+}
+
+TEST_F(Isolation, ADeviceThatHangsIsNotAskedAgain)
+{
+    const auto backend = made(Where::drawing);
+    const auto renderer = backend->create({.device = hangs});
+    Image image(8, 8, Image::Layers::bytes);
+    const auto draw = [&] { renderer->render(bad_scene(), image); };
+    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: no answer in 0.2 s while drawing");
+    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: it did not answer before and was given up");
+}
+
+TEST_F(Isolation, AnotherDeviceDrawsAfterOneHung)
+{
+    const auto backend = made(Where::opening);
+    EXPECT_THROW(backend->create({.device = hangs}), Error);
+    Image image(8, 8, Image::Layers::bytes);
+    backend->create({.device = draws})->render(scene_of(8, 8), image);
+    EXPECT_NE(image.bytes()[1], 0);
+}
+
+TEST_F(Isolation, ADriverThatCrashesOrHangsWhileItIsReleasedSpoilsNothing)
+{
+    const auto backend = made(Where::releasing);
+    Image image(8, 8, Image::Layers::bytes);
+    for (const Conduct conduct : {aborts, exits, hangs}) {
+        for (int again = 0; again < 2; ++again) {
+            image.bytes()[1] = 0;
+            backend->create({.device = conduct})->render(scene_of(8, 8), image);
+            EXPECT_NE(image.bytes()[1], 0);
+        }
+    }
+}
+
+TEST_F(Isolation, WhatDriversPrintIsNoResult)
+{
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const auto backend = made(Where::nowhere);
+    Image image(8, 8, Image::Layers::bytes);
+    backend->create({.device = draws})->render(scene_of(8, 8), image);
+    backend->create({.device = exits})->render(scene_of(8, 8), image);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    static_cast<void>(testing::internal::GetCapturedStderr());
+}
+
+}  // namespace
+}  // namespace mandelmarch
