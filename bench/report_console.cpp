@@ -55,7 +55,9 @@ std::string main_table(const Result& result, bool sweep)
     for (const Row& row : result.rows) {
         if (row.device_name.empty()) {
             text += line(fmt::format("{:<5} {:<6} {:<5} {:<9}   - ", "all", "all", "all", row.backend), "",
-                         fmt::format("unavailable: {}", row.unavailable), "");
+                         row.failure.empty() ? fmt::format("unavailable: {}", row.unavailable)
+                                             : fmt::format("FAILED: {}", row.failure),
+                         "");
         } else if (!row.unavailable.empty()) {
             text += line(head(row), row.point, fmt::format("unavailable: {}", row.unavailable), "");
         } else if (!row.timed()) {

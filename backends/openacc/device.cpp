@@ -4,6 +4,7 @@
 #include <openacc.h>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace mandelmarch::openacc {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 std::string text_of(int device, acc_device_property_t property)
 {
     const char* text = acc_get_property_string(device, acc_device_nvidia, property);
-    return text != nullptr && *text != '\0' ? text : "unknown";
+    return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "backends/opencl/pocl_cache.h"
+#include "core/base/text.h"
+
 namespace mandelmarch::opencl {
 namespace {
 
@@ -12,7 +15,7 @@ std::string trimmed(std::string text)
 {
     text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
     while (!text.empty() && text.back() == ' ') text.pop_back();
-    return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+    return printable(text.substr(std::min(text.find_first_not_of(' '), text.size())));
 }
 
 const char* meaning(cl_int code)
@@ -40,6 +43,7 @@ Error explained(const char* doing, const cl::Error& error)
 
 std::vector<cl::Device> all_devices()
 {
+    provide_pocl_cache();
     std::vector<cl::Device> devices;
     try {
         std::vector<cl::Platform> platforms;

@@ -3,9 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
+
+#include "core/base/text.h"
 
 namespace mandelmarch::vulkan {
 namespace {
+
+// A driver's text, which need not end within its array.
+template <class Array>
+std::string text_of(const Array& text)
+{
+    return printable({text.data(), strnlen(text.data(), text.size())});
+}
 
 vk::raii::Context open_loader()
 {
@@ -88,7 +98,7 @@ Facts facts_of(const vk::raii::PhysicalDevice& physical)
     facts.has_double = physical.getFeatures().shaderFloat64 != 0;
     facts.shares_memory = properties.deviceType == vk::PhysicalDeviceType::eCpu ||
                           properties.deviceType == vk::PhysicalDeviceType::eIntegratedGpu;
-    facts.device = {.name = properties.deviceName.data(),
+    facts.device = {.name = text_of(properties.deviceName),
                     .vendor = vendor_name(properties.vendorID),
                     .driver = fmt::format("driver {:#x}", properties.driverVersion),
                     .is_gpu = rank_of(properties.deviceType) < 3};
@@ -101,7 +111,7 @@ Facts facts_of(const vk::raii::PhysicalDevice& physical)
         has_extension(physical, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
-        facts.device.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+        facts.device.driver = fmt::format("{} {}", text_of(driver.driverName), text_of(driver.driverInfo));
         facts.counts_loops = driver.driverID == vk::DriverId::eMesaLlvmpipe;
     }
     return facts;

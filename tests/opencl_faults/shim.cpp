@@ -8,7 +8,14 @@
 #include <string>
 #include <string_view>
 
+#include "tests/drivers/misconduct.h"
+
 namespace {
+
+using mandelmarch::drivers::misconduct;
+
+// Also as a driver of its own, which the loader opens.
+__attribute__((constructor)) void load() { misconduct("load"); }
 
 bool fault(std::string_view name)
 {
@@ -30,6 +37,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
                               const size_t* global, const size_t* local, cl_uint waits, const cl_event* wait,
                               cl_event* event)
 {
+    misconduct("launch");
     if (fault("dies")) return CL_OUT_OF_RESOURCES;
     if (fault("hangs")) {
         // An event that nothing ever completes.
@@ -55,6 +63,7 @@ cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t size, void*
 cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* device, const char* options,
                       void (*notify)(cl_program, void*), void* data)
 {
+    if (misconduct("build")) return CL_BUILD_PROGRAM_FAILURE;
     if (fault("compiler")) return CL_COMPILER_NOT_AVAILABLE;
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
@@ -74,8 +83,25 @@ cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const ch
     return create(context, 1, &begin, nullptr, error);
 }
 
+// The picture's planes are mapped to be read.
+void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, cl_map_flags flags, size_t offset,
+                         size_t size, cl_uint waits, const cl_event* wait, cl_event* event, cl_int* error)
+{
+    void* mapped = real<decltype(clEnqueueMapBuffer)>("clEnqueueMapBuffer")(queue, buffer, blocking, flags, offset,
+                                                                            size, waits, wait, event, error);
+    if (misconduct("map")) std::memset(mapped, 0xa5, size);
+    return mapped;
+}
+
+cl_int clReleaseContext(cl_context context)
+{
+    misconduct("release");
+    return real<decltype(clReleaseContext)>("clReleaseContext")(context);
+}
+
 cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* count)
 {
+    misconduct("enumeration");
     if (fault("absent")) return -1001;  // CL_PLATFORM_NOT_FOUND_KHR
     return real<decltype(clGetPlatformIDs)>("clGetPlatformIDs")(entries, platforms, count);
 }
@@ -83,6 +109,10 @@ cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* cou
 cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, size_t size, void* value, size_t* written)
 {
     const cl_int result = real<decltype(clGetDeviceInfo)>("clGetDeviceInfo")(device, what, size, value, written);
+    if (what == CL_DEVICE_NAME && value != nullptr && misconduct("enumeration")) {
+        std::memset(value, 0, size);
+        std::strncpy(static_cast<char*>(value), mandelmarch::drivers::garbage_name, size - 1);
+    }
     const bool no_double = fault("no-double") || fault("no-double-inexact");
     if (value != nullptr && no_double && what == CL_DEVICE_DOUBLE_FP_CONFIG) std::memset(value, 0, size);
     if (value != nullptr && (fault("inexact") || fault("no-double-inexact")) && what == CL_DEVICE_SINGLE_FP_CONFIG) {

@@ -22,7 +22,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "tests/drivers/misconduct.h"
+
 namespace {
+
+using mandelmarch::drivers::misconduct;
 
 // The next layer's functions, of the one instance and the one device that a program under test has at a time.
 struct Next {
@@ -108,6 +112,12 @@ void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* prope
 {
     next.get_properties(physical, properties);
     if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+    // A name that fills its array to the end, without a 0.
+    if (!misconduct("enumeration")) return;
+    for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
+        properties->deviceName[i] =
+            mandelmarch::drivers::garbage_name[i % std::strlen(mandelmarch::drivers::garbage_name)];
+    }
 }
 
 void get_properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
@@ -129,6 +139,8 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
+    // Garbage: nothing is done, and said to be done.
+    if (misconduct("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
     return next_of_device<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
 }
@@ -149,6 +161,19 @@ VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAl
     VkFenceCreateInfo misused = *info;
     if (wanted("misuse")) misused.flags |= 0x40000000;
     return next_of_device<PFN_vkCreateFence>("vkCreateFence")(device, &misused, memory, fence);
+}
+
+VkResult map_memory(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
+                    VkMemoryMapFlags flags, void** data)
+{
+    misconduct("map");
+    return next_of_device<PFN_vkMapMemory>("vkMapMemory")(device, memory, offset, size, flags, data);
+}
+
+void destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks)
+{
+    misconduct("release");
+    next_of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device, callbacks);
 }
 
 // Divisions of numbers of `bits` bits become products. Numbers of opcodes from the SPIR-V specification, section 3.49.
@@ -174,6 +199,7 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     std::vector<std::uint32_t> words(info->pCode, info->pCode + info->codeSize / 4);
     if (wanted("float_division")) words = without_division(words.data(), words.size(), 32);
     if (wanted("double_division")) words = without_division(words.data(), words.size(), 64);
+    if (misconduct("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.pCode = words.data();
     return next_of_device<PFN_vkCreateShaderModule>("vkCreateShaderModule")(device, &changed, memory, module);
 }
@@ -213,6 +239,8 @@ PFN_vkVoidFunction own(std::string_view name)
         {"vkWaitForFences", plain(wait_for_fences)},
         {"vkCreateFence", plain(create_fence)},
         {"vkCreateShaderModule", plain(create_shader_module)},
+        {"vkMapMemory", plain(map_memory)},
+        {"vkDestroyDevice", plain(destroy_device)},
     };
     const auto found = functions.find(name);
     return found == functions.end() ? nullptr : found->second;
@@ -224,6 +252,7 @@ PFN_vkVoidFunction own(std::string_view name)
 extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(
     VkNegotiateLayerInterface* interface)
 {
+    misconduct("load");
     interface->loaderLayerInterfaceVersion = 2;
     interface->pfnGetInstanceProcAddr = instance_proc;
     interface->pfnGetDeviceProcAddr = device_proc;

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# drivers_test.sh BIN SOURCE SHIM LAYER: OpenCL and Vulkan drivers that abort, crash, exit, hang or hand out garbage while
+# they are loaded, list devices, build, launch, map or are released. A picture that was asked for is there or the exit
+# code says no; whatever runs elsewhere is not touched.
+set -uo pipefail
+bin=$1
+source=$2
+shim=$3
+layer=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+mkdir loaded
+echo "$shim" >loaded/driver.icd
+
+# with API STAGE ACTION COMMAND...: under a driver that does that there.
+with() {
+    local api=$1 stage=$2 action=$3
+    shift 3
+    export MANDELMARCH_MISCONDUCT="$stage $action"
+    if [ "$api" = vulkan ]; then
+        VK_INSTANCE_LAYERS=VK_LAYER_MANDELMARCH_faults VK_LAYER_PATH=$layer timeout 100 "$@"
+    elif [ "$stage" = load ]; then
+        OCL_ICD_VENDORS=$folder/loaded timeout 100 "$@"
+    else
+        timeout 100 env LD_PRELOAD="$shim" "$@"
+    fi
+}
+
+fail() { echo "FAILED: $*" | tee -a failures; }
+
+# picture API STAGE ACTION: a picture of a size of its own, so that these can run side by side.
+picture() {
+    local at=$1-$2-$3
+    with "$1" "$2" "$3" "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend "$1" \
+        --output "$at.bmp" >"$at.out" 2>"$at.err"
+}
+
+# refused API STAGE ACTION TEXT: code 1, one line that holds the text, no picture.
+refused() {
+    local at=$1-$2-$3 code=0
+    picture "$1" "$2" "$3" || code=$?
+    [ $code = 1 ] || fail "$at: exit code $code: $(head -c 500 "$at.err")"
+    [ "$(wc -l <"$at.err")" = 1 ] || fail "$at: $(wc -l <"$at.err") lines: $(head -c 500 "$at.err")"
+    grep -q "backend $1: .*$4" "$at.err" || fail "$at: stderr does not say '$4': $(head -c 500 "$at.err")"
+    [ ! -e "$at.bmp" ] && [ ! -s "$at.out" ] || fail "$at: it left a picture, or a word on stdout"
+}
+
+# drawn API STAGE ACTION: the picture that the good driver draws, and code 0.
+drawn() {
+    local at=$1-$2-$3
+    picture "$1" "$2" "$3" || fail "$at: exit code $?: $(head -c 500 "$at.err")"
+    "$bin/imgdiff" "$1.bmp" "$at.bmp" >/dev/null || fail "$at: another picture"
+}
+
+# listed API STAGE ACTION: the others are listed, this one has failed, and the code is 1.
+listed() {
+    local at=list-$1-$2-$3 code=0
+    with "$1" "$2" "$3" "$bin/render" --list-devices >"$at" 2>"$at.err" || code=$?
+    [ $code = 1 ] || fail "$at: exit code $code"
+    for backend in reference openmp; do grep -q "^$backend *0: " "$at" || fail "$at: $backend is missing"; done
+    grep -q "^$1 *FAILED: backend $1: .*while listing devices" "$at" || fail "$at: $(grep "^$1" "$at")"
+    [ "$(wc -l <"$at")" -ge 5 ] || fail "$at: $(wc -l <"$at") rows"
+}
+
+apis=
+for api in opencl vulkan; do
+    "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend $api --output $api.bmp 2>$api.err
+    case $? in
+        0) apis="$apis $api" ;;
+        77) echo "$api: $(cat $api.err)" ;;
+        *) fail "$api without misconduct: $(cat $api.err)" ;;
+    esac
+done
+[ -n "$apis" ] || exit 77
+
+declare -A how=([abort]='signal 6' [crash]='signal 11' [exit]='exit code 0' [leave]='exit code 0')
+for api in $apis; do
+    for action in abort crash exit leave; do
+        for stage in load enumeration build launch map; do refused $api $stage $action "ended the device's process while .*${how[$action]}"; done
+        drawn $api release $action
+        for stage in load enumeration; do listed $api $stage $action; done
+    done
+done
+# Hangs take their time: side by side.
+export MANDELMARCH_DEVICE_TIMEOUT=4
+for api in $apis; do
+    for stage in load enumeration build launch map; do refused $api $stage hang 'no answer in 4 s' & done
+    drawn $api release hang &
+    listed_hang() { with $api enumeration hang "$bin/render" --list-devices >list-$api 2>&1; }
+    { listed_hang; [ $? = 1 ] && grep -q "^$api *FAILED: .*no answer in 4 s" list-$api && grep -q '^openmp *0: ' list-$api ||
+        fail "$api: a list with a driver that hangs: $(cat list-$api)"; } &
+done
+wait
+unset MANDELMARCH_DEVICE_TIMEOUT
+
+# Garbage: names stay in their line; what cannot be built is refused; a picture that is not the fractal's fails its
+# proof, and bench says which and times the others.
+for api in $apis; do
+    with $api enumeration garbage "$bin/render" --list-devices >list 2>err || fail "$api: garbage in a name: $(cat err)"
+    grep -q "^$api *0: junk\\\\x1b\[2J\\\\n" list || fail "$api: a name is printed raw: $(grep -a "^$api" list | cat -v)"
+    refused $api build garbage ''
+done
+if [[ $apis = *opencl* ]]; then
+    code=0
+    with opencl map garbage "$bin/bench" --fractal box --precision float --mode exact --size 32x32 --repetitions 1 \
+        --json bench.json >table 2>err || code=$?
+    [ $code = 1 ] || fail "bench, garbage: exit code $code"
+    grep -q "float *exact *opencl .*FAILED" table || fail "bench, garbage: $(grep opencl table)"
+    grep -q 'float *exact *openmp .*same bits' table || fail "bench, garbage: $(grep openmp table)"
+    [ -s bench.json ] || fail "bench, garbage: no result"
+fi
+
+# One backend's driver that exits leaves the others' rows, and the result that was asked for.
+for api in $apis; do
+    for stage in enumeration build; do
+        code=0
+        with $api $stage exit "$bin/bench" --fractal box --precision float --mode exact --size 32x32 --repetitions 1 \
+            --json bench-$api-$stage.json >table 2>err || code=$?
+        [ $code = 1 ] || fail "$api: bench, exit at $stage: exit code $code"
+        for backend in openmp openacc opencl vulkan; do
+            [ $backend = $api ] && wanted=FAILED || wanted='same bits\|unavailable'
+            grep -q "$backend .*\($wanted\)" table || fail "$api: bench, exit at $stage: $(grep $backend table || echo "no $backend")"
+        done
+        [ -s bench-$api-$stage.json ] || fail "$api: bench, exit at $stage: no result"
+    done
+    with $api enumeration exit "$bin/bench" --backend openmp --fractal box --precision float --mode exact --size 32x32 \
+        --repetitions 1 --json alone-$api.json >table 2>err || fail "$api: openmp alone: exit code $?: $(cat err)"
+    [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
+done
+
+# The libraries' own ways to end a program, by its environment.
+if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
+    ACC_DEVICE_NUM=1 "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend openacc \
+        --output number.bmp 2>err
+    [ $? = 1 ] && grep -q 'last words: libgomp: device 1 out of range' err || fail "ACC_DEVICE_NUM=1: $(cat err)"
+    code=0
+    ACC_DEVICE_NUM=1 "$bin/bench" --fractal box --precision float --mode exact --size 32x32 --repetitions 1 \
+        --json number.json >table 2>err || code=$?
+    [ $code = 1 ] && grep -q 'openmp .*same bits' table && grep -q 'openacc .*FAILED' table ||
+        fail "ACC_DEVICE_NUM=1: bench: exit code $code: $(cat table)"
+fi
+if [[ $apis = *opencl* ]]; then
+    POCL_CACHE_DIR='' "$bin/render" --list-devices >list 2>err || fail "an empty POCL_CACHE_DIR: $(cat list err)"
+    grep -q '^opencl *0: ' list || fail "an empty POCL_CACHE_DIR: $(cat list)"
+    for home in /proc/nope /dev/null; do
+        env -u POCL_CACHE_DIR HOME=$home XDG_CACHE_HOME=$home "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" \
+            --backend opencl --output home.bmp 2>err || fail "caches in $home: $(cat err)"
+    done
+fi
+[ -e failures ] && exit 1
+echo "drivers that misbehave: all fine"
