@@ -15,6 +15,7 @@
 
 #include "backends/openmp/peak.h"
 #include "backends/openmp/spacing.h"
+#include "backends/openmp/stack_size.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
@@ -174,6 +175,7 @@ class OpenmpRenderer : public Renderer {
 public:
     explicit OpenmpRenderer(const RendererOptions& options) : options_(options)
     {
+        openmp::check_stack_size();
         choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
         memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));

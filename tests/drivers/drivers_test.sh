@@ -140,6 +140,10 @@ if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
     [ $code = 1 ] && grep -q 'openmp .*same bits' table && grep -q 'openacc .*FAILED' table ||
         fail "ACC_DEVICE_NUM=1: bench: exit code $code: $(cat table)"
 fi
+for name in OMP_STACKSIZE GOMP_STACKSIZE; do
+    env $name=16k "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend openmp --output s.bmp 2>err
+    [ $? = 2 ] && grep -q "^$name: '16k' given, expected at least 64K" err || fail "$name=16k: $(cat err)"
+done
 if [[ $apis = *opencl* ]]; then
     POCL_CACHE_DIR='' "$bin/render" --list-devices >list 2>err || fail "an empty POCL_CACHE_DIR: $(cat list err)"
     grep -q '^opencl *0: ' list || fail "an empty POCL_CACHE_DIR: $(cat list)"

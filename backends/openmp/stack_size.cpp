@@ -1,0 +1,43 @@
+#include "backends/openmp/stack_size.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstdlib>
+
+#include "core/base/error.h"
+
+namespace mandelmarch::openmp {
+namespace {
+
+constexpr double least = 64;  // KiB; a thread takes about 20
+
+// KiB of an OMP_STACKSIZE (OpenMP 5.2, 21.2.2): a whole number, in KiB unless B, K, M or G stands behind it. 0 where it
+// says nothing: the run-time library then takes no notice of it.
+double kibibytes(const char* text)
+{
+    char* rest = nullptr;
+    const double number = std::strtod(text, &rest);
+    while (std::isspace(static_cast<unsigned char>(*rest)) != 0) ++rest;
+    switch (std::tolower(static_cast<unsigned char>(*rest))) {
+        case 'b': return number / 1024;
+        case 'm': return number * 1024;
+        case 'g': return number * 1024 * 1024;
+        default: return number;
+    }
+}
+
+}  // namespace
+
+void check_stack_size()
+{
+    for (const char* name : {"OMP_STACKSIZE", "GOMP_STACKSIZE"}) {
+        const char* text = std::getenv(name);
+        const double size = text == nullptr ? 0 : kibibytes(text);
+        if (size > 0 && size < least) {
+            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name, text, least));
+        }
+    }
+}
+
+}  // namespace mandelmarch::openmp
