@@ -1,6 +1,6 @@
 """python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
 
-Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""
+Exit codes: 0 fine, 1 a failure, of a device too (the page is there, and says which), 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""
 
 from __future__ import annotations
 
@@ -39,6 +39,8 @@ def main() -> int:
 
             write_whole(arguments.output / "report.pdf", print_page(target))
             print(f"report: {arguments.output / 'report.pdf'}", file=sys.stderr)
+        for key, why in studio.failures.items():
+            print(f"report: {key.fractal}, {key}: {why}", file=sys.stderr)
     except InputError as error:
         print(f"report: {error}", file=sys.stderr)
         return 2
@@ -48,7 +50,7 @@ def main() -> int:
     except OSError as error:
         print(f"report: {error}", file=sys.stderr)
         return 1
-    return 0
+    return 1 if studio.failures else 0
 
 
 if __name__ == "__main__":

@@ -68,13 +68,14 @@ class Cache:
 
 
 class Studio:
-    """Draws with bin/render. `reasons`: why a backend drew nothing."""
+    """Draws with bin/render. `reasons`: why a backend drew nothing; `failures`: where that was its device's fault."""
 
     def __init__(self, programs: Path, cache: Cache):
         self.render = programs / "render"
         self.imgdiff = programs / "imgdiff"
         self.cache = cache
         self.reasons: dict[Key, str] = {}
+        self.failures: dict[Key, str] = {}
         self.program = hashlib.sha256(self.render.read_bytes()).hexdigest() if self.there else ""
 
     @property
@@ -116,7 +117,9 @@ class Studio:
             if run.returncode == UNAVAILABLE:
                 write_whole(refused, (lines[-1] if lines else "unavailable").encode())
             elif run.returncode != 0:
-                raise InputError(f"{self.render}: {key}: {lines[-1] if lines else f'exit code {run.returncode}'}")
+                # Another run may have more luck: nothing is kept.
+                self.failures[key] = self.reasons[key] = lines[-1] if lines else f"exit code {run.returncode}"
+                return None
         if refused.exists():
             self.reasons[key] = refused.read_text(encoding="utf-8")
             return None

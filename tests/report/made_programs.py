@@ -5,15 +5,18 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-# Draws a grey picture; the backend vulkan is off in one pixel, opencl is not there.
+# Draws a grey picture; the backend vulkan is off in one pixel, opencl is not there, and another one may fail.
 RENDER = f"""#!{sys.executable}
-import json, sys
+import json, os, sys
 from PIL import Image
 options = dict(zip(sys.argv[1::1], sys.argv[2::1]))
 backend = options["--backend"]
 if backend == "opencl" or (backend == "reference" and options["--precision"] == "float"):
     print(f"render: backend {{backend}}: not here", file=sys.stderr)
     sys.exit(77)
+if backend == os.environ.get("MADE_FAILURE"):
+    print(f"render: backend {{backend}}: device 0: it crashed", file=sys.stderr)
+    sys.exit(1)
 width, height = map(int, options["--size"].split("x"))
 image = Image.new("RGB", (width, height), (100, 100, 100))
 if backend == "vulkan":

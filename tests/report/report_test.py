@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 from pathlib import Path
 from unittest import mock
@@ -125,6 +126,15 @@ class ReportTest(unittest.TestCase):
         self.make(changed, "bin", output="changed", results="changed")
         self.assertNotEqual(page, self.page("changed"))
         self.assertIn(">765<", self.page("changed"))
+
+    def test_a_device_that_fails_is_named_and_all_others_are_there(self) -> None:
+        made_programs.programs(self.folder / "bin")
+        with unittest.mock.patch.dict(os.environ, MADE_FAILURE="vulkan"):
+            run = self.make(made.everything(), "bin")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("report: mandelbulb, vulkan, double, exact: render: backend vulkan: device 0: it crashed", run.stderr)
+        self.assertIn("device 0: it crashed", self.page())
+        self.assertIn("same bits", self.page())
 
     def test_faults_are_found(self) -> None:
         self.assertEqual(Faults('<img alt="a picture of it" src="data:,">').found, [])
