@@ -22,7 +22,11 @@ layout(std430, binding = 0) readonly buffer SceneBuffer { Scene whole_scene; };
 layout(std430, binding = 1) buffer RayBuffer { Ray rays[]; };
 layout(std430, binding = 2) writeonly buffer RealBuffer { real reals[]; };
 layout(std430, binding = 3) writeonly buffer WholeBuffer { int wholes[]; };
-layout(std430, binding = 4) writeonly buffer FlagBuffer { int still_marching; };
+layout(std430, binding = 4) writeonly buffer FlagBuffer
+{
+    int still_marching;
+    int cut_off;
+};
 
 layout(push_constant) uniform Pass
 {
@@ -37,6 +41,16 @@ int every_second(int index, int bit)
 {
     int bits = index >> bit;
     return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
+}
+
+// True where the device has cut a loop of this invocation off. lavapipe counts rounds over all loops; when they are used
+// up it leaves the loop that it is in, goes on behind it, and gives every later loop one round only: so this one, which
+// makes two. Its bounds come from a buffer, so that no compiler takes it away.
+bool was_cut_off()
+{
+    int round = whole_scene.max_steps - 2;
+    while (round < whole_scene.max_steps) round = round + 1;
+    return round < whole_scene.max_steps;
 }
 
 void main()
@@ -81,4 +95,5 @@ void main()
     } else {
         rays[pixel] = ray;
     }
+    if (was_cut_off()) cut_off = 1;
 }
