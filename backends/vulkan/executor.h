@@ -43,9 +43,10 @@ inline constexpr vk::DeviceSize reals_at = aligned(sizeof(Flags));
 // A Ray's size as std430 lays it out: a vec3, four reals and three ints, to a multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 
-// Loop iterations of one invocation, in one pass. lavapipe ends an invocation silently after 65,535, counted over all
-// its loops. Elsewhere a watchdog may end a pass that takes some seconds: these are about a tenth of a second for a
-// warp on a slow GPU, whose double may be 32 times slower than its float.
+// Rounds of loops of one invocation, in one pass. lavapipe silently cuts loops off after 65,535, counted over all of
+// them and with the loops of branches that are not taken, once each. Elsewhere a watchdog may end a pass that takes
+// some seconds: these are about a tenth of a second for a warp on a slow GPU, whose double may be 32 times slower than
+// its float. kernel.comp notices where a device cuts off what was planned.
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;

@@ -15,8 +15,9 @@ constexpr int group = 64;  // as in peak.comp
 // Invocations: several for each lane of the largest GPUs, and enough to balance a CPU's cores.
 constexpr int gpu_items = 1 << 21;
 constexpr int cpu_items = 1 << 12;
-// lavapipe ends an invocation after 65,535 loop iterations, and a watchdog may end a GPU's pass after seconds.
+// Each is a round of the one loop of the text; a watchdog may end a GPU's pass after seconds.
 constexpr int rounds_per_pass = 1 << 14;
+static_assert(rounds_per_pass < counted_loops / 2);
 
 template <class Real>
 double measured(Gpu& gpu, Workbench& bench, Precision precision)

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
+#include "core/render/loops.h"
 
 namespace mandelmarch {
 namespace {
@@ -14,11 +15,37 @@ namespace {
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
 
-// The estimates of a pass that shades (central differences), and the steps of a hit that is refined to its end: as
-// in the kernel text.
-constexpr std::int64_t shade_estimates = 6;
-constexpr std::int64_t look_estimates = 12;  // more of them in our own looks, the orbit trap and its colours included
-constexpr std::int64_t refine_steps = 100;
+// What one invocation does at most.
+struct Plan {
+    bool whole = true;  // a pixel from its beginning to its end
+    int steps = max_steps;
+    int tries = 0;      // in a pass that refines
+    int all_tries = 0;  // of a ray
+};
+
+Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
+{
+    Plan plan;
+    if (survived == 0) return plan;
+    const Loops loops = loops_of(scene);
+    if (loops.shade > survived) {
+        throw Unavailable(fmt::format(
+            "colouring type {} with {} iterations loops more often than this device survives, expected fewer "
+            "iterations or the types 0 and 1",
+            scene.colouring, scene.iterations));
+    }
+    // Half of it: the rest is for what Loops does not count.
+    const std::int64_t planned = survived / 2;
+    const std::int64_t refining = mode == Mode::fast ? loops.refine : 0;
+    const auto fit = [&](std::int64_t each, std::int64_t most) {
+        return static_cast<int>(std::clamp<std::int64_t>((planned - loops.pass) / each, 1, most));
+    };
+    plan.whole = loops.pass + max_steps * loops.step + refining + loops.shade <= planned;
+    plan.steps = fit(loops.step, max_steps);
+    plan.all_tries = static_cast<int>((loops.refine - loops.pass) / loops.tried);
+    plan.tries = fit(loops.tried, plan.all_tries);
+    return plan;
+}
 
 }  // namespace
 
@@ -53,33 +80,19 @@ int rows_per_band(const Scene& scene, const Limits& limits)
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress)
 {
-    // An estimate loops once for each of its iterations; a loop may be counted once more, when it ends.
-    const std::int64_t loops_per_step = std::int64_t{scene.iterations} + 2;
-    const std::int64_t shading = shade_estimates + (scene.colouring > 1 ? look_estimates : 0);
-    const std::int64_t estimates = max_steps + refine_steps + shading;
-    const bool whole = limits.loops_per_invocation == 0 || loops_per_step * estimates <= limits.loops_per_invocation;
-    const auto steps_per_pass =
-        static_cast<int>(std::clamp<std::int64_t>(limits.loops_per_invocation / loops_per_step - 1, 1, max_steps));
-
-    if (limits.loops_per_invocation > 0 && shading * loops_per_step > limits.loops_per_invocation) {
-        throw Unavailable(fmt::format(
-            "colouring type {} with {} iterations loops more often than this device survives, expected fewer "
-            "iterations or the types 0 and 1",
-            scene.colouring, scene.iterations));
-    }
-
+    const Plan plan = plan_of(scene, mode, limits.loops_per_invocation);
     const int rows = rows_per_band(scene, limits);
     for (int row = 0; row < scene.height; row += rows) {
         const Band band{row, std::min(rows, scene.height - row)};
-        if (whole) {
+        if (plan.whole) {
             executor.run(Entry::draw, band, max_steps);
         } else {
             executor.run(Entry::begin, band, 0);
             do {
-                executor.run(Entry::march, band, steps_per_pass);
+                executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));
-            for (int done = 0; mode == Mode::fast && done < refine_steps; done += steps_per_pass) {
-                executor.run(Entry::refine, band, std::min<int>(steps_per_pass, refine_steps - done));
+            for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
+                executor.run(Entry::refine, band, std::min(plan.tries, plan.all_tries - done));
             }
             executor.run(Entry::shade, band, 0);
         }

@@ -20,7 +20,7 @@ struct Band {
 struct Limits {
     std::int64_t pixels_per_band;           // what its buffers hold
     std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
-    std::int64_t loops_per_invocation = 0;  // loop iterations that one invocation survives; 0: any number
+    std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
 };
 
 // The rows of every band but the last, which may have fewer.

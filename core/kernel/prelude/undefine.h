@@ -14,3 +14,4 @@
 #undef MM_HAS_ROUGH
 #undef over_root
 #undef MM_NEAREST
+#undef while

@@ -1,0 +1,61 @@
+// Prelude: the words of the kernel text as C++ on numbers that nobody knows, to count loops: every lane is always on,
+// so that a loop goes on to its bound. What is the same for all lanes is known, in double. Define MM_LOOPS, an
+// expression for the counter, and MM_REAL_IS_FLOAT 0, and include it inside a namespace, before the text; undefine.h
+// takes the words away again.
+#include "core/kernel/prelude/counted_loops.h"
+
+#define FN inline
+#define FN_CALLED inline
+#define vec3(a, b, c) make_vec3(a, b, c)
+#define R(x) double(x)
+#define BY_PRECISION(in_double, in_float) double(in_double)
+
+typedef double scalar;
+
+struct real {
+    real() = default;
+    real(double) {}
+};
+typedef real whole;
+typedef real effort;
+
+struct mask {
+    mask() = default;
+    mask(bool) {}
+};
+
+inline real operator+(real, real) { return {}; }
+inline real operator-(real, real) { return {}; }
+inline real operator*(real, real) { return {}; }
+inline real operator-(real) { return {}; }
+inline mask operator<(real, real) { return {}; }
+inline mask operator<=(real, real) { return {}; }
+inline mask operator>(real, real) { return {}; }
+inline mask operator>=(real, real) { return {}; }
+inline mask operator==(real, real) { return {}; }
+inline mask operator&&(mask, mask) { return {}; }
+inline mask operator||(mask, mask) { return {}; }
+inline mask operator!(mask) { return {}; }
+
+inline bool any(mask) { return true; }
+inline real count(mask) { return {}; }
+inline real pick(mask, real, real) { return {}; }
+
+struct vec3 {
+    real x, y, z;
+};
+
+struct alignas(4 * sizeof(scalar)) triple {
+    scalar x, y, z;
+};
+
+inline vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
+
+inline real quotient(real, real) { return {}; }
+inline real quick_quotient(real, real) { return {}; }
+inline real root(real) { return {}; }
+inline real quick_root(real) { return {}; }
+inline real magnitude(real) { return {}; }
+inline real nearest(real) { return {}; }
+inline real exponent_of(real) { return {}; }
+inline real two_to(real) { return {}; }

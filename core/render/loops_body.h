@@ -1,0 +1,23 @@
+// Counts the loops of the text before it. Included in the text's namespace; no guard.
+
+template <class Body>
+std::int64_t counted(Body body)
+{
+    const std::int64_t before = loops();
+    body();
+    return loops() - before;
+}
+
+inline Loops loops_of_text(const void* data)
+{
+    static_assert(sizeof(Scene) == sizeof(layout_f64::Scene));
+    const Scene& scene = *static_cast<const Scene*>(data);
+    const Ray ray = begin(scene, 0, 0);
+    Loops most{};
+    most.pass = counted([&] { march(scene, ray, 0); });
+    most.step = counted([&] { march(scene, ray, 1); }) - most.pass;
+    most.tried = counted([&] { refine_by(scene, ray, 1); }) - counted([&] { refine_by(scene, ray, 0); });
+    most.refine = counted([&] { refine(scene, ray); });
+    most.shade = counted([&] { shade(scene, ray); });
+    return most;
+}

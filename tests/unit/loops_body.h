@@ -1,0 +1,25 @@
+// The loops of one picture, of rays as they are. Included in the text's namespace; no guard.
+
+inline Loops made_by(const void* plain_scene, const void* fast_scene)
+{
+    const Scene& plain = *static_cast<const Scene*>(plain_scene);
+    const Scene& fast = *static_cast<const Scene*>(fast_scene);
+    Loops most{};
+    const auto take = [](std::int64_t& to, std::int64_t made) { to = std::max(to, made); };
+    for (int j = 0; j < plain.height; ++j) {
+        for (int i = 0; i < plain.width; ++i) {
+            Ray ray = begin(plain, i, j);
+            take(most.pass, counted([&] { march(plain, ray, 0); }));
+            while (marching(plain, ray)) {
+                take(most.step, counted([&] { ray = march(plain, ray, 1); }) - most.pass);
+            }
+            take(most.shade, counted([&] { shade(plain, ray); }));
+            ray = march(fast, begin(fast, i, j), fast.max_steps);
+            const std::int64_t none = counted([&] { refine_by(fast, ray, 0); });
+            take(most.tried, counted([&] { refine_by(fast, ray, 1); }) - none);
+            take(most.refine, counted([&] { ray = refine(fast, ray); }));
+            take(most.shade, counted([&] { shade(fast, ray); }));
+        }
+    }
+    return most;
+}

@@ -1,0 +1,183 @@
+// What the schedule believes of the text's loops (core/render/loops.h) against the loops that rays of real scenes make,
+// and the passes that come of it.
+#include "core/render/loops.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/schedule.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+std::int64_t& rounds()
+{
+    static std::int64_t counted = 0;
+    return counted;
+}
+
+template <class Body>
+std::int64_t counted(Body body)
+{
+    const std::int64_t before = rounds();
+    body();
+    return rounds() - before;
+}
+
+// The text with numbers, in double; each round of a loop, and its end, counts.
+#define MM_LOOPS rounds()
+#define MM_REAL double
+#define MM_REAL_IS_FLOAT 0
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
+namespace bulb {
+#define FN_CALLED inline
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/prelude/counted_loops.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+#include "tests/unit/loops_body.h"
+}  // namespace bulb
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
+namespace box {
+#define FN_CALLED inline
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/prelude/counted_loops.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+#include "tests/unit/loops_body.h"
+}  // namespace box
+#undef MM_FRACTAL_FILE
+#define MM_FRACTAL_FILE "core/kernel/fractals/julia.h"
+namespace julia {
+#define FN_CALLED inline
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/prelude/counted_loops.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+#include "tests/unit/loops_body.h"
+}  // namespace julia
+
+Loops made_by(const Scene& scene)
+{
+    const auto plain = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
+    const auto fast = kernel_scene<layout_f64::Scene>(scene, Mode::fast);
+    const std::string_view name = scene.fractal->nickname;
+    return name == "bulb"  ? bulb::made_by(&plain, &fast)
+           : name == "box" ? box::made_by(&plain, &fast)
+                           : julia::made_by(&plain, &fast);
+}
+
+std::vector<NamedScene> all_scenes()
+{
+    std::vector<NamedScene> scenes = odd_scenes();
+    for (NamedScene& scene : random_scenes(6, 5)) scenes.push_back(std::move(scene));
+    for (NamedScene& named : scenes) {
+        named.scene.width = std::min(named.scene.width, 16);
+        named.scene.height = 12;
+    }
+    return scenes;
+}
+
+TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
+{
+    for (const auto& [name, scene] : all_scenes()) {
+        const Loops most = loops_of(scene);
+        const Loops made = made_by(scene);
+        EXPECT_EQ(made.pass, most.pass) << name;
+        EXPECT_LE(made.step, most.step) << name;
+        EXPECT_LE(made.tried, most.tried) << name;
+        EXPECT_LE(made.refine, most.refine) << name;
+        EXPECT_LE(made.shade, most.shade) << name;
+    }
+}
+
+// The twin: with one loop less the bound would not hold, for any fractal, whatever its pixels look like.
+TEST(Loops, OneLessIsTooFew)
+{
+    for (const Fractal& fractal : fractals()) {
+        for (const int colouring : {0, 2}) {
+            // Orbits that begin near the middle make all iterations.
+            Scene scene = official_scene(std::string(fractal.nickname), 5, 5);
+            scene.eye = {0.01, 0.02, 0.01};
+            scene.iterations = 4;
+            scene.colouring = colouring;
+            if (fractal.nickname == "julia") {
+                // So do those near the unit ball, whose surface is seen from outside only.
+                scene.eye = {1.2, 0.1, 0};
+                scene.shape = {0, 0, 0};
+                scene.escape = 0;
+            }
+            const Loops most = loops_of(scene);
+            const Loops made = made_by(scene);
+            EXPECT_EQ(made.step, most.step) << fractal.name;
+            EXPECT_EQ(made.shade, most.shade) << fractal.name << ", colouring " << colouring;
+        }
+    }
+}
+
+// Notes what the schedule asks for; rays march for three passes.
+class Noting : public Executor {
+public:
+    void run(Entry entry, const Band&, int steps) override
+    {
+        if (entry == Entry::draw) whole = true;
+        if (entry == Entry::march) march = std::max(march, steps);
+        if (entry == Entry::refine) {
+            refine = std::max(refine, steps);
+            refined += steps;
+        }
+    }
+    bool marching(const Band&) override { return ++passes < 3; }
+    void read_back(const Band&, Image&) override {}
+
+    bool whole = false;
+    int march = 0, refine = 0, refined = 0, passes = 0;
+};
+
+TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
+{
+    constexpr std::int64_t survived = 65'000;
+    for (const Fractal& fractal : fractals()) {
+        for (const int iterations : {1, 2, 3, 5, 18, 60, 90, 300, 4000}) {
+            Scene scene = official_scene(std::string(fractal.nickname), 8, 8);
+            scene.iterations = iterations;
+            scene.colouring = 0;
+            const Loops loops = loops_of(scene);
+            Noting noting;
+            Image image(8, 8, Image::Layers::bytes);
+            run_schedule(scene, Mode::fast, {.pixels_per_band = 64, .loops_per_invocation = survived}, noting, image,
+                         {});
+            if (noting.whole) {
+                EXPECT_LE(loops.pass + max_steps * loops.step + loops.refine + loops.shade, survived / 2);
+                continue;
+            }
+            EXPECT_LE(noting.march * loops.step + loops.pass, survived / 2) << fractal.name << " " << iterations;
+            EXPECT_GT((noting.march + 1) * loops.step + loops.pass, survived / 2) << fractal.name << " " << iterations;
+            EXPECT_LE(noting.refine * loops.tried + loops.pass, survived / 2) << fractal.name << " " << iterations;
+            EXPECT_EQ(noting.refined * loops.tried + loops.pass, loops.refine) << fractal.name << " " << iterations;
+        }
+    }
+}
+
+TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)
+{
+    Scene scene = official_scene("box", 8, 8);
+    scene.iterations = max_iterations;
+    Noting noting;
+    Image image(8, 8, Image::Layers::bytes);
+    const Limits limits{.pixels_per_band = 64, .loops_per_invocation = 65'000};
+    scene.colouring = 1;
+    EXPECT_NO_THROW(run_schedule(scene, Mode::exact, limits, noting, image, {}));
+    scene.colouring = 2;
+    EXPECT_THROW(run_schedule(scene, Mode::exact, limits, noting, image, {}), Unavailable);
+}
+
+}  // namespace
+}  // namespace mandelmarch
