@@ -137,6 +137,16 @@ CommandLine parse_command_line(int argc, char** argv)
     random->add_option("--scenes", scenes, "scenes of a fractal in each set (default 60)");
     random->add_option("--sets", line.random.sets, "seeds, one for each set")->delimiter(',')->capture_default_str();
     random->add_option("--json", line.options.json, "write every scene to this file (- is standard output)");
+    CLI::App* equivalence =
+        app.add_subcommand("equivalence", "exact pictures of random scenes by every backend, bit for bit");
+    std::string extremes;
+    std::string extreme_seed;
+    equivalence->add_option("--backend", line.equivalence.backend, "all, or one backend's name")->capture_default_str();
+    equivalence->add_option("--fractal", line.equivalence.fractal, "all, or one fractal's name")->capture_default_str();
+    equivalence->add_option("--scenes", extremes, "scenes in all (default 1000)");
+    equivalence->add_option("--seed", extreme_seed, "of the scenes (default 1)");
+    equivalence->add_option("--folder", line.folder, "write the parameter files of scenes that differ here");
+    equivalence->add_option("--json", line.options.json, "write everything to this file (- is standard output)");
     app.footer(
         "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests work, too.\n"
         "Exit codes: 0 fine, 1 a wrong picture, a regression or a failure, 2 wrong arguments, 77 the one backend asked "
@@ -160,6 +170,11 @@ CommandLine parse_command_line(int argc, char** argv)
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;
     if (random->parsed()) line.command = Command::random;
+    if (equivalence->parsed()) line.command = Command::equivalence;
+    if (!extremes.empty()) line.equivalence.scenes = whole_option("scenes", extremes, 1, 10'000'000);
+    if (!extreme_seed.empty()) {
+        line.equivalence.seed = static_cast<unsigned>(large_option("seed", extreme_seed, 1'000'000'000));
+    }
     if (!scenes.empty()) line.random.scenes = whole_option("scenes", scenes, 1, 100'000);
     static_cast<void>(study_named(o.study));
     static_cast<void>(fractals_of(o));

@@ -4,18 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "bench/equivalence.h"
 #include "bench/options.h"
 #include "bench/random_scenes.h"
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, peak, portability, random, help };
+enum class Command { run, compare, peak, portability, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
     Options options;
     std::vector<std::string> files;  // of compare and portability
     RandomOptions random;
+    EquivalenceOptions equivalence;
+    std::string folder;                  // of equivalence: for scenes that differ
     std::vector<std::string> arguments;  // of a run, without those that only the first launch obeys
     bool quiet = false;                  // no table and no progress: a further launch
     bool list_names = false;             // --benchmark_list_tests

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "apps/progress_bar.h"
@@ -13,6 +14,7 @@
 #include "bench/portability.h"
 #include "bench/report.h"
 #include "bench/session.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
@@ -139,6 +141,30 @@ int random_scenes(const Registry& registry, const CommandLine& line)
     return result.held() ? exit_fine : exit_failure;
 }
 
+// Each discrepancy at once, on stderr, with what draws it again.
+int equivalence(const Registry& registry, const CommandLine& line)
+{
+    namespace fs = std::filesystem;
+    Display display(line.quiet);
+    const auto show = [&](const Discrepancy& d) {
+        std::string parameters = d.parameters;
+        if (!line.folder.empty()) {
+            const std::string file = (fs::path(line.folder) / (d.scene + ".dat")).string();
+            fs::create_directories(line.folder);
+            write_text(file, d.parameters);
+            parameters = file + "\n";
+        }
+        say("bench: {}: {}: {}\n{}", d.scene, d.subject, d.what, parameters);
+    };
+    const EquivalenceResult result =
+        compare_backends(registry, line.equivalence, show, [&](double share) { display.show("random scenes", share); });
+    display.finish();
+    const std::string& json = line.options.json;
+    if (!json.empty()) write_text(json, to_json(result).dump(1) + "\n");
+    if (json != "-") write_text("-", to_console(result));
+    return result.discrepancies.empty() ? exit_fine : exit_failure;
+}
+
 }  // namespace
 
 int bench_program(const Registry& registry, int argc, char** argv)
@@ -148,6 +174,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::help: return line.exit_code;
         case Command::peak: return peak(registry, line);
         case Command::random: return random_scenes(registry, line);
+        case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
         case Command::compare: {
             const ComparedResults comparison =

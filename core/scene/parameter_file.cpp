@@ -225,4 +225,18 @@ ParameterFile read_parameters(const std::string& path, const Fractal& fractal)
     return parse_parameters(text, path, fractal);
 }
 
+std::string to_parameters(const Scene& scene)
+{
+    const auto vector = [](Vector v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
+    return fmt::format(
+        "# camera: location, look-at point, up vector, field of view\n{}\n{}\n{}\n{}\n"
+        "# width and height, detail level\n{} {}\n{}\n"
+        "# {}: {}, {}, {}; maximum of iterations, {}\n{} {} {}\n{} {}\n"
+        "# colouring type, brightness, file\n{}\n{}\n{}\n",
+        vector(scene.eye), vector(scene.target), vector(scene.up), scene.field_of_view, scene.width, scene.height,
+        scene.detail, scene.fractal->name, scene.fractal->shape[0].name, scene.fractal->shape[1].name,
+        scene.fractal->shape[2].name, scene.fractal->escape.name, scene.shape[0], scene.shape[1], scene.shape[2],
+        scene.iterations, scene.escape, scene.colouring, scene.brightness, scene.image_file);
+}
+
 }  // namespace mandelmarch

@@ -1,11 +1,14 @@
-// Backends that are broken on purpose: each must fail the check that real backends pass. The same backend without a
-// defect passes, so that it is the defect that is found.
+// Backends that are broken on purpose: each must fail the checks that real backends pass, on known scenes and on random
+// ones. The same backend without a defect passes, so that it is the defect that is found.
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "backends/all.h"
+#include "backends/openmp/openmp.h"
 #include "backends/skeleton/kernel.h"
+#include "bench/equivalence.h"
+#include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "tests/equivalence/equivalence.h"
 
@@ -17,7 +20,7 @@ extern const Kernel contracted;
 
 namespace {
 
-enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down };
+enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };
 
 class BrokenRenderer : public Renderer {
 public:
@@ -25,27 +28,29 @@ public:
 
     RenderReport render(const Scene& scene, Image& image, const Progress&) override
     {
-        if (defect_ == Defect::last_picture && last_.pixels() == image.pixels()) {
+        if (defect_ == Defect::error) throw Error("the device is broken");
+        RenderReport report = last_report_;
+        if (defect_ == Defect::last_picture && last_.width() == image.width() && last_.height() == image.height()) {
             image = last_;
         } else {
+            report = {.backend = "broken", .device = {}, .instruction_set = {}, .timings = {}, .work = {}};
             const skeleton::Kernel& kernel = defect_ == Defect::wrong_fold    ? skeleton::wrong_fold
                                              : defect_ == Defect::contraction ? skeleton::contracted
                                                                               : *skeleton::kernel_of("mandelbox");
             if (options_.precision == Precision::f32) {
-                draw(kernel.in_float, kernel_scene<layout_f32::Scene>(scene, options_.mode), image);
+                draw(kernel.in_float, kernel_scene<layout_f32::Scene>(scene, options_.mode), image, report.work);
             } else {
-                draw(kernel.in_double, kernel_scene<layout_f64::Scene>(scene, options_.mode), image);
+                draw(kernel.in_double, kernel_scene<layout_f64::Scene>(scene, options_.mode), image, report.work);
             }
         }
         last_ = image;
-        RenderReport report;
-        report.backend = "broken";
+        last_report_ = report;
         return report;
     }
 
 private:
     template <class Real, class KernelScene>
-    void draw(skeleton::DrawBand<Real> kernel, const KernelScene& scene, Image& image) const
+    void draw(skeleton::DrawBand<Real> kernel, const KernelScene& scene, Image& image, Work& work) const
     {
         const std::size_t pixels = image.pixels();
         std::vector<Real> reals(real_planes * pixels);
@@ -53,6 +58,9 @@ private:
         kernel(&scene, 0, image.height(), pixels, reals.data(), wholes.data());
         if (defect_ == Defect::not_a_number) reals[pixels + 30] = std::numeric_limits<Real>::quiet_NaN();
         const auto width = static_cast<std::size_t>(image.width());
+        if (defect_ != Defect::other_work) {
+            add_work(work, planes_of(reals.data(), wholes.data(), pixels, width), image.width(), image.height());
+        }
         for (int j = 0; j < image.height(); ++j) {
             const int from = defect_ == Defect::upside_down ? image.height() - 1 - j : j;
             const std::size_t at = static_cast<std::size_t>(from) * width;
@@ -63,6 +71,7 @@ private:
     Defect defect_;
     RendererOptions options_;
     Image last_;
+    RenderReport last_report_;
 };
 
 class BrokenBackend : public Backend {
@@ -130,6 +139,35 @@ TEST_P(Broken, UpsideDownFails)
 {
     EXPECT_FALSE(passes(Defect::upside_down, Mode::exact));
     EXPECT_FALSE(passes(Defect::upside_down, Mode::fast));
+}
+
+// True if bench's random scenes show nothing wrong.
+bool passes_random_scenes(Defect defect)
+{
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_openmp_backend());
+    backends.push_back(std::make_unique<BrokenBackend>(defect));
+    const bench::EquivalenceOptions options{.backend = "broken", .fractal = "box", .scenes = 10, .seed = 20};
+    const auto result = bench::compare_backends(
+        Registry(std::move(backends)), options, [](const bench::Discrepancy&) {}, [](double) {});
+    EXPECT_EQ(result.subjects.size(), 2U);
+    for (const bench::Subject& subject : result.subjects) {
+        EXPECT_EQ(subject.pictures, defect == Defect::error ? 0 : 10);
+        EXPECT_EQ(subject.wrong > 0, !result.discrepancies.empty()) << subject.name();
+    }
+    return result.discrepancies.empty();
+}
+
+TEST(RandomScenes, FindEveryDefect)
+{
+    EXPECT_TRUE(passes_random_scenes(Defect::none));
+    for (const Defect defect : {Defect::wrong_fold, Defect::not_a_number, Defect::last_picture, Defect::upside_down,
+                                Defect::other_work, Defect::error}) {
+        EXPECT_FALSE(passes_random_scenes(defect)) << static_cast<int>(defect);
+    }
+    if (__builtin_cpu_supports("fma")) {
+        EXPECT_FALSE(passes_random_scenes(Defect::contraction));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Broken, testing::Values(Precision::f64, Precision::f32),

@@ -1,0 +1,257 @@
+#include "bench/equivalence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "bench/environment.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/scene/extreme_scene.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr std::string_view yardstick = "openmp";
+constexpr Precision precisions[] = {Precision::f32, Precision::f64};
+constexpr int widest_pack = 64;
+constexpr double few_pixels = 12;
+constexpr double most_iterations = 2e6;  // of a scene, about: less than a tenth of a second on one core
+
+struct Drawn {
+    Image image;
+    Work work;
+};
+
+Drawn drawn(Renderer& renderer, const Scene& scene)
+{
+    Drawn result{Image(scene.width, scene.height, Image::Layers::all), {}};
+    result.work = renderer.render(scene, result.image).work;
+    return result;
+}
+
+// What is different, or nothing.
+std::string difference(const Drawn& expected, const Drawn& got)
+{
+    const Comparison c = compare(expected.image, got.image);
+    if (!c.same()) {
+        return fmt::format("{} of {} pixels have other colours, {} another depth; {}", c.differing_colours, c.pixels,
+                           c.differing_depths, describe_pixel(expected.image, got.image, c.first));
+    }
+    const auto counts = [](const Work& w) { return fmt::format("{}/{}/{}", w.steps, w.estimates, w.iterations); };
+    const std::string right = counts(expected.work);
+    const std::string work = counts(got.work);
+    if (work == right) return {};
+    return fmt::format("the same picture by other work: {} steps/estimates/iterations, expected {}", work, right);
+}
+
+// A subject with its renderer, which draws scene after scene; after an error it is made anew.
+class Contestant {
+public:
+    Contestant(const Backend& backend, Subject& subject) : backend_(backend), subject_(subject) {}
+
+    // What is wrong with the picture, or nothing.
+    std::string draw(const Scene& scene, const Drawn& expected)
+    {
+        try {
+            if (renderer_ == nullptr) renderer_ = backend_.create(subject_.options);
+            const std::string different = difference(expected, drawn(*renderer_, scene));
+            ++subject_.pictures;
+            subject_.wrong += different.empty() ? 0 : 1;
+            return different;
+        } catch (const Unavailable& why) {
+            if (subject_.unavailable++ == 0) subject_.refusal = why.what();
+            return {};
+        } catch (const Error& error) {
+            renderer_.reset();
+            ++subject_.wrong;
+            return error.what();
+        }
+    }
+
+    const Subject& subject() const { return subject_; }
+
+private:
+    const Backend& backend_;
+    Subject& subject_;
+    std::unique_ptr<Renderer> renderer_;
+};
+
+// The pack widths that the yardstick's backend knows beside its own choice and the scalar text.
+std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precision precision)
+{
+    std::vector<int> widths;
+    Image image(scene.width, scene.height, Image::Layers::all);
+    const int own = backend.create({.precision = precision})->render(scene, image).pack;
+    for (int pack = 2; pack <= widest_pack; ++pack) {
+        if (pack == own) continue;
+        try {
+            backend.create({.precision = precision, .pack = pack})->render(scene, image);
+            widths.push_back(pack);
+        } catch (const InputError&) {
+            // No such width.
+        }
+    }
+    return widths;
+}
+
+std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Scene& any,
+                                 std::vector<std::string>& missing)
+{
+    std::vector<Subject> subjects;
+    for (const auto& backend : registry.backends()) {
+        // The reference shares no formula with the text, and no bits.
+        if (backend->name() == "reference") continue;
+        if (options.backend != "all" && options.backend != backend->name()) continue;
+        if (const auto why = backend->unavailable()) {
+            missing.push_back(fmt::format("{}: {}", backend->name(), *why));
+            continue;
+        }
+        const auto devices = backend->devices();
+        for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
+            for (const Precision precision : precisions) {
+                const auto add = [&](int pack) {
+                    subjects.push_back({.backend = std::string(backend->name()),
+                                        .options = {.device = device, .precision = precision, .pack = pack},
+                                        .device = devices[static_cast<std::size_t>(device)].name});
+                };
+                add(0);
+                if (backend->name() != yardstick) continue;
+                for (const int pack : pack_widths(*backend, any, precision)) add(pack);
+            }
+        }
+    }
+    return subjects;
+}
+
+Scene scaled(Scene scene, double factor)
+{
+    scene.width = std::max(1, static_cast<int>(factor * scene.width));
+    scene.height = std::max(1, static_cast<int>(factor * scene.height));
+    return scene;
+}
+
+// The scene, smaller where it would be too much work, as a few pixels show. They are drawn in packs, which are fast.
+Scene affordable(Renderer& packs, const Scene& scene)
+{
+    const auto pixels = [](const Scene& s) { return static_cast<double>(s.width) * s.height; };
+    const Scene few = scaled(scene, std::min(1.0, std::sqrt(few_pixels / pixels(scene))));
+    const auto work = static_cast<double>(drawn(packs, few).work.iterations) / pixels(few) * pixels(scene);
+    return work <= most_iterations ? scene : scaled(scene, std::sqrt(most_iterations / work));
+}
+
+std::vector<const Fractal*> fractals_of(const EquivalenceOptions& options)
+{
+    if (options.fractal != "all") return {&fractal_named(options.fractal)};
+    std::vector<const Fractal*> all;
+    for (const Fractal& fractal : fractals()) all.push_back(&fractal);
+    return all;
+}
+
+}  // namespace
+
+std::string Subject::name() const
+{
+    const std::string pack = options.pack > 0 ? fmt::format(", pack {}", options.pack) : "";
+    return fmt::format("{}, device {}{}, in {}", backend, options.device, pack, name_of(options.precision));
+}
+
+EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
+                                   const std::function<void(const Discrepancy&)>& found,
+                                   const std::function<void(double)>& progress)
+{
+    if (options.backend != "all" && registry.find(options.backend) == nullptr) {
+        throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
+    }
+    const auto of = fractals_of(options);
+    const Backend& right = *registry.find(yardstick);
+    EquivalenceResult result{
+        .options = options, .environment = environment(registry), .subjects = {}, .missing = {}, .discrepancies = {}};
+    Scene any = extreme_scene(*of.front(), options.seed, 0);
+    any.width = any.height = 1;
+    result.subjects = subjects_of(registry, options, any, result.missing);
+    if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
+    std::vector<Contestant> contestants;
+    for (Subject& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
+    const auto packs = right.create({});
+    const std::unique_ptr<Renderer> scalar[] = {right.create({.precision = precisions[0], .pack = 1}),
+                                                right.create({.precision = precisions[1], .pack = 1})};
+    // Fractal by fractal, as devices compile a text for each.
+    int done = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        const auto count = static_cast<int>(of.size());
+        const int scenes = options.scenes / count + (static_cast<int>(i) < options.scenes % count ? 1 : 0);
+        for (int number = 0; number < scenes; ++number) {
+            const Scene scene = affordable(*packs, extreme_scene(*of[i], options.seed, number));
+            for (std::size_t p = 0; p < std::size(precisions); ++p) {
+                const Drawn expected = drawn(*scalar[p], scene);
+                for (Contestant& contestant : contestants) {
+                    if (contestant.subject().options.precision != precisions[p]) continue;
+                    const std::string what = contestant.draw(scene, expected);
+                    if (what.empty()) continue;
+                    result.discrepancies.push_back({fmt::format("{}-{}-{}", of[i]->nickname, options.seed, number),
+                                                    to_parameters(scene), contestant.subject().name(), what});
+                    found(result.discrepancies.back());
+                }
+            }
+            progress(static_cast<double>(++done) / options.scenes);
+        }
+    }
+    return result;
+}
+
+nlohmann::ordered_json to_json(const EquivalenceResult& result)
+{
+    using Json = nlohmann::ordered_json;
+    Json subjects = Json::array();
+    for (const Subject& s : result.subjects) {
+        subjects.push_back({{"backend", s.backend},
+                            {"device", s.device},
+                            {"pack", s.options.pack},
+                            {"precision", name_of(s.options.precision)},
+                            {"pictures", s.pictures},
+                            {"unavailable", s.unavailable},
+                            {"refusal", s.refusal},
+                            {"wrong", s.wrong}});
+    }
+    Json discrepancies = Json::array();
+    for (const Discrepancy& d : result.discrepancies) {
+        discrepancies.push_back(
+            {{"scene", d.scene}, {"subject", d.subject}, {"what", d.what}, {"parameters", d.parameters}});
+    }
+    return {{"schema", "mandelmarch-bench-equivalence"},
+            {"version", 1},
+            {"scenes", result.options.scenes},
+            {"seed", result.options.seed},
+            {"fractal", result.options.fractal},
+            {"environment", result.environment},
+            {"missing", result.missing},
+            {"subjects", subjects},
+            {"discrepancies", discrepancies}};
+}
+
+std::string to_console(const EquivalenceResult& result)
+{
+    std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --pack 1\n",
+                                   result.options.scenes, result.options.seed, yardstick);
+    text += fmt::format("{:<8} {:>3} {:<32} {:<6} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device", "number",
+                        "pack", "pictures", "unavailable", "wrong");
+    for (const Subject& s : result.subjects) {
+        text += fmt::format("{:<8} {:>3} {:<32.32} {:<6} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
+                            s.device, name_of(s.options.precision),
+                            s.options.pack > 0 ? fmt::format("{}", s.options.pack) : "", s.pictures, s.unavailable,
+                            s.wrong);
+    }
+    for (const Subject& s : result.subjects) {
+        if (s.unavailable > 0) text += fmt::format("{}: unavailable, the first: {}\n", s.name(), s.refusal);
+    }
+    for (const std::string& why : result.missing) text += why + "\n";
+    return text;
+}
+
+}  // namespace mandelmarch::bench

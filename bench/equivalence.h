@@ -1,0 +1,61 @@
+// `bench equivalence`: exact pictures of extreme scenes by every backend, device and pack width, bit for bit.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/render/registry.h"
+
+namespace mandelmarch::bench {
+
+struct EquivalenceOptions {
+    std::string backend = "all";
+    std::string fractal = "all";
+    int scenes = 1000;  // in all
+    unsigned seed = 1;  // core/scene/extreme_scene.h
+};
+
+// What draws, in one precision, and how it did.
+struct Subject {
+    std::string backend;
+    RendererOptions options;
+    std::string device;     // its name
+    int pictures = 0;       // that were drawn
+    int unavailable = 0;    // scenes that it refuses
+    int wrong = 0;          // pictures with other bits or other work, or none because of an error
+    std::string refusal{};  // the first one's reason
+
+    std::string name() const;  // "vulkan, device 0, in float"
+};
+
+// A picture that is not that of openmp --pack 1.
+struct Discrepancy {
+    std::string scene;       // "box-1-17": fractal, seed, number
+    std::string parameters;  // the text of its parameter file
+    std::string subject;
+    std::string what;  // the first differing pixel with both values, or the error
+};
+
+struct EquivalenceResult {
+    EquivalenceOptions options;
+    nlohmann::ordered_json environment;
+    std::vector<Subject> subjects;
+    std::vector<std::string> missing;  // backends without a device, and why
+    std::vector<Discrepancy> discrepancies;
+};
+
+// Draws each scene in both precisions by openmp --pack 1 and by every subject; a scene that is too much work is drawn
+// smaller. `found` is called with each discrepancy at once, `progress` with the finished share. Throws InputError for
+// an unknown backend or fractal, Unavailable where the one backend asked for has no device.
+EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
+                                   const std::function<void(const Discrepancy&)>& found,
+                                   const std::function<void(double)>& progress);
+
+nlohmann::ordered_json to_json(const EquivalenceResult& result);
+
+// A line for each subject.
+std::string to_console(const EquivalenceResult& result);
+
+}  // namespace mandelmarch::bench
