@@ -1,0 +1,86 @@
+#include "core/base/files.h"
+
+#include <fmt/format.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "core/base/error.h"
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_links = 40;  // as Linux
+
+// What the name leads to; nullopt where nothing is there.
+std::optional<struct stat> status_of(const std::string& path)
+{
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return std::nullopt;
+    return status;
+}
+
+bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+bool in_proc(const std::string& path)
+{
+    struct statfs system {};
+    return statfs(folder_of(path).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& path)
+{
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+std::string end_of_links(const std::string& path)
+{
+    fs::path at = path;
+    for (int links = 0; links <= most_links; ++links) {
+        std::error_code error;
+        if (in_proc(at.string())) return at.string();
+        const fs::path next = fs::read_symlink(at, error);
+        if (error) return at.string();  // no link
+        at = at.parent_path() / next;   // an absolute one stands alone
+    }
+    throw InputError(fmt::format("{}: {}, expected a file", path, std::strerror(ELOOP)));
+}
+
+bool same_file(const std::string& a, const std::string& b)
+{
+    const auto first = status_of(a);
+    const auto second = status_of(b);
+    if (first && second) return same(*first, *second);
+    if (first || second) return false;
+    const std::string end = end_of_links(a);
+    const std::string other = end_of_links(b);
+    const auto folder = status_of(folder_of(end));
+    const auto other_folder = status_of(folder_of(other));
+    if (!folder || !other_folder) return end == other;
+    return same(*folder, *other_folder) && fs::path(end).filename() == fs::path(other).filename();
+}
+
+void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read)
+{
+    const auto compare = [](const NamedFile& a, const NamedFile& b) {
+        if (a.path.empty() || b.path.empty() || !same_file(a.path, b.path)) return;
+        if (const auto status = status_of(a.path); status && S_ISCHR(status->st_mode)) return;
+        throw InputError(fmt::format("{}: {} and {} are the same file, expected two files", a.path, a.name, b.name));
+    };
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        for (std::size_t other = i + 1; other < written.size(); ++other) compare(written[i], written[other]);
+        for (const NamedFile& file : read) compare(written[i], file);
+    }
+}
+
+}  // namespace mandelmarch
