@@ -29,18 +29,18 @@ std::optional<struct stat> status_of(const std::string& path)
 
 bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
-bool in_proc(const std::string& path)
-{
-    struct statfs system {};
-    return statfs(folder_of(path).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
-}
-
 }  // namespace
 
 std::string folder_of(const std::string& path)
 {
     const std::string folder = fs::path(path).parent_path().string();
     return folder.empty() ? "." : folder;
+}
+
+bool in_proc(const std::string& path)
+{
+    struct statfs system {};
+    return statfs(folder_of(path).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
 std::string end_of_links(const std::string& path)

@@ -10,6 +10,9 @@ namespace mandelmarch {
 // what it leads to is open already. Throws InputError where links lead in a circle.
 std::string end_of_links(const std::string& path);
 
+// True for a name in a folder of /proc: its file is made by the kernel, or open already.
+bool in_proc(const std::string& path);
+
 // The folder of a name, "." where it has none.
 std::string folder_of(const std::string& path);
 

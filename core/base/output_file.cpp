@@ -6,39 +6,62 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <climits>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace mandelmarch {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The file a path means: the end of a chain of symbolic links, if it exists.
-std::string resolved(const std::string& path)
+// N, where the path leads to this process's own descriptor N, as /dev/stdout and /dev/fd/N do.
+std::optional<int> own_descriptor(const std::string& path)
 {
-    std::error_code error;
-    const fs::path whole = fs::canonical(path, error);
-    return error ? path : whole.string();
+    const std::string end = end_of_links(path);
+    if (!same_file(folder_of(end), "/proc/self/fd")) return std::nullopt;
+    const std::string name = fs::path(end).filename().string();
+    int number = -1;
+    const auto [rest, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error != std::errc() || rest != name.data() + name.size()) return std::nullopt;
+    return number;
 }
 
-std::string folder_of(const std::string& path)
+bool writable(int descriptor)
 {
-    const std::string folder = fs::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
+    const int flags = fcntl(descriptor, F_GETFL);
+    if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
+    return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
+
+// Programs make no devices: a new name in /dev is a slip.
+bool new_in_dev(const std::string& target)
+{
+    std::error_code ignored;
+    return same_file(folder_of(target), "/dev") && !fs::exists(target, ignored);
+}
+
+// A file that is reached from a folder that has been deleted cannot be made, whatever access() says.
+bool is_deleted(const std::string& folder)
+{
+    std::error_code error;
+    const fs::path here = fs::current_path(error);
+    return fs::path(folder).is_relative() && error == std::errc::no_such_file_or_directory;
+}
+
+constexpr const char* no_device = "it would be a new file in /dev";
 
 }  // namespace
 
 bool OutputFile::is_stream(const std::string& path)
 {
-    if (path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
     struct stat status {};
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return !S_ISDIR(status.st_mode);
+    return in_proc(end_of_links(path));
 }
 
 void OutputFile::check(const std::string& path)
@@ -50,35 +73,39 @@ void OutputFile::check(const std::string& path)
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) refuse("it is a directory");
     if (is_stream(path)) {
-        if (access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+        const auto own = own_descriptor(path);
+        if (own ? !writable(*own) : access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
         return;
     }
-    const std::string folder = folder_of(resolved(path));
-    if (!fs::exists(folder, ignored)) refuse("the folder " + folder + " is missing");
+    const std::string target = end_of_links(path);
+    const std::string folder = folder_of(target);
+    if (!fs::is_directory(folder, ignored)) refuse("the folder " + folder + " is missing");
+    if (is_deleted(folder)) refuse("the working folder has been deleted");
     if (access(folder.c_str(), W_OK | X_OK) != 0) refuse(fmt::format("folder {}: {}", folder, std::strerror(errno)));
-    if (fs::path(path).filename().string().size() > NAME_MAX) refuse("the name is too long");
+    if (new_in_dev(target)) refuse(no_device);
+    if (fs::path(target).filename().string().size() > NAME_MAX) refuse("the name is too long");
 }
 
 OutputFile::OutputFile(const std::string& path) : path_(path)
 {
     if (is_stream(path)) {
-        descriptor_ = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+        const auto own = own_descriptor(path);
+        descriptor_ = own ? fcntl(*own, F_DUPFD_CLOEXEC, 0) : open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
         if (descriptor_ < 0) fail("open");
         return;
     }
-    target_ = resolved(path);
-    temporary_ = folder_of(target_) + "/.mandelmarch-XXXXXX";
-    descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
-    if (descriptor_ < 0) {
-        temporary_.clear();
-        fail("create a file beside");
+    target_ = end_of_links(path);
+    if (new_in_dev(target_)) throw Error(fmt::format("{}: {}", path, no_device));
+    try {
+        temporary_.emplace(folder_of(target_) + "/.mandelmarch-", descriptor_);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", path, error.what()));
     }
 }
 
 OutputFile::~OutputFile()
 {
     if (descriptor_ >= 0) close(descriptor_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
 void OutputFile::fail(const char* action) const
@@ -107,7 +134,7 @@ void OutputFile::seek(std::uint64_t offset)
 
 void OutputFile::commit()
 {
-    if (!target_.empty()) {
+    if (temporary_) {
         // A new file gets the rights that the user's mask leaves; a replaced one keeps its own.
         struct stat old {};
         const mode_t mask = umask(0);
@@ -119,9 +146,7 @@ void OutputFile::commit()
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (close(descriptor) != 0) fail("close");
-    if (target_.empty()) return;
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename a file to");
-    temporary_.clear();
+    if (temporary_ && !temporary_->rename_to(target_)) fail("rename a file to");
 }
 
 }  // namespace mandelmarch

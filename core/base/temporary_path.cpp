@@ -1,0 +1,145 @@
+#include "core/base/temporary_path.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <mutex>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
+
+struct Name {
+    std::string path;
+    pid_t owner;  // a process forked from it knows the name, but the file is not its own
+
+    bool operator==(const Name&) const = default;
+};
+
+// The names in use. A signal handler has nothing but globals to find them by.
+struct Names {
+    std::vector<Name> all;
+    std::mutex mutex;
+    std::atomic<int> changing = 0;
+    std::atomic<bool> ending = false;
+};
+std::atomic<Names*> names = nullptr;
+
+void wait_a_millisecond()
+{
+    const timespec millisecond{0, 1'000'000};
+    nanosleep(&millisecond, nullptr);
+}
+
+// Removes the files. The signal's usual action follows when this returns.
+void remove_files(int signal)
+{
+    Names& known = *names.load();
+    known.ending = true;
+    // A thread amid a change soon ends it, and none begins another. One stuck in a file system is not waited for.
+    for (int waits = 0; known.changing > 0 && waits < 1000; ++waits) wait_a_millisecond();
+    if (known.changing == 0) {
+        for (const Name& name : known.all) {
+            if (name.owner == getpid()) unlink(name.path.c_str());
+        }
+    }
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    sigaction(signal, &usual, nullptr);
+    raise(signal);
+}
+
+Names& installed()
+{
+    static std::once_flag once;
+    std::call_once(once, [] {
+        names = new Names;  // never deleted: a signal may come until the very end
+        struct sigaction action {};
+        action.sa_handler = remove_files;
+        sigfillset(&action.sa_mask);
+        for (const int signal : ending_signals) {
+            struct sigaction old {};
+            sigaction(signal, nullptr, &old);
+            if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
+        }
+    });
+    return *names.load();
+}
+
+// While this lives, files and names may change. No signal comes to this thread, and a handler in another one waits.
+class Change {
+public:
+    Change() : names_(installed())
+    {
+        sigset_t ending{};
+        sigemptyset(&ending);
+        for (const int signal : ending_signals) sigaddset(&ending, signal);
+        pthread_sigmask(SIG_BLOCK, &ending, &old_);
+        names_.mutex.lock();
+        ++names_.changing;
+        if (!names_.ending) return;
+        --names_.changing;
+        for (;;) pause();  // the process ends in a moment
+    }
+    ~Change()
+    {
+        --names_.changing;
+        names_.mutex.unlock();
+        pthread_sigmask(SIG_SETMASK, &old_, nullptr);
+    }
+    Change(const Change&) = delete;
+    Change& operator=(const Change&) = delete;
+
+    void add(const std::string& path) { names_.all.push_back({path, getpid()}); }
+    // False where another process made it.
+    bool forget(const std::string& path) { return std::erase(names_.all, Name{path, getpid()}) > 0; }
+
+private:
+    Names& names_;
+    sigset_t old_{};
+};
+
+}  // namespace
+
+TemporaryPath::TemporaryPath(std::string path) : path_(std::move(path)) { Change().add(path_); }
+
+TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : path_(prefix + "XXXXXX")
+{
+    Change change;
+    descriptor = mkostemp(path_.data(), O_CLOEXEC);
+    if (descriptor < 0) throw Error(fmt::format("cannot create {}: {}", prefix + "XXXXXX", std::strerror(errno)));
+    change.add(path_);
+}
+
+TemporaryPath::~TemporaryPath()
+{
+    if (path_.empty()) return;
+    Change change;
+    if (change.forget(path_)) unlink(path_.c_str());
+}
+
+bool TemporaryPath::rename_to(const std::string& target)
+{
+    Change change;
+    if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
+    change.forget(path_);
+    path_.clear();
+    return true;
+}
+
+}  // namespace mandelmarch
