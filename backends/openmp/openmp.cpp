@@ -151,21 +151,30 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
+// An instruction set by its maker's name; Highway calls AVX-512 AVX3.
+std::string usual_name(std::string_view highway)
+{
+    constexpr std::string_view avx3 = "AVX3";
+    if (!highway.starts_with(avx3)) return std::string(highway);
+    return fmt::format("AVX-512{}", highway.substr(avx3.size()));
+}
+
 // MANDELMARCH_INSTRUCTIONS in the environment takes a smaller instruction set than the machine's best: SSE4, AVX2 or
-// AVX3 (AVX-512), as Highway calls them.
+// AVX-512, Highway's names too. Empty counts as not set.
 void choose_instructions()
 {
     const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
     hwy::SetSupportedTargetsForTest(0);  // what the machine has
-    if (wanted == nullptr) return;
+    if (wanted == nullptr || *wanted == '\0') return;
     std::string known;
     for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
         const std::int64_t target = rest & -rest;
-        if (std::string_view(hwy::TargetName(target)) == wanted) {
+        const std::string name = usual_name(hwy::TargetName(target));
+        if (name == wanted || std::string_view(hwy::TargetName(target)) == wanted) {
             hwy::SetSupportedTargetsForTest(target);
             return;
         }
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", hwy::TargetName(target));
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
     }
     throw InputError(
         fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
@@ -203,7 +212,7 @@ private:
                             .mode = options_.mode,
                             .threads = options_.threads,
                             .pack = variant.pack,
-                            .instruction_set = variant.instruction_set,
+                            .instruction_set = usual_name(variant.instruction_set),
                             .timings = executor.timings,
                             .work = executor.work};
         report.timings.wall = seconds_since(start);

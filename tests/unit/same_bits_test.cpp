@@ -129,7 +129,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
 TEST_P(SameBits, EveryInstructionSet)
 {
     std::set<std::string> ran;
-    for (const char* name : {"SCALAR", "EMU128", "SSE4", "AVX2", "AVX3"}) {
+    for (const char* name : {"SCALAR", "EMU128", "SSE4", "AVX2", "AVX-512"}) {
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
         for (const auto& [scene_name, scene] : scenes()) {
             Image packed(scene.width, scene.height, Image::Layers::all);
@@ -150,6 +150,27 @@ TEST_P(SameBits, EveryInstructionSet)
     EXPECT_TRUE(MANDELMARCH_SANITIZED || ran.contains("SSE4"));
     EXPECT_TRUE(ran.contains("scalar"));
     EXPECT_TRUE(ran.contains(draw_report().instruction_set));
+}
+
+// AVX-512 is called so, whatever Highway calls it, and no name is the same as none.
+TEST(Instructions, HaveTheirUsualNames)
+{
+    const Registry registry = all_backends();
+    const Scene scene = official_scene("box", 16, 16);
+    const auto ran = [&](const char* name) -> std::string {
+        EXPECT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
+        Image image(scene.width, scene.height, Image::Layers::bytes);
+        try {
+            return registry.find("openmp")->create({})->render(scene, image).instruction_set;
+        } catch (const InputError&) {
+            return "refused";
+        }
+    };
+    EXPECT_EQ(ran("AVX3"), ran("AVX-512"));
+    EXPECT_TRUE(ran("AVX3") == "AVX-512" || ran("AVX3") == "refused") << ran("AVX3");
+    EXPECT_NE(ran(""), "refused");
+    EXPECT_EQ(ran("AVX"), "refused");
+    unsetenv("MANDELMARCH_INSTRUCTIONS");
 }
 
 // The twin: the comparison does see one bit.
