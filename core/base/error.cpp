@@ -1,5 +1,10 @@
 #include "core/base/error.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -8,19 +13,41 @@
 
 #include "core/base/console.h"
 #include "core/base/text.h"
+#include "core/scene/number.h"
 
 namespace mandelmarch {
+
+namespace {
+
+// Opens what stands for standard input, output or error where that is closed, or a file would get its number. Writing
+// to standard output stays the error that it would have been.
+void open_standard_descriptors()
+{
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The lowest number that is free is this one.
+        static_cast<void>(open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY));
+    }
+}
+
+}  // namespace
 
 double device_timeout()
 {
     constexpr double usual = 300;
+    constexpr double least = 1e-3;
+    constexpr double most = 1e6;
     const char* text = std::getenv("MANDELMARCH_DEVICE_TIMEOUT");
-    const double seconds = text == nullptr ? usual : std::strtod(text, nullptr);
-    return seconds > 0 ? seconds : usual;
+    if (text == nullptr || *text == '\0') return usual;
+    const auto seconds = parse_real(text);
+    if (seconds && *seconds >= least && *seconds <= most) return *seconds;
+    throw InputError(
+        fmt::format("MANDELMARCH_DEVICE_TIMEOUT: '{}' given, expected seconds from {} to {:.0f}", text, least, most));
 }
 
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
 {
+    open_standard_descriptors();
     // A reader that goes away and a file size limit become errors of the write that meets them.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

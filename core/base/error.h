@@ -39,7 +39,7 @@ public:
 };
 
 // Seconds that a device may take for one pass over one band of a picture: MANDELMARCH_DEVICE_TIMEOUT in the
-// environment, or 300.
+// environment, or 300. Throws InputError where that is no number from 0.001 to 1e6; empty counts as not set.
 double device_timeout();
 
 // Runs `body`, a program's whole work, and turns what it throws into one line on stderr, `program: text`, and the exit
