@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
+#include "core/base/text.h"
 #include "core/image/compare.h"
 #include "core/image/image_file.h"
 
@@ -35,15 +37,15 @@ nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
     return json;
 }
 
-void print(const Image& a, const Image& b, const Comparison& c)
+void print_text(const Image& a, const Image& b, const Comparison& c)
 {
-    fmt::print("{} of {} pixels differ, {} by more than 2/255, at most {}/255, PSNR {:.2f} dB\n", c.differing, c.pixels,
-               c.visibly_differing, c.largest, c.psnr);
+    print("{} of {} pixels differ, {} by more than 2/255, at most {}/255, PSNR {:.2f} dB\n", c.differing, c.pixels,
+          c.visibly_differing, c.largest, c.psnr);
     if (c.values_compared) {
-        fmt::print("{} differ in a bit of colour, {} in a bit of depth, {} hit in one picture only\n",
-                   c.differing_colours, c.differing_depths, c.hit_or_miss);
+        print("{} differ in a bit of colour, {} in a bit of depth, {} hit in one picture only\n", c.differing_colours,
+              c.differing_depths, c.hit_or_miss);
     }
-    if (!c.same()) fmt::print("first: {}\n", describe_pixel(a, b, c.first));
+    if (!c.same()) print("first: {}\n", describe_pixel(a, b, c.first));
 }
 
 int body(int argc, char** argv)
@@ -72,21 +74,22 @@ int body(int argc, char** argv)
         if (!format || *format == ImageFormat::exr) {
             throw InputError(map + ": the file name's ending tells no format for a map, expected .png or .bmp");
         }
+        refuse_shared_files({{"--map", map}}, {{"A", first}, {"B", second}});
         OutputFile::check(map);
     }
     const Image a = read_image(first);
     const Image b = read_image(second);
     if (a.width() != b.width() || a.height() != b.height()) {
-        fmt::print(stderr, "imgdiff: {} has {} x {} pixels, {} has {} x {}\n", first, a.width(), a.height(), second,
-                   b.width(), b.height());
+        say("imgdiff: {} has {} x {} pixels, {} has {} x {}\n", printable(first), a.width(), a.height(),
+            printable(second), b.width(), b.height());
         return exit_failure;
     }
     const Comparison comparison = compare(a, b);
     if (!map.empty()) write_image(map, *format, difference_map(a, b));
     if (json) {
-        fmt::print("{}\n", to_json(a, comparison).dump(2));
+        print("{}\n", to_json(a, comparison).dump(2));
     } else {
-        print(a, b, comparison);
+        print_text(a, b, comparison);
     }
     return comparison.same() ? exit_fine : exit_failure;
 }

@@ -1,9 +1,8 @@
 #include "apps/progress_bar.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "core/base/console.h"
 
 namespace mandelmarch {
 namespace {
@@ -30,14 +29,13 @@ void ProgressBar::show(double share)
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = share > 0 ? elapsed / share - elapsed : 0;
     const int full = static_cast<int>(share * bar_width);
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {:.0f} s left \033[K", title_, "", full, "", bar_width - full,
-               100 * share, left);
-    std::fflush(stderr);
+    say("\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {:.0f} s left \033[K", title_, "", full, "", bar_width - full, 100 * share,
+        left);
 }
 
 void ProgressBar::finish()
 {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) say("\r\033[K");
     shown_ = false;
 }
 

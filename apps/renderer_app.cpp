@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -14,8 +13,10 @@
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
+#include "core/base/text.h"
 #include "core/image/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -157,7 +158,7 @@ const Backend& choose_backend(const Registry& registry, const std::string& name)
 {
     if (name != "auto") return *registry.find(name);
     const AutomaticChoice choice = registry.automatic();
-    fmt::print(stderr, "backend {}: {}\n", choice.backend->name(), choice.reason);
+    say("backend {}: {}\n", choice.backend->name(), choice.reason);
     return *choice.backend;
 }
 
@@ -173,13 +174,15 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
         return list_devices(registry) ? exit_fine : exit_failure;
     }
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
-    for (const std::string& warning : parameters.warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options.size, scene);
 
     const std::string& output = options.output.empty() ? scene.image_file : options.output;
     const ImageFormat format = format_of(output);
     check_image_size(format, scene.width, scene.height);
+    refuse_shared_files({{"the picture", output}, {"--stats", options.stats}},
+                        {{"the parameter file", options.parameters}});
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
     check_memory(scene, format, OutputFile::is_stream(output));
@@ -190,12 +193,11 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
     bar.finish();
     if (report.unsettled > 0) {
-        fmt::print(stderr,
-                   "{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n",
-                   program, 100 * report.unsettled,
-                   options.renderer.precision == Precision::f32
-                       ? "float's digits are too few (--precision double has more) or "
-                       : "");
+        say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
+            100 * report.unsettled,
+            options.renderer.precision == Precision::f32
+                ? "float's digits are too few (--precision double has more) or "
+                : "");
     }
     write_image(output, format, image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report);
