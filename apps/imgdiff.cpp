@@ -28,8 +28,13 @@ nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
         {"largest_difference", c.largest},
     };
     json["psnr_db"] = std::isinf(c.psnr) ? nlohmann::ordered_json() : nlohmann::ordered_json(c.psnr);
+    json["compared"] = {"bytes"};
     if (c.values_compared) {
+        json["compared"].push_back("colour");
         json["differing_colours"] = c.differing_colours;
+    }
+    if (c.depths_compared) {
+        json["compared"].push_back("depth");
         json["differing_depths"] = c.differing_depths;
         json["hit_or_miss"] = c.hit_or_miss;
     }
@@ -41,9 +46,12 @@ void print_text(const Image& a, const Image& b, const Comparison& c)
 {
     print("{} of {} pixels differ, {} by more than 2/255, at most {}/255, PSNR {:.2f} dB\n", c.differing, c.pixels,
           c.visibly_differing, c.largest, c.psnr);
-    if (c.values_compared) {
+    if (c.depths_compared) {
         print("{} differ in a bit of colour, {} in a bit of depth, {} hit in one picture only\n", c.differing_colours,
               c.differing_depths, c.hit_or_miss);
+    } else if (c.values_compared) {
+        print("{} differ in a bit of colour; depths are not compared, as not both pictures have them\n",
+              c.differing_colours);
     }
     if (!c.same()) print("first: {}\n", describe_pixel(a, b, c.first));
 }
@@ -60,7 +68,7 @@ int body(int argc, char** argv)
     app.add_option("--map", map, "write a map of the differences, white where equal; .png or .bmp");
     app.add_flag("--json", json, "print JSON");
     app.footer(
-        "Two EXR pictures are compared in every bit of colour and depth, others in their bytes.\n"
+        "Two EXR pictures are compared in every bit of colour and, where both have it, depth; others in their bytes.\n"
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     try {
         app.parse(argc, argv);

@@ -46,6 +46,7 @@ Comparison compare(const Image& a, const Image& b)
     Comparison result;
     result.pixels = a.pixels();
     result.values_compared = a.has_values() && b.has_values();
+    result.depths_compared = a.has_depths() && b.has_depths();
     std::uint64_t squares = 0;
     for (std::size_t i = 0; i < 3 * a.pixels(); ++i) {
         const int difference = int{a.bytes()[i]} - int{b.bytes()[i]};
@@ -61,11 +62,14 @@ Comparison compare(const Image& a, const Image& b)
             const PixelValue& from = a.values()[pixel];
             const PixelValue& to = b.values()[pixel];
             const bool colour = same_colour(from, to);
-            const bool depth = same_bits(from.depth, to.depth);
             result.differing_colours += !colour;
-            result.differing_depths += !depth;
-            result.hit_or_miss += std::isinf(from.depth) != std::isinf(to.depth);
-            same = same && colour && depth;
+            same = same && colour;
+            if (result.depths_compared) {
+                const bool depth = same_bits(from.depth, to.depth);
+                result.differing_depths += !depth;
+                result.hit_or_miss += std::isinf(from.depth) != std::isinf(to.depth);
+                same = same && depth;
+            }
         }
         if (!same && result.first < 0) result.first = static_cast<std::int64_t>(pixel);
     }
@@ -82,7 +86,8 @@ std::string describe_pixel(const Image& a, const Image& b, std::int64_t index)
         std::string text = fmt::format("({}, {}, {})", byte[0], byte[1], byte[2]);
         if (image.has_values()) {
             const PixelValue& v = image.values()[pixel];
-            text += fmt::format(" = ({:.17g}, {:.17g}, {:.17g}) depth {:.17g}", v.red, v.green, v.blue, v.depth);
+            text += fmt::format(" = ({:.17g}, {:.17g}, {:.17g})", v.red, v.green, v.blue);
+            if (image.has_depths()) text += fmt::format(" depth {:.17g}", v.depth);
         }
         return text;
     };

@@ -14,8 +14,10 @@ struct Comparison {
     std::uint64_t visibly_differing = 0;  // pixels with a byte off by more than 2 of 255
     int largest = 0;                      // largest difference of two bytes, 0 to 255
     double psnr = 0;                      // dB over all bytes; +infinity for equal ones
-    // Only where both images keep their values, else 0. Values count as bits: NaN equals itself, 0 and -0 differ.
+    // Colours are compared where both images keep their values, depths where both have them. Values count as bits: NaN
+    // equals itself, 0 and -0 differ. What is not compared counts 0.
     bool values_compared = false;
+    bool depths_compared = false;
     std::uint64_t differing_colours = 0;
     std::uint64_t differing_depths = 0;
     std::uint64_t hit_or_miss = 0;  // pixels that hit in one picture only

@@ -3,13 +3,13 @@
 namespace mandelmarch {
 
 Image::Image(int width, int height, Layers layers, std::pmr::memory_resource* memory)
-    : width_(width), height_(height), bytes_(memory), values_(memory)
+    : width_(width), height_(height), layers_(layers), bytes_(memory), values_(memory)
 {
     bytes_.resize(3 * pixels());
-    if (layers == Layers::all) values_.resize(pixels());
+    if (layers != Layers::bytes) values_.resize(pixels());
 }
 
-std::size_t Image::bytes_per_pixel(Layers layers) { return layers == Layers::all ? 3 + sizeof(PixelValue) : 3; }
+std::size_t Image::bytes_per_pixel(Layers layers) { return layers == Layers::bytes ? 3 : 3 + sizeof(PixelValue); }
 
 template <class Real>
 Planes<Real> planes_of(const Tile<Real>& tile)

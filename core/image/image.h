@@ -43,12 +43,12 @@ Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels,
 // Rows go from the bottom to the top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
 class Image {
 public:
-    enum class Layers { bytes, all };
+    // What is kept beside the three bytes: nothing, the values of the colours they came from, or all of PixelValue.
+    enum class Layers { bytes, colours, all };
 
     Image() = default;
-    // Black. `all` keeps, beside the three bytes, the values they came from. A copy takes its memory from the heap.
-    Image(int width, int height, Layers layers,
-          std::pmr::memory_resource* memory = std::pmr::get_default_resource());
+    // Black. A copy takes its memory from the heap.
+    Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -57,13 +57,14 @@ public:
     {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
-    bool has_values() const { return !values_.empty(); }
+    bool has_values() const { return layers_ != Layers::bytes; }
+    bool has_depths() const { return layers_ == Layers::all; }
 
     // Three bytes a pixel: red, green, blue.
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    // Empty unless the image keeps all layers.
+    // Empty for Layers::bytes; depth, steps and iterations are 0 and mean nothing for Layers::colours.
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
@@ -78,6 +79,7 @@ public:
 private:
     int width_ = 0;
     int height_ = 0;
+    Layers layers_ = Layers::bytes;
     std::pmr::vector<std::uint8_t> bytes_;
     std::pmr::vector<PixelValue> values_;
 };

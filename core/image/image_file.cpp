@@ -3,30 +3,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/image/formats/formats.h"
+#include "core/scene/scene.h"
 
 namespace mandelmarch {
 namespace {
 
-std::vector<std::byte> contents(std::ifstream& file)
+using Bytes = std::vector<std::byte>;
+
+// Appends at most `size` bytes; false at the end of the file.
+bool read_some(std::ifstream& file, Bytes& data, std::size_t size)
 {
-    file.seekg(0, std::ios::end);
-    const auto size = file.tellg();
-    file.seekg(0);
-    std::vector<std::byte> data(size > 0 ? static_cast<std::size_t>(size) : 0);
-    file.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(data.size()));
-    data.resize(static_cast<std::size_t>(file.gcount()));
-    return data;
+    const std::size_t before = data.size();
+    data.resize(before + size);
+    file.read(reinterpret_cast<char*>(data.data() + before), static_cast<std::streamsize>(size));
+    data.resize(before + static_cast<std::size_t>(file.gcount()));
+    return data.size() == before + size;
+}
+
+bool begins_with(const Bytes& data, std::string_view text)
+{
+    return data.size() >= text.size() && std::memcmp(data.data(), text.data(), text.size()) == 0;
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why)
+{
+    throw InputError(fmt::format("{}: {}, expected a picture", name, why));
 }
 
 }  // namespace
@@ -66,21 +79,45 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
     file.commit();
 }
 
+void check_claim(const std::string& name, const Claim& claim)
+{
+    const std::string size = fmt::format("{} x {} pixels", claim.width, claim.height);
+    if (claim.width < 1 || claim.width > max_side || claim.height < 1 || claim.height > max_side) {
+        refuse(name, "its size is " + size);
+    }
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(claim.width) * static_cast<std::uint64_t>(claim.height);  // below 2^32
+    if (pixels * claim.pixel_bits / 8 > claim.most_bytes) refuse(name, "it is too small a file for " + size);
+    const std::uint64_t needed = pixels * Image::bytes_per_pixel(claim.layers) + claim.decoder;
+    const std::uint64_t available = available_memory();
+    if (needed > available) {
+        refuse(name,
+               fmt::format("{} need {} MiB of memory and {} MiB are available", size, needed >> 20, available >> 20));
+    }
+}
+
 Image read_image(const std::string& path)
 {
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        throw InputError(path + ": it is a directory, expected a picture");
+    if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a directory");
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(fmt::format("{}: {}, expected a picture", path, std::strerror(errno)));
-    std::array<char, 4> magic{};
-    file.read(magic.data(), magic.size());
-    const std::string_view first(magic.data(), static_cast<std::size_t>(file.gcount()));
-    if (first.starts_with("\x89PNG")) return read_png(path);
-    if (first.starts_with("\x76\x2f\x31\x01")) return read_exr(path);
-    if (!first.starts_with("BM")) throw InputError(path + ": it is no BMP, PNG or EXR, expected a picture");
-    file.clear();
-    return decode_bmp(contents(file), path);
+    if (!file) refuse(path, std::strerror(errno));
+    constexpr std::size_t first = 4;  // bytes that tell the format
+    Bytes data;
+    read_some(file, data, first);
+    auto* const decode = begins_with(data, "\x89PNG")            ? decode_png
+                         : begins_with(data, "\x76\x2f\x31\x01") ? decode_exr
+                         : begins_with(data, "BM")               ? decode_bmp
+                                                                 : nullptr;
+    if (decode == nullptr) refuse(path, "it is no BMP, PNG or EXR");
+    const std::uint64_t size = std::filesystem::file_size(path, ignored);
+    constexpr std::uint64_t least = 1 << 20;
+    const std::size_t step = ignored ? least : std::max(size, least);  // a pipe's size is not known
+    const std::uint64_t most = available_memory();
+    do {
+        if (step > most || data.size() > most - step) refuse(path, "it is larger than the memory available");
+    } while (read_some(file, data, step));
+    return decode(data, path);
 }
 
 }  // namespace mandelmarch

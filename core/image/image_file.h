@@ -25,11 +25,17 @@ void check_image_size(ImageFormat format, int width, int height);
 // depth (t, +infinity where nothing is hit), steps and iterations. Throws Error with path and cause.
 void write_image(const std::string& path, ImageFormat format, const Image& image);
 
-// Reads a picture; the format is told by its first bytes. BMP: 24 or 32 bits a pixel, not compressed. EXR: the channels
-// R, G, B and, where there, depth, steps and iterations. Throws InputError with path and cause.
+// Reads a picture; the format is told by its first bytes. BMP: 24 or 32 bits a pixel, not compressed. PNG: any kind,
+// made 8 bits a channel, on black where it is transparent; 16 bits without a curve of their own are displayed values,
+// as 8 are. EXR: one part with the channels R, G and B; with depth it has all layers (steps and iterations count 0
+// where they are missing), without it Layers::colours. A file that ends early is refused, and one whose header claims
+// more pixels than the file or the memory can hold is refused before it is decoded. Throws InputError with path and
+// cause.
 Image read_image(const std::string& path);
 
-// A BMP file in memory, as read_image takes it. `name` is what messages call it. Throws InputError.
+// Files in memory, as read_image takes them. `name` is what messages call them. Throw InputError.
 Image decode_bmp(std::span<const std::byte> data, const std::string& name);
+Image decode_png(std::span<const std::byte> data, const std::string& name);
+Image decode_exr(std::span<const std::byte> data, const std::string& name);
 
 }  // namespace mandelmarch

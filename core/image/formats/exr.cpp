@@ -1,4 +1,5 @@
 // OpenEXR: the colour as displayed, depth, steps and iterations, 32 bits each, as named channels.
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -6,14 +7,19 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
+#include <ImfTileDescription.h>
+#include <ImfVersion.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/image/formats/formats.h"
+#include "core/image/image_file.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
@@ -94,6 +100,97 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
+// OpenEXR's input, from memory.
+class MemoryStream : public Imf::IStream {
+public:
+    MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
+
+    // True if there is more.
+    bool read(char to[], int size) override
+    {
+        if (size < 0 || at_ > data_.size() || data_.size() - at_ < static_cast<std::size_t>(size)) {
+            throw Iex::InputExc("the file ends early");
+        }
+        std::memcpy(to, data_.data() + at_, static_cast<std::size_t>(size));
+        at_ += static_cast<std::size_t>(size);
+        return at_ < data_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+private:
+    std::span<const std::byte> data_;
+    std::uint64_t at_ = 0;
+};
+
+// How many times its size a file's data can unpack to. ZIP, PIZ, PXR24 and B44 stay below twice deflate's ratio (PXR24
+// drops a quarter of a float before); DWA's blocks of 8 x 8 may have one number each.
+std::uint64_t ratio_of(Imf::Compression compression)
+{
+    switch (compression) {
+        case Imf::NO_COMPRESSION: return 1;
+        case Imf::DWAA_COMPRESSION:
+        case Imf::DWAB_COMPRESSION: return 2 * 64 * deflate_ratio;
+        default: return 2 * deflate_ratio;
+    }
+}
+
+int lines_of_block(Imf::Compression compression)
+{
+    switch (compression) {
+        case Imf::ZIP_COMPRESSION:
+        case Imf::PXR24_COMPRESSION: return 16;
+        case Imf::PIZ_COMPRESSION:
+        case Imf::B44_COMPRESSION:
+        case Imf::B44A_COMPRESSION:
+        case Imf::DWAA_COMPRESSION: return 32;
+        case Imf::DWAB_COMPRESSION: return 256;
+        default: return 1;
+    }
+}
+
+// Reads the header alone, before OpenEXR takes memory for what it claims. True if the picture has depths.
+bool check_header(MemoryStream& stream, const std::string& name, std::uint64_t file_size)
+{
+    constexpr int largest_tile = 4096;  // pixels, both ways
+    Imf::Header::setMaxImageSize(max_side, max_side);
+    Imf::Header::setMaxTileSize(largest_tile, largest_tile);
+    std::array<char, 8> first{};  // the magic number; flags and version, from the lowest byte up
+    stream.read(first.data(), first.size());
+    int version = 0;
+    for (std::size_t i = first.size(); i > 4; --i) version = version << 8 | static_cast<unsigned char>(first.at(i - 1));
+    if (Imf::isMultiPart(version) || Imf::isNonImage(version)) throw Error("it has several parts or deep pixels");
+    Imf::Header header;
+    header.readFrom(stream, version);
+    header.sanityCheck(Imf::isTiled(version));
+    for (const char* channel : {"R", "G", "B"}) {
+        if (header.channels().findChannel(channel) == nullptr)
+            throw Error(fmt::format("it has no channel {}", channel));
+    }
+    std::uint64_t bits = 0;
+    std::uint64_t bytes = 0;  // of a pixel where channels are not subsampled
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        const std::uint64_t size = channel.channel().type == Imf::HALF ? 2 : 4;
+        bytes += size;
+        bits += 8 * size / static_cast<std::uint64_t>(channel.channel().xSampling * channel.channel().ySampling);
+    }
+    const auto window = header.dataWindow();
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    const auto block =
+        Imf::isTiled(version)
+            ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
+            : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
+    const bool depths = header.channels().findChannel("depth") != nullptr;
+    check_claim(name, {.width = width,
+                       .height = height,
+                       .pixel_bits = bits,
+                       .most_bytes = file_size * ratio_of(header.compression()),
+                       .decoder = 3 * block * bytes,  // packed, unpacked and on the way between
+                       .layers = depths ? Image::Layers::all : Image::Layers::colours});
+    return depths;
+}
+
 }  // namespace
 
 void write_exr(OutputFile& file, const std::string& path, const Image& image)
@@ -117,17 +214,16 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
     }
 }
 
-Image read_exr(const std::string& path)
+Image decode_exr(std::span<const std::byte> data, const std::string& name)
 {
     try {
-        Imf::InputFile input(path.c_str(), 0);
+        MemoryStream stream(data, name);
+        const bool depths = check_header(stream, name, data.size());
+        stream.seekg(0);
+        Imf::InputFile input(stream, 0);
         const auto window = input.header().dataWindow();
-        const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-        const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-        if (width < 1 || width > max_side || height < 1 || height > max_side) {
-            throw Error(fmt::format("its size is {} x {} pixels", width, height));
-        }
-        Image image(static_cast<int>(width), static_cast<int>(height), Image::Layers::all);
+        Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
+                    depths ? Image::Layers::all : Image::Layers::colours);
         Row row(image.width());
         Imf::FrameBuffer buffer = row.frame();
         for (auto slice = buffer.begin(); slice != buffer.end(); ++slice) {
@@ -138,12 +234,15 @@ Image read_exr(const std::string& path)
             input.readPixels(window.min.y + line);
             const std::size_t at = static_cast<std::size_t>(image.height() - 1 - line) * row.red.size();
             for (std::size_t x = 0; x < row.red.size(); ++x) {
-                image.values()[at + x] = {row.red[x],
-                                          row.green[x],
-                                          row.blue[x],
-                                          row.depth[x],
-                                          static_cast<std::int32_t>(row.steps[x]),
-                                          static_cast<std::int32_t>(row.iterations[x])};
+                PixelValue& value = image.values()[at + x];
+                value.red = row.red[x];
+                value.green = row.green[x];
+                value.blue = row.blue[x];
+                if (depths) {
+                    value.depth = row.depth[x];
+                    value.steps = static_cast<std::int32_t>(row.steps[x]);
+                    value.iterations = static_cast<std::int32_t>(row.iterations[x]);
+                }
                 const auto byte = [](float c) {
                     return static_cast<std::uint8_t>(c > 0 ? (c < 1 ? 255 * c : 255) : 0);
                 };
@@ -153,8 +252,10 @@ Image read_exr(const std::string& path)
             }
         }
         return image;
+    } catch (const InputError&) {
+        throw;
     } catch (const std::exception& error) {
-        throw InputError(fmt::format("{}: {}, expected an EXR picture", path, error.what()));
+        throw InputError(fmt::format("{}: {}, expected an EXR picture", name, error.what()));
     }
 }
 

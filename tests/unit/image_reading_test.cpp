@@ -1,0 +1,192 @@
+// Pictures that other programs made, or that were damaged on purpose.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStdIO.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/image/image_file.h"
+
+namespace mandelmarch {
+namespace {
+
+std::string big_endian(std::uint32_t value)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+    return bytes;
+}
+
+std::string chunk(const std::string& type, const std::string& data)
+{
+    std::uint32_t crc = 0xffffffff;  // CRC-32, reflected
+    for (const char c : type + data) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320 : 0);
+    }
+    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~crc);
+}
+
+// A zlib stream of one stored block.
+std::string stored(const std::string& data)
+{
+    std::uint32_t a = 1;  // Adler-32
+    std::uint32_t b = 0;
+    for (const char c : data) {
+        a = (a + static_cast<unsigned char>(c)) % 65521;
+        b = (b + a) % 65521;
+    }
+    std::string block("\x78\x01\x01", 3);
+    for (const std::size_t size : {data.size(), ~data.size()}) {
+        block += static_cast<char>(size);
+        block += static_cast<char>(size >> 8);
+    }
+    return block + data + big_endian(b << 16 | a);
+}
+
+const std::string png_end = chunk("IEND", "");
+
+// Grey, of one row of three pixels; `bits` a channel.
+std::string png(std::uint32_t width, std::uint32_t height, int bits, const std::string& pixels)
+{
+    const std::string header = big_endian(width) + big_endian(height) + static_cast<char>(bits) + std::string(4, '\0');
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored('\0' + pixels)) + png_end;
+}
+
+using Decoder = Image (*)(std::span<const std::byte>, const std::string&);
+
+Image decoded(Decoder decode, const std::string& file) { return decode(std::as_bytes(std::span(file)), "x"); }
+
+std::string refusal(Decoder decode, const std::string& file)
+{
+    try {
+        decoded(decode, file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(PngReading, SixteenBitsAreTheCurveOfEight)
+{
+    const Image eight = decoded(decode_png, png(3, 1, 8, "\x01\x80\xfe"));
+    const Image sixteen = decoded(decode_png, png(3, 1, 16, "\x01\x01\x80\x80\xfe\xfe"));
+    EXPECT_EQ(eight.bytes()[3], 0x80);
+    EXPECT_TRUE(compare(eight, sixteen).same()) << describe_pixel(eight, sixteen, 1);
+}
+
+TEST(PngReading, AFileThatEndsEarlyIsRefused)
+{
+    const std::string whole = png(3, 1, 8, "abc");
+    EXPECT_NO_THROW(decoded(decode_png, whole));
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_NE(refusal(decode_png, whole.substr(0, size)), "not refused") << size << " of " << whole.size();
+    }
+    EXPECT_NE(refusal(decode_png, png(3, 2, 8, "abc")), "not refused");
+}
+
+TEST(PngReading, MorePixelsThanTheFileCanHoldAreRefused)
+{
+    EXPECT_TRUE(holds(refusal(decode_png, png(65535, 65535, 8, "abc")), "too small a file for 65535 x 65535"));
+    EXPECT_TRUE(holds(refusal(decode_png, png(30000, 30000, 1, "abc")), "too small a file for 30000 x 30000"));
+    EXPECT_TRUE(holds(refusal(decode_png, png(70000, 1, 8, "abc")), "its size is 70000 x 1"));
+}
+
+// Flat channels of 0.5, or 5 as whole numbers.
+std::string exr(const std::vector<std::string>& channels, Imf::Compression compression = Imf::ZIP_COMPRESSION,
+                int side = 4)
+{
+    Imf::Header header(side, side);
+    header.compression() = compression;
+    std::vector<float> reals(static_cast<std::size_t>(side), 0.5F);
+    std::vector<std::uint32_t> wholes(static_cast<std::size_t>(side), 5);
+    Imf::FrameBuffer buffer;
+    for (const std::string& name : channels) {
+        const bool counts = name == "steps" || name == "iterations";
+        const Imf::PixelType type = counts ? Imf::UINT : Imf::FLOAT;
+        header.channels().insert(name, Imf::Channel(type));
+        char* data = counts ? reinterpret_cast<char*>(wholes.data()) : reinterpret_cast<char*>(reals.data());
+        buffer.insert(name, Imf::Slice(type, data, 4, 0));
+    }
+    Imf::StdOSStream stream;
+    {
+        Imf::OutputFile file(stream, header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(side);
+    }
+    return stream.str();
+}
+
+TEST(ExrReading, AMissingColourIsNamed)
+{
+    EXPECT_NO_THROW(decoded(decode_exr, exr({"R", "G", "B"})));
+    EXPECT_TRUE(holds(refusal(decode_exr, exr({"R", "G"})), "no channel B"));
+    EXPECT_TRUE(holds(refusal(decode_exr, exr({"B", "G", "depth"})), "no channel R"));
+    EXPECT_TRUE(holds(refusal(decode_exr, exr({"Y"})), "no channel R"));
+}
+
+TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
+{
+    const Image flat = decoded(decode_exr, exr({"R", "G", "B"}));
+    const Image deep = decoded(decode_exr, exr({"R", "G", "B", "depth"}));
+    const Image full = decoded(decode_exr, exr({"R", "G", "B", "depth", "steps", "iterations"}));
+    EXPECT_FALSE(flat.has_depths());
+    EXPECT_EQ(full.values()[0].steps, 5);
+    const Comparison part = compare(flat, full);
+    EXPECT_TRUE(part.same() && part.values_compared && !part.depths_compared);
+    EXPECT_EQ(describe_pixel(flat, flat, 0).find("depth"), std::string::npos);
+    EXPECT_TRUE(compare(deep, full).same() && compare(deep, full).depths_compared);
+}
+
+// The file with the last corner of its data window moved.
+std::string claiming(std::string file, std::int32_t x, std::int32_t y)
+{
+    const std::string before("dataWindow\0box2i\0\x10\0\0\0", 21);
+    const std::size_t at = file.find(before) + before.size() + 8;
+    for (int i = 0; i < 4; ++i) {
+        file.at(at + static_cast<std::size_t>(i)) = static_cast<char>(x >> (8 * i));
+        file.at(at + 4 + static_cast<std::size_t>(i)) = static_cast<char>(y >> (8 * i));
+    }
+    return file;
+}
+
+TEST(ExrReading, MorePixelsThanTheFileCanHoldAreRefused)
+{
+    for (const Imf::Compression compression : {Imf::NO_COMPRESSION, Imf::ZIP_COMPRESSION, Imf::DWAB_COMPRESSION}) {
+        const std::string file = exr({"R", "G", "B"}, compression);
+        EXPECT_NO_THROW(decoded(decode_exr, claiming(file, 3, 3)));
+        EXPECT_TRUE(holds(refusal(decode_exr, claiming(file, 65534, 65534)), "too small a file for 65535 x 65535"));
+        EXPECT_TRUE(holds(refusal(decode_exr, claiming(file, 1 << 29, 3)), "maximum width"));
+        EXPECT_TRUE(holds(refusal(decode_exr, claiming(file, -1, 3)), "expected"));
+    }
+}
+
+// The flattest pictures are not taken for ones that claim too much.
+TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
+{
+    for (int kind = Imf::NO_COMPRESSION; kind < Imf::NUM_COMPRESSION_METHODS; ++kind) {
+        const std::string file = exr({"R", "G", "B"}, static_cast<Imf::Compression>(kind), 256);
+        EXPECT_NO_THROW(decoded(decode_exr, file)) << "compression " << kind << ", " << file.size() << " bytes";
+    }
+}
+
+TEST(Reading, NothingIsDecodedThatMemoryCannotHold)
+{
+    const std::string path = std::filesystem::temp_directory_path() / ("large-" + std::to_string(getpid()) + ".bmp");
+    std::ofstream(path) << "BM";
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 43);  // a hole
+    EXPECT_THROW(read_image(path), InputError);
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace mandelmarch
