@@ -7,6 +7,7 @@
 
 #include "core/scene/fractal.h"
 #include "flight/audit/passages.h"
+#include "flight/audit/standing.h"
 #include "flight/audit/view_rows.h"
 #include "flight/plan/tour.h"
 
@@ -151,18 +152,12 @@ private:
     // The longest time that the camera stays within a quarter of its clearance of one place.
     void standing()
     {
-        std::size_t longest = 0;
-        std::size_t where = 0;
-        for (std::size_t i = 0; i < places_.size(); ++i) {
-            const double radius = stillness * std::min(clearances_[i], fastest_clearance(runs_.front().field->hull()));
-            std::size_t j = i;
-            while (j + 1 < places_.size() && length(places_[j + 1] - places_[i]) <= radius) ++j;
-            if (j - i > longest) {
-                longest = j - i;
-                where = i;
-            }
-        }
-        add({"longest time standing still", seconds(longest), 2, true, true, "s", longest > 0 ? at_frame(where) : ""});
+        const double fastest = fastest_clearance(runs_.front().field->hull());
+        std::vector<double> radii(clearances_.size());
+        std::ranges::transform(clearances_, radii.begin(), [&](double c) { return stillness * std::min(c, fastest); });
+        const Stand stand = longest_stand(places_, radii);
+        add({"longest time standing still", seconds(stand.steps), 2, true, true, "s",
+             stand.steps > 0 ? at_frame(stand.first) : ""});
     }
 
     void nearness()
