@@ -70,8 +70,8 @@ test: build python
 # A longer search for inputs that break the readers: make fuzz SECONDS=3600
 SECONDS ?= 600
 fuzz: setup
-	@tools/build asan parameter_file_fuzz bmp_fuzz
-	@for name in parameter_file bmp; do \
+	@tools/build asan parameter_file_fuzz bmp_fuzz path_file_fuzz
+	@for name in parameter_file bmp path_file; do \
 	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/tests/$${name}_fuzz $(CURDIR) build/fuzz/$$name $(SECONDS) || exit 1; \
 	done
 

@@ -1,13 +1,18 @@
 // Path files: JSON, readable and made for editing by hand, one line a frame.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "flight/path/path.h"
 
@@ -18,6 +23,12 @@ using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::size_t most_frames = 10'000'000;  // 92 hours
+constexpr const char* by_size = "by size";
+constexpr double usual_detail = -3;  // where it follows the size: what none of the pictures has
+constexpr Meaning detail_meaning{"detail level", -37, 3};
+constexpr Meaning brightness_meaning{"brightness", 0, 1e6};
+constexpr std::size_t longest_cause = 300;  // bytes of what a parser says
+constexpr std::size_t longest_value = 80;   // bytes of a value that a message shows
 
 std::string number(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
 
@@ -42,6 +53,16 @@ std::string changes_text(const Changes& changes)
     return text;
 }
 
+// A value in a message.
+std::string shown(const Json& value) { return printable(value.dump(), longest_value); }
+
+constexpr std::array<std::string_view, 6> whole_keys{"format", "fractal", "seed", "frames_per_second",
+                                                     "scene",  "frames"};
+constexpr std::array<std::string_view, 6> scene_keys{"detail", "shape",     "iterations",
+                                                     "escape", "colouring", "brightness"};
+constexpr std::array<std::string_view, 10> frame_keys{
+    "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
+
 // Takes values out of one object of the file; messages name the file and the object.
 class Reader {
 public:
@@ -55,6 +76,23 @@ public:
 
     bool has(const char* key) const { return object_.contains(key); }
 
+    // Refuses keys that mean nothing: a slip would be lost.
+    void know(std::span<const std::string_view> keys) const
+    {
+        for (const auto& [key, value] : object_.items()) {
+            if (std::ranges::find(keys, key) != keys.end()) continue;
+            fail(fmt::format("\"{}\" means nothing here, expected some of {}", printable(key, longest_value),
+                             fmt::join(keys, ", ")));
+        }
+    }
+
+    const Json& value(const char* key) const
+    {
+        const auto found = object_.find(key);
+        if (found == object_.end()) fail(fmt::format("\"{}\" is missing", key));
+        return *found;
+    }
+
     double real(const char* key, const Meaning& meaning) const { return checked(value(key), key, meaning); }
 
     // Rounded to single precision, as from a parameter file.
@@ -64,7 +102,9 @@ public:
     {
         const Json& found = value(key);
         if (!found.is_number_integer() || found.get<double>() < low || found.get<double>() > high) {
-            fail(fmt::format("\"{}\" is {}, expected a whole number from {} to {}", key, found.dump(), low, high));
+            fail(fmt::format(
+                "\"{}\" is {}, expected {}", key, shown(found),
+                low == high ? fmt::format("{}", low) : fmt::format("a whole number from {} to {}", low, high)));
         }
         return found.get<int>();
     }
@@ -79,43 +119,46 @@ public:
     {
         const Json& found = value(key);
         if (!found.is_array() || found.size() != 3) {
-            fail(fmt::format("\"{}\" is {}, expected three numbers [x, y, z]", key, found.dump()));
+            fail(fmt::format("\"{}\" is {}, expected three numbers [x, y, z]", key, shown(found)));
         }
         std::array<double, 3> numbers{};
         for (std::size_t i = 0; i < 3; ++i) numbers[i] = checked(found[i], key, meanings[i]);
         return numbers;
     }
 
+    std::array<double, 3> shape() const
+    {
+        auto shape = three("shape", fractal_.shape);
+        for (double& s : shape) s = static_cast<float>(s);
+        return shape;
+    }
+
+    std::uint64_t seed() const
+    {
+        const Json& found = value("seed");
+        if (!found.is_number_unsigned()) fail(fmt::format("\"seed\" is {}, expected a whole number", shown(found)));
+        return found.get<std::uint64_t>();
+    }
+
     Changes changes() const
     {
         Changes result;
-        if (has("detail")) result.detail = single("detail", {"detail level", -37, 3});
-        if (has("shape")) {
-            auto shape = three("shape", fractal_.shape);
-            for (double& s : shape) s = static_cast<float>(s);
-            result.shape = shape;
-        }
+        if (has("detail")) result.detail = single("detail", detail_meaning);
+        if (has("shape")) result.shape = shape();
         if (has("iterations")) result.iterations = whole("iterations", 1, max_iterations);
         if (has("escape")) result.escape = single("escape", fractal_.escape);
         if (has("colouring")) result.colouring = whole("colouring", 0, colouring_types - 1);
-        if (has("brightness")) result.brightness = single("brightness", {"brightness", 0, 1e6});
+        if (has("brightness")) result.brightness = single("brightness", brightness_meaning);
         return result;
     }
 
 private:
-    const Json& value(const char* key) const
-    {
-        const auto found = object_.find(key);
-        if (found == object_.end()) fail(fmt::format("\"{}\" is missing", key));
-        return *found;
-    }
-
     double checked(const Json& found, const char* key, const Meaning& meaning) const
     {
         const double number = found.is_number() ? found.get<double>() : NAN;
         const bool fine = number <= meaning.high && (meaning.open_low ? number > meaning.low : number >= meaning.low);
         if (!fine) {
-            fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, found.dump(),
+            fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, shown(found),
                              meaning.name, meaning.open_low ? "more than" : "at least", meaning.low, meaning.high));
         }
         return number;
@@ -126,9 +169,23 @@ private:
     const Fractal& fractal_;
 };
 
+void read_scene(const Json& object, const std::string& place, Path& path)
+{
+    const Reader reader(object, place, *path.scene.fractal);
+    reader.know(scene_keys);
+    path.detail_by_size = reader.value("detail") == by_size;
+    path.scene.detail = path.detail_by_size ? usual_detail : reader.single("detail", detail_meaning);
+    path.scene.shape = reader.shape();
+    path.scene.iterations = reader.whole("iterations", 1, max_iterations);
+    path.scene.escape = reader.single("escape", path.scene.fractal->escape);
+    path.scene.colouring = reader.whole("colouring", 0, colouring_types - 1);
+    path.scene.brightness = reader.single("brightness", brightness_meaning);
+}
+
 Frame read_frame(const Json& object, const std::string& place, const Path& path)
 {
     const Reader reader(object, place, *path.scene.fractal);
+    reader.know(frame_keys);
     Frame frame;
     frame.eye = reader.vector("location");
     frame.target = reader.vector("look_at");
@@ -160,8 +217,8 @@ std::string to_text(const Path& path)
         "{{\"detail\": {}, "
         "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}}},\n\"frames\": [\n",
         format_name, scene.fractal->name, path.seed, frames_per_second,
-        path.detail_by_size ? "\"by size\"" : number(scene.detail), triple({a, b, c}), scene.iterations,
-        number(scene.escape), scene.colouring, number(scene.brightness));
+        path.detail_by_size ? fmt::format("\"{}\"", by_size) : number(scene.detail), triple({a, b, c}),
+        scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness));
     for (std::size_t i = 0; i < path.frames.size(); ++i) {
         const Frame& frame = path.frames[i];
         text += fmt::format("{{\"location\": {}, \"look_at\": {}, \"up\": {}, \"field_of_view\": {}{}}}{}\n",
@@ -173,11 +230,13 @@ std::string to_text(const Path& path)
 
 Path path_from_text(const std::string& text, const std::string& name)
 {
+    check_json_depth(text, name);
     Json json;
     try {
         json = Json::parse(text);
     } catch (const Json::exception& error) {
-        throw InputError(fmt::format("{}: {}, expected a path file (JSON)", name, error.what()));
+        throw InputError(
+            fmt::format("{}: {}, expected a path file (JSON)", name, printable(error.what(), longest_cause)));
     }
     if (!json.is_object() || json.value("format", Json()) != format_name) {
         throw InputError(fmt::format("{}: its \"format\" is not \"{}\", expected a path file", name, format_name));
@@ -187,30 +246,19 @@ Path path_from_text(const std::string& text, const std::string& name)
     try {
         path.scene.fractal = &fractal_named(json["fractal"].get<std::string>());
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
+        throw InputError(fmt::format("{}: {}", name, printable(error.what(), longest_cause)));
     }
-    if (json.contains("seed") && json["seed"].is_number_unsigned()) path.seed = json["seed"].get<std::uint64_t>();
-    if (!json.contains("scene")) throw InputError(name + ": \"scene\" is missing");
-    Json scene = json["scene"];
-    path.detail_by_size = scene.is_object() && scene.contains("detail") && scene["detail"] == "by size";
-    if (path.detail_by_size) scene.erase("detail");
-    const Reader reader(scene, name + ": scene", *path.scene.fractal);
-    const Changes whole = reader.changes();
-    path.scene.detail = whole.detail.value_or(-3);
-    if (!whole.shape || !whole.iterations || !whole.escape || !whole.colouring || !whole.brightness) {
-        reader.fail("it needs shape, iterations, escape, colouring and brightness");
-    }
-    path.scene.shape = *whole.shape;
-    path.scene.iterations = *whole.iterations;
-    path.scene.escape = *whole.escape;
-    path.scene.colouring = *whole.colouring;
-    path.scene.brightness = *whole.brightness;
-    if (!json.contains("frames") || !json["frames"].is_array() || json["frames"].empty()) {
-        throw InputError(name + ": \"frames\" is missing or empty, expected a list of cameras");
-    }
-    if (json["frames"].size() > most_frames) throw InputError(name + ": it has too many frames");
-    for (std::size_t i = 0; i < json["frames"].size(); ++i) {
-        path.frames.push_back(read_frame(json["frames"][i], fmt::format("{}: frame {}", name, i), path));
+    const Reader whole(json, name, *path.scene.fractal);
+    whole.know(whole_keys);
+    if (whole.has("seed")) path.seed = whole.seed();
+    if (whole.has("frames_per_second")) whole.whole("frames_per_second", frames_per_second, frames_per_second);
+    read_scene(whole.value("scene"), name + ": scene", path);
+    const Json& frames = whole.value("frames");
+    if (!frames.is_array() || frames.empty()) whole.fail("\"frames\" is empty or no list, expected a list of cameras");
+    if (frames.size() > most_frames) whole.fail("it has too many frames");
+    path.frames.reserve(frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        path.frames.push_back(read_frame(frames[i], fmt::format("{}: frame {}", name, i), path));
     }
     return path;
 }

@@ -197,29 +197,6 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(asked.root_share, 0);
 }
 
-TEST(PathFile, SaysWhatIsWrong)
-{
-    const auto says = [](std::string text, const std::string& from, const std::string& to, const std::string& message) {
-        const auto at = text.find(from);
-        ASSERT_NE(at, std::string::npos) << from;
-        text.replace(at, from.size(), to);
-        try {
-            path_from_text(text, "a.json");
-            FAIL() << "accepted: " << to;
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
-        }
-    };
-    const std::string text = to_text(planned());
-    says(text, "mandelmarch path 1", "something", "a.json");
-    says(text, "\"mandelbulb\"", "\"mandelbub\"", "mandelbub");
-    says(text, "\"iterations\": 100", "\"iterations\": 0", "a.json: scene");
-    says(text, "\"location\": [", "\"location\": [1e99, ", "a.json: frame 0");
-    says(text, "\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
-    says(text, "\"up\"", "\"down\"", "\"up\" is missing");
-    says(text, "{\"location\"", "{{\"location\"", "a.json");
-}
-
 // Pixels of one and a half samples: the sample in the middle counts half in each. Row 0 of an image is its bottom row.
 TEST(Shrunk, IsTheMeanOverAPixelsArea)
 {

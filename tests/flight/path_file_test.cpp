@@ -1,0 +1,98 @@
+// Path files that are refused: each with one line that says where and what.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch {
+namespace {
+
+const std::string text =
+    R"({"format": "mandelmarch path 1", "fractal": "mandelbulb", "seed": 3, "frames_per_second": 30,
+"scene": {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2},
+"frames": [
+{"location": [4, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1},
+{"location": [4, 3, 3.1], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1, "brightness": 1.5}
+]})";
+
+std::string with(const std::string& from, const std::string& to)
+{
+    std::string changed = text;
+    const auto at = changed.find(from);
+    if (at == std::string::npos) throw Error("no " + from);
+    return changed.replace(at, from.size(), to);
+}
+
+std::string refusal(const std::string& changed)
+{
+    try {
+        path_from_text(changed, "a.json");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+// Replaces `from` in a path file and looks what is said of it.
+void says(const std::string& from, const std::string& to, const std::string& message)
+{
+    const std::string said = refusal(with(from, to));
+    EXPECT_TRUE(said.starts_with("a.json: ")) << said;
+    EXPECT_NE(said.find(message), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    EXPECT_LT(said.size(), 600U) << said.substr(0, 600);
+}
+
+TEST(PathFile, SaysWhatIsWrong)
+{
+    says("mandelmarch path 1", "something", "format");
+    says("\"mandelbulb\"", "\"mandelbub\"", "mandelbub");
+    says("\"iterations\": 100", "\"iterations\": 0", "a.json: scene");
+    says("\"location\": [", "\"location\": [1e99, ", "a.json: frame 0");
+    says("\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
+    says("\"seed\": 3", "\"seed\": -3", "seed");
+    says("{\"location\"", "{{\"location\"", "JSON");
+}
+
+TEST(PathFile, NamesKeysThatMeanNothing)
+{
+    says("\"seed\"", "\"sede\"", "\"sede\" means nothing here, expected some of format, fractal, seed");
+    says("\"detail\"", "\"look_at\"", "a.json: scene: \"look_at\" means nothing here, expected some of detail");
+    says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: \"brightnes\" means nothing here");
+}
+
+TEST(PathFile, NeedsEveryKeyButSeedAndRate)
+{
+    says("\"detail\": \"by size\", ", "", "a.json: scene: \"detail\" is missing");
+    says("\"shape\": [0, 4, 8], ", "", "a.json: scene: \"shape\" is missing");
+    says("\"iterations\": 100, ", "", "a.json: scene: \"iterations\" is missing");
+    says("\"escape\": 100, ", "", "a.json: scene: \"escape\" is missing");
+    says("\"colouring\": 3, ", "", "a.json: scene: \"colouring\" is missing");
+    says(", \"brightness\": 1.2", "", "a.json: scene: \"brightness\" is missing");
+    says("\"up\": [0, 0, 1], ", "", "a.json: frame 0: \"up\" is missing");
+    says("\"fractal\": \"mandelbulb\", ", "", "\"fractal\" is missing");
+    const Path path = path_from_text(with("\"seed\": 3, \"frames_per_second\": 30,", ""), "a.json");
+    EXPECT_EQ(path.seed, 0U);
+    EXPECT_EQ(path.frames.size(), 2U);
+}
+
+TEST(PathFile, HasOneRate) { says("\"frames_per_second\": 30", "\"frames_per_second\": 60", "60, expected 30"); }
+
+// Readers of JSON use the stack, and messages show what they are given.
+TEST(PathFile, MayBeAnything)
+{
+    const std::string deep(300'000, '[');
+    says("\"location\": [4, 3, 3]", "\"location\": " + deep, "deep");
+    says("\"mandelmarch path 1\"", deep + std::string(300'000, ']'), "deep");
+    const std::string large(5'000'000, 'x');
+    for (const std::string what :
+         {"\"mandelbulb\"", "\"by size\"", "[4, 3, 3]", "\"seed\"", "\"mandelmarch path 1\""}) {
+        says(what, "\"" + large + "\"", "");
+    }
+    says("[4, 3, 3]", large, "JSON");
+    says("[4, 3, 3]", std::string(5'000'000, '9'), "JSON");
+    says("\"mandelbulb\"", "\"a\\nb\"", "a\\nb");
+}
+
+}  // namespace
+}  // namespace mandelmarch
