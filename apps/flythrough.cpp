@@ -1,13 +1,16 @@
 // flythrough: plans a flight through a fractal, audits it and makes a film of it.
-#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <vector>
 
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -20,6 +23,8 @@
 namespace {
 
 using namespace mandelmarch;
+
+constexpr std::size_t long_flight = 100'000;  // frames whose audit takes so long that it is told
 
 void write_text(const std::string& file, const std::string& text)
 {
@@ -44,18 +49,40 @@ Scene scene_of(const Flythrough& options)
 }
 
 // Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
-void log_plan(const std::string& text) { fmt::print(stderr, "plan: {}\n", text.substr(0, text.find('\n'))); }
+void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
 Plan make_plan(const Flythrough& options)
 {
     return plan(scene_of(options), options.seed, options.frames, options.threads, log_plan);
 }
 
-// Prints the audit on stdout and, if asked for, as JSON into a file; true if every promise is kept.
+void tell_audit(const Path& path)
+{
+    if (path.frames.size() >= long_flight) say("audit: {} frames\n", path.frames.size());
+}
+
+// True where a file that is written is what stdout leads to (/dev/stdout, say), unless that takes anything.
+bool goes_to_stdout(const std::string& file)
+{
+    struct stat named {};
+    struct stat standard {};
+    return stat(file.c_str(), &named) == 0 && fstat(STDOUT_FILENO, &standard) == 0 && !S_ISCHR(standard.st_mode) &&
+           named.st_dev == standard.st_dev && named.st_ino == standard.st_ino;
+}
+
+// Prints the audit on stdout, or stderr where stdout takes a file, and, if asked for, as JSON into a file; true if
+// every promise is kept.
 bool show_audit(const Flythrough& options, const Path& path, double planning)
 {
+    tell_audit(path);
     const Audit result = audit(path, options.threads, planning);
-    fmt::print("{}", table_of(path, result));
+    const auto taken = options.written();
+    if (std::ranges::any_of(taken, [](const NamedFile& file) { return goes_to_stdout(file.path); })) {
+        say("{}", table_of(path, result));
+    } else {
+        print("{}", table_of(path, result));
+        flush_stdout();
+    }
     if (!options.json.empty()) write_text(options.json, json_of(path, result));
     return result.promises_kept();
 }
@@ -65,21 +92,29 @@ void write_map(const Flythrough& options, const Plan& made)
     if (!options.map.empty()) write_text(options.map, map_of(made.path, made.balls, made.gates, options.threads));
 }
 
+// Before any work: every file that will be written can be, and none of them is another one.
+void check_outputs(const Flythrough& options)
+{
+    const std::vector<NamedFile> written = options.written();
+    refuse_shared_files(written, options.read());
+    for (const NamedFile& file : written) {
+        if (!file.path.empty()) OutputFile::check(file.path);
+    }
+}
+
 int plan_command(const Flythrough& options)
 {
-    const std::string output = options.output.empty() ? "path.json" : options.output;
-    OutputFile::check(output);
     const Plan made = make_plan(options);
-    write_text(output, to_text(made.path));
+    write_text(options.output, to_text(made.path));
     write_map(options, made);
     return show_audit(options, made.path, made.seconds) ? exit_fine : exit_failure;
 }
 
-const Backend& choose_backend(const Registry& registry, const Flythrough& options, bool say)
+const Backend& choose_backend(const Registry& registry, const Flythrough& options, bool first)
 {
     if (options.backend != "auto") return *registry.find(options.backend);
     const AutomaticChoice choice = registry.automatic();
-    if (say) fmt::print(stderr, "backend {}: {}\n", choice.backend->name(), choice.reason);
+    if (first) say("backend {}: {}\n", choice.backend->name(), choice.reason);
     return *choice.backend;
 }
 
@@ -102,37 +137,65 @@ RendererOptions renderer_of(const Flythrough& options, const Backend& backend, c
 
 void refuse_broken(const Path& path, const Flythrough& options)
 {
+    tell_audit(path);
     const Audit result = audit_promises(path, options.threads);
     if (result.promises_kept()) return;
-    fmt::print(stderr, "{}", table_of(path, result));
+    say("{}", table_of(path, result));
     if (!options.force) throw Error("the path breaks a promise and is not rendered, unless --force is given");
 }
 
-int render(const Flythrough& options, const Path& path, Ranks& ranks)
+StillOptions still_options(const Flythrough& options, const RendererOptions& renderer)
 {
-    const Registry registry = all_backends(Drivers::isolated);
-    const Backend& backend = choose_backend(registry, options, ranks.rank() == 0);
-    const RendererOptions renderer = renderer_of(options, backend, ranks);
-    const Picture picture{options.width, options.height, options.samples, options.look};
+    return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments};
+}
+
+FilmOptions film_options(const Flythrough& options, const RendererOptions& renderer)
+{
+    return {options.output, options.title, options.authors, options.picture(), renderer, options.segments};
+}
+
+// Before any work: the film or the stills of so many frames can be made.
+void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames)
+{
+    if (options.stills.empty()) {
+        check_film(film_options(options, renderer), frames);
+    } else {
+        check_stills(still_options(options, renderer), frames);
+    }
+}
+
+// The path that is planned or read, as text; for rank 0.
+std::string path_text(const Flythrough& options, const RendererOptions& renderer)
+{
+    if (options.stills.empty()) check_film_tools();
+    if (options.command == Command::render) {
+        const Path path = read_path(options.path);
+        check_pictures(options, renderer, path.frames.size());
+        refuse_broken(path, options);
+        return to_text(path);
+    }
+    check_pictures(options, renderer, static_cast<std::size_t>(options.frames));
+    const Plan made = make_plan(options);
+    if (!options.path.empty()) write_text(options.path, to_text(made.path));
+    write_map(options, made);
+    show_audit(options, made.path, made.seconds);
+    return to_text(made.path);
+}
+
+int render(const Flythrough& options, const Path& path, const Backend& backend, const RendererOptions& renderer,
+           Ranks& ranks)
+{
     if (!options.stills.empty()) {
-        const auto [first, last] = options.frames_asked(path.frames.size());
-        const std::size_t written = make_stills(
-            path, backend, {options.stills, options.jpeg, first, last, options.every, picture, renderer}, ranks);
-        if (ranks.rank() == 0) fmt::print(stderr, "stills: {} pictures in {}\n", written, options.stills);
+        const std::size_t pictures = make_stills(path, backend, still_options(options, renderer), ranks);
+        if (ranks.rank() == 0) say("stills: {} pictures in {}\n", pictures, options.stills);
         return exit_fine;
     }
-    FilmOptions film;
-    film.output = options.output.empty() ? "video.mp4" : options.output;
-    film.title = options.title;
-    film.authors = options.authors;
-    film.picture = picture;
-    film.renderer = renderer;
-    film.segments = options.segments;
+    const FilmOptions film = film_options(options, renderer);
     const FilmReport report = make_film(path, backend, film, ranks);
     if (ranks.rank() != 0) return exit_fine;
-    fmt::print(stderr, "film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered,
-               report.segments, report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
-               report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
+    say("film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered, report.segments,
+        report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
+        report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
     if (!options.summary.empty()) {
         write_text(options.summary, summary_of(path, backend, film, report, ranks.size()));
     }
@@ -141,32 +204,23 @@ int render(const Flythrough& options, const Path& path, Ranks& ranks)
 
 int run(const Flythrough& options)
 {
-    switch (options.command) {
-        case Command::plan: return plan_command(options);
-        case Command::audit: return show_audit(options, read_path(options.path), 0) ? exit_fine : exit_failure;
-        case Command::render:
-        case Command::film: break;
+    if (options.command == Command::plan || options.command == Command::audit) {
+        check_outputs(options);
+        if (options.command == Command::plan) return plan_command(options);
+        return show_audit(options, read_path(options.path), 0) ? exit_fine : exit_failure;
     }
+    // Backends come first: their drivers' processes are made of this one, while it has no threads and no MPI.
+    const Registry registry = all_backends(Drivers::isolated);
     const auto ranks = make_ranks();
     try {
-        std::string text;
-        if (ranks->rank() == 0) {
-            if (options.stills.empty()) check_film_tools();
-            if (options.command == Command::film) {
-                const Plan made = make_plan(options);
-                if (!options.path.empty()) write_text(options.path, to_text(made.path));
-                write_map(options, made);
-                show_audit(options, made.path, made.seconds);
-                std::fflush(stdout);
-                text = to_text(made.path);
-            } else {
-                const Path path = read_path(options.path);
-                refuse_broken(path, options);
-                text = to_text(path);
-            }
-        }
-        text = ranks->share(text);
-        return render(options, path_from_text(text, options.path.empty() ? "the path" : options.path), *ranks);
+        if (ranks->rank() == 0) check_outputs(options);
+        const Backend& backend = choose_backend(registry, options, ranks->rank() == 0);
+        const RendererOptions renderer = renderer_of(options, backend, *ranks);
+        // A device that is not there is known before the work.
+        static_cast<void>(backend.create(renderer));
+        const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, renderer) : "");
+        const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
+        return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
         // One rank's failure ends them all; its message comes first.

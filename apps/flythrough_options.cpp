@@ -12,7 +12,6 @@
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "flight/film/encoder.h"
-#include "flight/film/workshop.h"
 
 namespace mandelmarch {
 namespace {
@@ -79,10 +78,22 @@ void add_options(CLI::App& app, Flythrough& options, Texts& texts)
 
 }  // namespace
 
-std::pair<std::size_t, std::size_t> Flythrough::frames_asked(std::size_t all) const
+std::vector<NamedFile> Flythrough::written() const
 {
-    if (!segments) return {0, all};
-    return {std::min(all, segments->first * segment_frames), std::min(all, (segments->second + 1) * segment_frames)};
+    std::vector<NamedFile> files;
+    if (command == Command::film) files.push_back({"PATH", path});
+    if (command == Command::plan || (command != Command::audit && stills.empty()))
+        files.push_back({"--output", output});
+    if (command != Command::render) files.push_back({"--json", json});
+    if (command == Command::plan || command == Command::film) files.push_back({"--map", map});
+    if (command == Command::film || command == Command::render) files.push_back({"--summary", summary});
+    return files;
+}
+
+std::vector<NamedFile> Flythrough::read() const
+{
+    if (command == Command::plan || command == Command::film) return {{"--params", parameters}};
+    return {{"PATH", path}};
 }
 
 Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
@@ -117,6 +128,7 @@ Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
     if (!texts.look.empty()) options.look = whole_option("look", texts.look, 0, colouring_types - 1);
     if (!texts.segments.empty()) {
         const auto [a, b] = pair_option("segments", texts.segments, '-', 0, most_frames, "A-B, 0-9, say");
+        if (a > b) throw InputError(fmt::format("--segments: {}-{} given, expected the first one first", a, b));
         options.segments = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
     }
     options.every = static_cast<std::size_t>(whole_option("every", texts.every, 1, most_frames));
@@ -125,7 +137,13 @@ Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
     if (reads && options.path.empty()) {
         throw InputError(fmt::format("flythrough: no path file given, expected flythrough {} PATH", texts.command));
     }
-    if (options.command == Command::plan && options.output.empty()) options.output = options.path;
+    if (!options.stills.empty() && !options.summary.empty()) {
+        throw InputError("--summary: it tells of a film, and --stills makes none");
+    }
+    if (options.output.empty()) {
+        const std::string planned = options.path.empty() ? "path.json" : options.path;
+        options.output = options.command == Command::plan ? planned : "video.mp4";
+    }
     return options;
 }
 

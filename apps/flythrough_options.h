@@ -5,8 +5,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/base/files.h"
 #include "core/render/backend.h"
+#include "flight/film/frames.h"
 
 namespace mandelmarch {
 
@@ -35,8 +38,10 @@ struct Flythrough {
     std::optional<std::pair<std::size_t, std::size_t>> segments;
     bool force = false;
 
-    // The frames [first, last) that --segments means, or all.
-    std::pair<std::size_t, std::size_t> frames_asked(std::size_t all) const;
+    Picture picture() const { return {width, height, samples, look}; }
+    // The files that the command writes and reads, with their options; a name is empty where none is given.
+    std::vector<NamedFile> written() const;
+    std::vector<NamedFile> read() const;
 };
 
 // `done`: the exit code where there is nothing to do but that (help). Throws InputError.

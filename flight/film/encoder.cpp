@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -60,6 +61,8 @@ std::vector<std::string> joined(std::vector<std::string> first, const Lists&... 
     return first;
 }
 
+constexpr double check_seconds = 30;
+
 std::vector<std::string> quietly() { return {ffmpeg(), "-hide_banner", "-nostdin", "-loglevel", "error", "-y"}; }
 
 }  // namespace
@@ -67,7 +70,18 @@ std::vector<std::string> quietly() { return {ffmpeg(), "-hide_banner", "-nostdin
 std::string ffmpeg()
 {
     const char* named = std::getenv("MANDELMARCH_FFMPEG");
-    return named != nullptr && *named != '\0' ? named : "ffmpeg";
+    if (named == nullptr || *named == '\0') return "ffmpeg";
+    // A name without a folder is looked for in PATH.
+    const std::string name = named;
+    return name.find('/') == std::string::npos ? name : std::filesystem::absolute(name).string();
+}
+
+double ffmpeg_timeout(double usual)
+{
+    constexpr double longest = 1e6;  // what poll() takes
+    const char* text = std::getenv("MANDELMARCH_FFMPEG_TIMEOUT");
+    const double seconds = text == nullptr ? usual : parse_real(text).value_or(usual);
+    return seconds > 0 ? std::min(seconds, longest) : usual;
 }
 
 void check_ffmpeg()
@@ -75,12 +89,12 @@ void check_ffmpeg()
     if (!std::filesystem::exists(title_font())) {
         throw Error(fmt::format("the font {} for the title is missing, install fonts-dejavu-core", title_font()));
     }
-    const std::string filter = fmt::format("drawtext=fontfile={}:text=x,{}", title_font(), conversion);
+    const std::string filter = fmt::format("drawtext={}:text=x,{}", font_option(), conversion);
     try {
         Process process(
             joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter,
                                                        "-c:v", "libx264", "-f", "null", "-"}),
-            "");
+            "", ffmpeg_timeout(check_seconds));
         const auto result = process.finish();
         if (!result.fine) throw Error(result.cause);
     } catch (const Error& error) {
@@ -91,7 +105,7 @@ void check_ffmpeg()
 
 std::string ffmpeg_version()
 {
-    Process process({ffmpeg(), "-version"}, "");
+    Process process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
     const std::string text = process.finish().output;
     return text.substr(0, text.find(" Copyright"));
 }
@@ -138,14 +152,14 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
                                          (filter.empty() ? "" : filter + ",") + std::string(conversion)};
     auto command = joined(quietly(), input, encoding(), std::vector<std::string>{file});
     std::erase(command, "-nostdin");
-    pipe_.reset(new Pipe{.process = {command, folder}});
+    pipe_.reset(new Pipe{.process = {command, folder, ffmpeg_timeout(encoding_seconds)}});
 }
 
 Encoder::~Encoder()
 {
     // A writer that waits for a child which reads no more ends when the child is killed.
     if (writer_.joinable()) {
-        pipe_->process.finish();
+        pipe_->process.kill();
         writer_.join();
     }
 }

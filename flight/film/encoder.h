@@ -10,10 +10,15 @@
 
 namespace mandelmarch {
 
-// The program: MANDELMARCH_FFMPEG in the environment, or ffmpeg.
+// The program: MANDELMARCH_FFMPEG in the environment (a path is made absolute, as it runs in other folders), or ffmpeg.
 std::string ffmpeg();
 
-// Throws Error, in one line, where ffmpeg is missing or cannot do what films need: libx264, drawtext and the font.
+// Seconds that ffmpeg may do nothing: MANDELMARCH_FFMPEG_TIMEOUT in the environment, or `usual`.
+double ffmpeg_timeout(double usual);
+inline constexpr double encoding_seconds = 600;  // for the largest frame on a busy machine
+
+// Throws Error, in one line, where ffmpeg is missing, does not answer, or cannot do what films need: libx264, drawtext
+// and the font.
 void check_ffmpeg();
 
 // What ffmpeg says of its version: frames are promised to be the same for the same one.

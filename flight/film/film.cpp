@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <tuple>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
+#include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/mp4.h"
+#include "flight/film/parts.h"
 #include "flight/film/progress.h"
 #include "flight/film/title.h"
 #include "flight/film/workshop.h"
@@ -23,41 +26,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Another build may draw other bits: its segments are not mixed with an earlier one's.
-std::string program_digest()
-{
-    std::ifstream program("/proc/self/exe", std::ios::binary);
-    return digest(std::string(std::istreambuf_iterator<char>(program), {}));
-}
+constexpr int least_side = 16;  // pixels: what libx264 takes
 
-// Everything that a frame's bytes depend on.
+// What the film is made of: the pictures, and the title, where there is one.
 std::string description_of(const Path& path, const Backend& backend, const FilmOptions& options)
 {
-    const Picture& picture = options.picture;
-    const auto devices = backend.devices();
-    const auto device = static_cast<std::size_t>(options.renderer.device);
-    return fmt::format(
-        "{{\"film\": 1, \"path\": \"{}\", \"frames\": {}, \"size\": \"{}x{}\", \"samples\": {}, \"look\": {}, "
-        "\"backend\": \"{}\", \"program\": \"{}\", \"device\": \"{}\", \"precision\": \"{}\", \"mode\": \"{}\", "
-        "\"title\": \"{}\", \"encoder\": \"{}\"}}\n",
-        digest(to_text(path)), path.frames.size(), picture.width, picture.height, picture.samples,
-        picture.look.value_or(-1), backend.name(), program_digest(),
-        device < devices.size() ? devices[device].name : "", name_of(options.renderer.precision),
-        name_of(options.renderer.mode), digest(options.title + "\n" + options.authors), ffmpeg_version());
-}
-
-void check(const FilmOptions& options, const Workshop& work)
-{
-    const Picture& picture = options.picture;
-    if (picture.width % 2 != 0 || picture.height % 2 != 0 || std::min(picture.width, picture.height) < 16) {
-        throw InputError(fmt::format("--size: a film of {} x {} pixels, expected even sides of at least 16",
-                                     picture.width, picture.height));
-    }
-    if (options.segments &&
-        (options.segments->second >= work.segments() || options.segments->first > options.segments->second)) {
-        throw InputError(fmt::format("--segments: {}-{} given, expected some of 0-{}", options.segments->first,
-                                     options.segments->second, work.segments() - 1));
-    }
+    const bool titled = !options.title.empty() || !options.authors.empty();
+    return description_of(path, backend, options.picture, options.renderer,
+                          {{"title", digest(options.title)},
+                           {"authors", digest(options.authors)},
+                           {"font", titled ? digest_of_file(title_font()) : ""},
+                           {"encoder", ffmpeg_version()}});
 }
 
 class Filming {
@@ -75,14 +54,17 @@ public:
         // Rank 0 looks what is missing, so that all ranks count the same.
         std::string missing;
         std::size_t finished = 0;
-        for (std::size_t s = first; s <= last; ++s) {
-            if (work_.finished(s)) {
+        for (std::size_t s = first; s <= last && ranks_.rank() == 0; ++s) {
+            if (is_finished(work_.segment_file(s))) {
                 finished += work_.last(s) - work_.first(s);
             } else {
                 missing += fmt::format("{} ", s);
             }
         }
         missing = ranks_.share(missing);
+        if (!fs::is_directory(work_.folder())) {
+            throw Error(work_.folder() + ": it is not there, expected a folder that all ranks share");
+        }
         std::vector<std::size_t> todo;
         for (const char* at = missing.c_str(); *at != '\0';) {
             char* end = nullptr;
@@ -108,7 +90,7 @@ public:
         const std::string title = "title.mp4";
         std::string list;
         if (!options_.title.empty() || !options_.authors.empty()) {
-            if (!fs::exists(work_.folder() + "/" + title)) {
+            if (!is_finished(title)) {
                 FrameMaker maker(backend_, options_.renderer, path_, options_.picture);
                 piece(title, ".part-title.mp4", [&](const std::string& part) {
                     write_title(work_.folder(), part, maker.draw(0), options_.picture.width, options_.picture.height,
@@ -121,8 +103,7 @@ public:
         OutputFile file(work_.folder() + "/list.txt");
         file.write(list.data(), list.size());
         file.commit();
-        const std::string whole = ".part-film.mp4";
-        piece("film.mp4", whole, [&](const std::string& part) {
+        const auto join_to = [&](const std::string& part) {
             const auto told = run_ffmpeg({"-f",
                                           "concat",
                                           "-safe",
@@ -150,17 +131,42 @@ public:
             if (frames_in(told) != expected) {
                 throw Error(fmt::format("{}: joined {} frames of {}", options_.output, frames_in(told), expected));
             }
-        });
-        std::error_code error;
-        fs::rename(work_.folder() + "/film.mp4", options_.output, error);
-        if (error) throw Error(fmt::format("{}: cannot rename the film to it: {}", options_.output, error.message()));
-        work_.close_with(options_.output);
+        };
+        make(".part-film.mp4", join_to, [&](const std::string& part) { deliver(part); });
+        work_.close();
     }
 
 private:
-    // Lets `write` make a part and takes it as the finished file; what fails leaves nothing behind.
-    template <class Write>
-    void piece(const std::string& file, const std::string& part, Write write)
+    // A piece that is there but not as it was made is named.
+    bool is_finished(const std::string& file) const
+    {
+        const Standing found = work_.standing(file);
+        if (found == Standing::damaged) say("film: {}/{} is damaged and is made again\n", work_.folder(), file);
+        return found == Standing::whole;
+    }
+
+    // The joined film to where it is wanted.
+    void deliver(const std::string& part)
+    {
+        std::ifstream joined(work_.folder() + "/" + part, std::ios::binary);
+        std::string bytes(1 << 20, '\0');
+        OutputFile film(options_.output);
+        Digest hash;
+        do {
+            joined.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            const auto count = static_cast<std::size_t>(joined.gcount());
+            hash.add(bytes.data(), count);
+            film.write(bytes.data(), count);
+        } while (joined);
+        if (!joined.eof()) throw Error(fmt::format("{}/{}: it cannot be read", work_.folder(), part));
+        film.commit();
+        if (OutputFile::is_stream(options_.output)) return;
+        write_note(end_of_links(options_.output), work_.made_of(), hash.text());
+    }
+
+    // Lets `write` make a part, looks whether it is whole and lets `take` have it; what fails leaves nothing behind.
+    template <class Write, class Take>
+    void make(const std::string& part, Write write, Take take)
     {
         try {
             write(part);
@@ -168,11 +174,17 @@ private:
                 throw Error(
                     fmt::format("{}/{}: ffmpeg left half a file, is there room on the disk?", work_.folder(), part));
             }
-            work_.finish(part, file);
+            take(part);
         } catch (...) {
             work_.discard(part);
             throw;
         }
+    }
+
+    template <class Write>
+    void piece(const std::string& file, const std::string& part, Write write)
+    {
+        make(part, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
     void segment(FrameMaker& maker, std::size_t number, FilmProgress* progress)
@@ -196,19 +208,47 @@ private:
 
 }  // namespace
 
+void check_film(const FilmOptions& options, std::size_t frames)
+{
+    const Picture& picture = options.picture;
+    if (picture.width % 2 != 0 || picture.height % 2 != 0 || std::min(picture.width, picture.height) < least_side) {
+        throw InputError(fmt::format("--size: a film of {} x {} pixels, expected even sides of at least {}",
+                                     picture.width, picture.height, least_side));
+    }
+    check_picture(picture);
+    if (options.segments) check_segments(*options.segments, frames);
+    OutputFile::check(options.output);
+    if (!OutputFile::is_stream(options.output)) {
+        OutputFile::check(note_of(end_of_links(options.output)));
+    } else if (options.segments) {
+        throw InputError(
+            fmt::format("--segments: {} is no file beside which segments gather, expected a file", options.output));
+    }
+    // Whether there is a folder for its parts.
+    static_cast<void>(parts_folder(options.output, ""));
+}
+
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
 {
     const auto start = std::chrono::steady_clock::now();
+    if (ranks.rank() == 0) check_film(options, path.frames.size());
     check_ffmpeg();
-    Workshop work(options.output, description_of(path, backend, options), path.frames.size());
-    check(options, work);
-    if (ranks.rank() == 0) OutputFile::check(options.output);
+    const std::string description = description_of(path, backend, options);
+    const std::string made_of = digest(description);
+    const bool stream = OutputFile::is_stream(options.output);
+    const std::string parts = ranks.share(ranks.rank() == 0 ? parts_folder(options.output, made_of) : "");
+    Workshop work(options.output, parts, description, path.frames.size());
     FilmReport report;
     report.segments = work.segments();
-    const bool complete = !ranks.share(ranks.rank() == 0 && work.complete(options.output) ? "x" : "").empty();
-    if (!complete) {
-        // Array jobs work side by side in one folder.
-        if (ranks.rank() == 0) work.open(options.segments.has_value());
+    const auto complete = [&] {
+        return ranks.rank() == 0 && !stream && standing(end_of_links(options.output), made_of) == Standing::whole;
+    };
+    if (ranks.share(complete() ? "x" : "").empty()) {
+        if (ranks.rank() == 0) {
+            if (stream) make_private_folder(parts);
+            // Array jobs work side by side in one folder.
+            work.open(options.segments.has_value());
+        }
         Filming filming(path, backend, options, ranks, work);
         std::tie(report.rendered, report.frames) = filming.render();
         if (ranks.rank() == 0 && !options.segments) filming.join();

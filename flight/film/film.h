@@ -31,23 +31,34 @@ struct FilmReport {
     bool joined = false;  // the film stands
 };
 
+// Throws InputError where segments [first, second] are not all there in a path of so many frames.
+void check_segments(const std::pair<std::size_t, std::size_t>& segments, std::size_t frames);
+
+// Throws InputError where such a film of so many frames certainly cannot be made: a size that is odd or too large,
+// segments that are not there, an output that cannot be written. Touches nothing.
+void check_film(const FilmOptions& options, std::size_t frames);
+
 // Makes the film: every segment that is not finished yet, by all ranks, then the title, and joins them without encoding
-// again. The film appears whole or not at all; a run that ends before goes on where it stopped. Progress goes to
-// stderr. Throws InputError (a size that is odd, segments that are not there), Error (ffmpeg, a full disk),
-// Unavailable.
+// again. The film appears whole or not at all; a run that ends before goes on where it stopped. A piece that is no
+// longer as it was made is named and made again. Progress goes to stderr. Throws InputError (check_film), Error
+// (ffmpeg, a full disk, another run that makes a film of this name), Unavailable.
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 struct StillOptions {
     std::string folder;
     bool jpeg = false;
-    std::size_t first = 0, last = 0;  // frames [first, last)
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
+    // Only frames of these segments [first, second].
+    std::optional<std::pair<std::size_t, std::size_t>> segments;
 };
 
-// Writes frame-000123.png (or .jpg) for every so manieth frame; those that are there already stay. Returns how many
-// were written.
+// As check_film(), for stills.
+void check_stills(const StillOptions& options, std::size_t frames);
+
+// Writes frame-000123.png (or .jpg) for every so manieth frame, each with a note of what it was made of; those that are
+// there already, as their notes say, stay. Returns how many these are.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

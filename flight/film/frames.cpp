@@ -10,20 +10,31 @@
 
 namespace mandelmarch {
 
+namespace {
+
+int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
+
+}  // namespace
+
+void check_picture(const Picture& picture)
+{
+    const int width = samples_along(picture.width, picture.samples);
+    const int height = samples_along(picture.height, picture.samples);
+    constexpr std::uint64_t beside = 300ULL << 20;  // bytes: the program, the encoder and frames in flight
+    const std::uint64_t needed = 3ULL * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) + beside;
+    if (width <= max_side && height <= max_side && needed <= available_memory()) return;
+    throw InputError(
+        fmt::format("{} x {} pixels of {} x {} samples need {} MiB of memory and sides up to {}, expected "
+                    "a smaller size",
+                    picture.width, picture.height, picture.samples, picture.samples, needed >> 20, max_side));
+}
+
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)
     : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(options))
 {
-    const int width = static_cast<int>(std::lround(picture.width * picture.samples));
-    const int height = static_cast<int>(std::lround(picture.height * picture.samples));
-    constexpr std::uint64_t beside = 300ULL << 20;  // bytes: the program, the encoder and frames in flight
-    const std::uint64_t needed = 3ULL * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) + beside;
-    if (width > max_side || height > max_side || needed > available_memory()) {
-        throw InputError(
-            fmt::format("{} x {} pixels of {} x {} samples need {} MiB of memory and sides up to {}, expected "
-                        "a smaller size",
-                        picture.width, picture.height, picture.samples, picture.samples, needed >> 20, max_side));
-    }
-    image_ = Image(width, height, Image::Layers::bytes);
+    check_picture(picture);
+    image_ = Image(samples_along(picture.width, picture.samples), samples_along(picture.height, picture.samples),
+                   Image::Layers::bytes);
 }
 
 std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)

@@ -17,10 +17,12 @@ struct Picture {
     std::optional<int> look;  // a colouring type instead of the path's
 };
 
+// Throws InputError where such a picture needs more memory than there is, or has sides that are too long.
+void check_picture(const Picture& picture);
+
 class FrameMaker {
 public:
-    // Keeps one renderer for all frames. Throws Unavailable; InputError where a picture needs more memory than there
-    // is.
+    // Keeps one renderer for all frames. Throws Unavailable, and what check_picture() throws.
     FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture);
 
     // RGB, from the top row.

@@ -2,14 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 #include "core/base/error.h"
 
@@ -49,7 +53,8 @@ std::string cause_of(const std::string& errors)
 
 }  // namespace
 
-Process::Process(const std::vector<std::string>& command, const std::string& folder)
+Process::Process(const std::vector<std::string>& command, const std::string& folder, std::optional<double> limit)
+    : limit_(limit)
 {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("a pipe for {}: {}", command[0], std::strerror(errno)));
@@ -78,7 +83,10 @@ Process::Process(const std::vector<std::string>& command, const std::string& fol
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
-    if (failed == 0) return;
+    if (failed == 0) {
+        if (limit_) fcntl(input_, F_SETFL, O_NONBLOCK);
+        return;
+    }
     child_ = -1;
     close_if_open(input_);
     close_if_open(output_);
@@ -89,12 +97,27 @@ Process::Process(const std::vector<std::string>& command, const std::string& fol
 Process::~Process()
 {
     if (child_ > 0) {
-        kill(child_, SIGKILL);
+        kill();
         waitpid(child_, nullptr, 0);
     }
     close_if_open(input_);
     close_if_open(output_);
     close_if_open(errors_);
+}
+
+void Process::kill() { ::kill(child_, SIGKILL); }
+
+// Waits until the child reads; false where it does not within the limit.
+bool Process::ready()
+{
+    pollfd pipe{.fd = input_, .events = POLLOUT, .revents = 0};
+    int told = 0;
+    while ((told = poll(&pipe, 1, static_cast<int>(std::ceil(*limit_ * 1000)))) < 0 && errno == EINTR) {
+    }
+    if (told > 0) return true;
+    hung_ = true;
+    kill();
+    return false;
 }
 
 bool Process::write(const void* data, std::size_t size)
@@ -103,6 +126,7 @@ bool Process::write(const void* data, std::size_t size)
     while (size > 0) {
         const ssize_t written = ::write(input_, next, size);
         if (written < 0 && errno == EINTR) continue;
+        if (written < 0 && errno == EAGAIN && ready()) continue;
         if (written <= 0) return false;
         next += written;
         size -= static_cast<std::size_t>(written);
@@ -110,23 +134,41 @@ bool Process::write(const void* data, std::size_t size)
     return true;
 }
 
+// The child's status at its end, which comes within the limit.
+int Process::wait()
+{
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    int status = 0;
+    for (;;) {
+        const pid_t ended = waitpid(child_, &status, limit_ ? WNOHANG : 0);
+        if (ended > 0 || (ended < 0 && errno != EINTR)) return status;
+        if (!limit_) continue;
+        if (!hung_ && std::chrono::duration<double>(Clock::now() - start).count() > *limit_) {
+            hung_ = true;
+            kill();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
 Process::Result Process::finish()
 {
     close_if_open(input_);
-    int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = wait();
     child_ = -1;
     Result result;
     result.output = contents(output_);
     result.cause = cause_of(contents(errors_));
     // ffmpeg may end well although it could not write the end of its file.
-    result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0 && result.cause != no_space;
+    result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0 && result.cause != no_space && !hung_;
     if (result.fine) {
         result.cause.clear();
         return result;
     }
-    if (WIFSIGNALED(status)) {
+    if (hung_) {
+        result.cause = fmt::format("no answer in {:.6g} s", *limit_);
+    } else if (WIFSIGNALED(status)) {
         result.cause = fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
     } else if (result.cause.empty()) {
         result.cause = fmt::format("exit code {}", WEXITSTATUS(status));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,18 @@ namespace mandelmarch {
 // Starts in the constructor; what it prints is kept.
 class Process {
 public:
-    // `folder`: where it runs; empty: here. Throws Error if it cannot be started.
-    Process(const std::vector<std::string>& command, const std::string& folder);
+    // `folder`: where it runs; empty: here. `limit`: seconds that it may read nothing, or take to end; then it is
+    // killed, and finish() says so. Without it may take for ever. Throws Error if it cannot be started.
+    Process(const std::vector<std::string>& command, const std::string& folder,
+            std::optional<double> limit = std::nullopt);
     ~Process();  // a child that still runs is killed and waited for
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
     // False if the child reads no more; why is told by finish().
     bool write(const void* data, std::size_t size);
+    // Kills it: a write() in another thread comes back.
+    void kill();
 
     struct Result {
         bool fine = false;
@@ -28,6 +33,11 @@ public:
     Result finish();
 
 private:
+    bool ready();
+    int wait();
+
+    std::optional<double> limit_;
+    bool hung_ = false;
     int child_ = -1;
     int input_ = -1;
     int output_ = -1;

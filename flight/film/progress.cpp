@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/console.h"
 
 namespace mandelmarch {
 namespace {
@@ -29,12 +30,12 @@ FilmProgress::FilmProgress(std::size_t frames, std::size_t finished)
       start_(std::chrono::steady_clock::now()),
       last_(start_)
 {
-    if (finished > 0) fmt::print(stderr, "film: {} of {} frames are there already\n", finished, frames);
+    if (finished > 0) say("film: {} of {} frames are there already\n", finished, frames);
 }
 
 FilmProgress::~FilmProgress()
 {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) say("\r\033[K");
 }
 
 void FilmProgress::add(std::size_t frames)
@@ -55,15 +56,14 @@ void FilmProgress::show()
     const double left = rate > 0 ? static_cast<double>(frames_ - std::min(frames_, done)) / rate : 0;
     const std::string text = fmt::format("{} of {} frames, {:.2f} frames/s, {} left", done, frames_, rate, clock(left));
     if (!terminal_) {
-        fmt::print(stderr, "film: {}\n", text);
+        say("film: {}\n", text);
         return;
     }
     shown_ = true;
     const int full =
         static_cast<int>(static_cast<double>(bar_width) * static_cast<double>(done) / static_cast<double>(frames_));
-    fmt::print(stderr, "\rfilm [{:#<{}}{:.<{}}] {} \033[K", "", std::min(full, bar_width), "",
-               bar_width - std::min(full, bar_width), text);
-    std::fflush(stderr);
+    say("\rfilm [{:#<{}}{:.<{}}] {} \033[K", "", std::min(full, bar_width), "", bar_width - std::min(full, bar_width),
+        text);
 }
 
 }  // namespace mandelmarch

@@ -1,14 +1,21 @@
 // Still frames, for those who stitch by hand.
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/output_file.h"
 #include "core/image/image_file.h"
+#include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/process.h"
 #include "flight/film/progress.h"
+#include "flight/film/workshop.h"
 
 namespace mandelmarch {
 namespace {
@@ -28,12 +35,10 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
 
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
 {
-    const std::string part = file + ".part";
     Process process({ffmpeg(),
                      "-hide_banner",
                      "-loglevel",
                      "error",
-                     "-y",
                      "-f",
                      "rawvideo",
                      "-pix_fmt",
@@ -53,47 +58,81 @@ void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& 
                      "-flags:v",
                      "+bitexact",
                      "-f",
-                     "image2",
-                     "-update",
-                     "1",
-                     part},
-                    "");
+                     "image2pipe",
+                     "-"},
+                    "", ffmpeg_timeout(encoding_seconds));
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();
-    std::error_code error;
-    if (result.fine) fs::rename(part, file, error);
-    if (result.fine && !error) return;
-    const std::string why = result.fine ? error.message() : result.cause;
-    fs::remove(part, error);
-    throw Error(fmt::format("{}: cannot be written: {}", file, why));
+    if (!result.fine) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
+    OutputFile output(file);
+    output.write(result.output.data(), result.output.size());
+    output.commit();
+}
+
+std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)
+{
+    const auto [first, last] = options.segments.value_or(std::pair<std::size_t, std::size_t>{0, all / segment_frames});
+    std::vector<std::size_t> frames;
+    for (std::size_t f = first * segment_frames; f < std::min(all, (last + 1) * segment_frames); f += options.every) {
+        frames.push_back(f);
+    }
+    return frames;
 }
 
 }  // namespace
 
+void check_segments(const std::pair<std::size_t, std::size_t>& segments, std::size_t frames)
+{
+    const std::size_t last = (frames - 1) / segment_frames;
+    if (segments.first <= segments.second && segments.second <= last) return;
+    throw InputError(
+        fmt::format("--segments: {}-{} given, expected some of 0-{}", segments.first, segments.second, last));
+}
+
+void check_stills(const StillOptions& options, std::size_t frames)
+{
+    check_picture(options.picture);
+    if (options.segments) check_segments(*options.segments, frames);
+    // The nearest folder that is there must take the next one, or the pictures.
+    std::error_code error;
+    fs::path folder = fs::absolute(options.folder);
+    while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();
+    if (!fs::is_directory(folder, error)) {
+        throw InputError(fmt::format("--stills: {} is no folder, expected a folder for pictures", folder.string()));
+    }
+    if (access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw InputError(fmt::format("--stills: folder {}: {}", folder.string(), std::strerror(errno)));
+    }
+}
+
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks)
 {
+    if (ranks.rank() == 0) check_stills(options, path.frames.size());
     if (options.jpeg) check_ffmpeg();
     std::error_code error;
     fs::create_directories(options.folder, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.folder, error.message()));
-    std::vector<std::size_t> frames;
-    for (std::size_t f = options.first; f < options.last; f += options.every) frames.push_back(f);
+    const std::vector<std::size_t> frames = frames_of(options, path.frames.size());
     const auto name = [&](std::size_t frame) {
         return fmt::format("{}/frame-{:06}.{}", options.folder, frame, options.jpeg ? "jpg" : "png");
     };
+    const std::string pictures = digest(description_of(path, backend, options.picture, options.renderer,
+                                                       {{"encoder", options.jpeg ? ffmpeg_version() : "png"}}));
+    const auto made_of = [&](std::size_t frame) { return fmt::format("{} frame {}", pictures, frame); };
     FilmProgress progress(frames.size(), 0);
-    std::optional<FrameMaker> maker;
-    if (!frames.empty()) maker.emplace(backend, options.renderer, path, options.picture);
+    FrameMaker maker(backend, options.renderer, path, options.picture);
     ranks.each(
         frames.size(),
         [&](std::size_t i) {
-            if (fs::exists(name(frames[i]))) return;
-            const auto rgb = maker->draw(frames[i]);
+            const std::string file = name(frames[i]);
+            if (standing(file, made_of(frames[i])) == Standing::whole) return;
+            const auto rgb = maker.draw(frames[i]);
             if (options.jpeg) {
-                write_jpeg_still(name(frames[i]), rgb, options.picture);
+                write_jpeg_still(file, rgb, options.picture);
             } else {
-                write_png_still(name(frames[i]), rgb, options.picture);
+                write_png_still(file, rgb, options.picture);
             }
+            write_note(file, made_of(frames[i]), digest_of_file(file));
         },
         [&](std::size_t) { progress.add(1); });
     return frames.size();

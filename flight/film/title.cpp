@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <string_view>
 
 #include "core/base/output_file.h"
 #include "flight/film/encoder.h"
@@ -11,16 +13,27 @@
 namespace mandelmarch {
 namespace {
 
+// A backslash before each of these characters.
+std::string escaped(const std::string& text, std::string_view characters)
+{
+    std::string made;
+    for (const char c : text) {
+        if (characters.find(c) != std::string_view::npos) made += '\\';
+        made += c;
+    }
+    return made;
+}
+
 constexpr int brightening = 15;  // frames
 
 // The text stands in a file, so that it needs no escapes.
 std::string line_filter(const std::string& file, int size, int below_middle)
 {
     return fmt::format(
-        "drawtext=fontfile={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x=(w-text_w)/2:y=(h-text_h)/"
+        "drawtext={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x=(w-text_w)/2:y=(h-text_h)/"
         "2+{}:alpha='min(1,t/"
         "0.8)*min(1,max(0,(3.9-t)/0.6))'",
-        title_font(), file, size, below_middle);
+        font_option(), file, size, below_middle);
 }
 
 void write_text(const std::string& path, const std::string& text)
@@ -35,7 +48,15 @@ void write_text(const std::string& path, const std::string& text)
 std::string title_font()
 {
     const char* named = std::getenv("MANDELMARCH_FONT");
-    return named != nullptr && *named != '\0' ? named : "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    if (named == nullptr || *named == '\0') return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    return std::filesystem::absolute(named).string();
+}
+
+std::string font_option()
+{
+    // Read twice (ffmpeg-filters, "Notes on filtergraph escaping"): as one of a filter's options, in a graph of
+    // filters.
+    return "fontfile=" + escaped(escaped(title_font(), "\\':\t\n "), "\\'[],;\t\n ");
 }
 
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first, int width,

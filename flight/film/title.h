@@ -12,6 +12,9 @@ inline constexpr int title_frames = 120;  // 4 s
 // A font file of Debian's fonts-dejavu-core, or what MANDELMARCH_FONT names.
 std::string title_font();
 
+// The same as an option of ffmpeg's drawtext, whatever characters its path has.
+std::string font_option();
+
 // Writes the title as a segment: `first` (RGB, from the top row) darkened, with both lines of text. The texts may hold
 // any characters; an empty line is left out. Throws Error where the encoder fails.
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first, int width,

@@ -3,14 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
@@ -21,28 +20,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* part_prefix = ".part-";
+constexpr const char* lock_name = "/lock";
+constexpr int most_tries = 100;
 
-std::uint64_t fnv1a(const std::string& text, std::uint64_t hash)
+// False where the file that `descriptor` has open is no longer the one of that name: another run was done with it.
+bool still_there(int descriptor, const std::string& name)
 {
-    for (const char c : text) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 0x100000001b3;
-    }
-    return hash;
+    struct stat held {};
+    struct stat named {};
+    return fstat(descriptor, &held) == 0 && stat(name.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+           held.st_ino == named.st_ino;
 }
 
 }  // namespace
 
-std::string digest(const std::string& text)
-{
-    return fmt::format("{:016x}{:016x}", fnv1a(text, 0xcbf29ce484222325), fnv1a(text, 0x84222325cbf29ce4));
-}
-
-Workshop::Workshop(const std::string& film, const std::string& description, std::size_t frames)
+Workshop::Workshop(const std::string& film, const std::string& parts, const std::string& description,
+                   std::size_t frames)
     : film_(film),
-      folder_(fmt::format("{}.parts/{}", film, digest(description))),
+      parts_(parts),
       description_(description),
       digest_(digest(description)),
+      folder_(fmt::format("{}/{}", parts, digest_)),
       frames_(frames)
 {
 }
@@ -56,16 +54,31 @@ std::size_t Workshop::segments() const { return (frames_ + segment_frames - 1) /
 
 std::size_t Workshop::last(std::size_t segment) const { return std::min(frames_, (segment + 1) * segment_frames); }
 
+void Workshop::lock(bool shared)
+{
+    const std::string name = parts_ + lock_name;
+    for (int tries = 1;; ++tries) {
+        std::error_code error;
+        fs::create_directories(parts_, error);
+        if (error) throw Error(fmt::format("{}: cannot make the folder: {}", parts_, error.message()));
+        lock_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (lock_ < 0 && errno == ENOENT && tries < most_tries) continue;  // another run has just removed the folder
+        if (lock_ < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+        if (flock(lock_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
+            if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+            throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+        }
+        if (still_there(lock_, name)) return;
+        ::close(lock_);
+    }
+}
+
 void Workshop::open(bool shared)
 {
+    lock(shared);
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", folder_, error.message()));
-    lock_ = ::open((folder_ + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0) throw Error(fmt::format("{}/lock: {}", folder_, std::strerror(errno)));
-    if (flock(lock_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
-        throw Error(fmt::format("{}: another run makes this film at the moment", film_));
-    }
     if (!shared) {
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
@@ -87,24 +100,27 @@ std::string Workshop::part_file(std::size_t segment) const
     return fmt::format("{}{:06}-{}-{}.mp4", part_prefix, segment, host, getpid());
 }
 
-bool Workshop::finished(std::size_t segment) const
+std::string Workshop::piece(const std::string& file) const { return digest_ + " " + file; }
+
+Standing Workshop::standing(const std::string& file) const
 {
-    std::error_code ignored;
-    return fs::exists(folder_ + "/" + segment_file(segment), ignored);
+    return mandelmarch::standing(folder_ + "/" + file, piece(file));
 }
 
 void Workshop::finish(const std::string& part, const std::string& file) const
 {
     const std::string path = folder_ + "/" + part;
+    const std::string finished = folder_ + "/" + file;
     // On the disk before it has its name: after a power cut a finished name means finished data.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
     const int why = errno;
     if (descriptor >= 0) ::close(descriptor);
     if (!synced) throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(why)));
+    write_note(finished, piece(file), digest_of_file(path));
     std::error_code error;
-    fs::rename(path, folder_ + "/" + file, error);
-    if (error) throw Error(fmt::format("{}: cannot be renamed: {}", path, error.message()));
+    fs::rename(path, finished, error);
+    if (error) throw Error(fmt::format("{}: cannot be renamed to {}: {}", path, finished, error.message()));
 }
 
 void Workshop::discard(const std::string& part) const
@@ -113,26 +129,13 @@ void Workshop::discard(const std::string& part) const
     fs::remove(folder_ + "/" + part, ignored);
 }
 
-std::string Workshop::note() const { return film_ + ".made"; }
-
-void Workshop::close_with(const std::string& film)
+void Workshop::close()
 {
-    const std::string text = fmt::format("{} {}\n", digest_, fs::file_size(film));
-    OutputFile file(note());
-    file.write(text.data(), text.size());
-    file.commit();
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
-    fs::remove(film_ + ".parts", ignored);  // stays where another film's parts are in it
-}
-
-bool Workshop::complete(const std::string& film) const
-{
-    std::ifstream stream(note());
-    std::string of;
-    std::uintmax_t size = 0;
-    std::error_code error;
-    return (stream >> of >> size) && of == digest_ && fs::file_size(film, error) == size && !error;
+    // The folder of all parts stays where another film's are in it.
+    fs::remove(parts_ + lock_name, ignored);
+    fs::remove(parts_, ignored);
 }
 
 }  // namespace mandelmarch

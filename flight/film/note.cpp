@@ -1,0 +1,84 @@
+#include "flight/film/note.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t piece = 1 << 20;  // bytes read at once
+
+// The same begins every note of one thing, and the digest of the bytes ends it.
+std::string note_text(const std::string& made_of, const std::string& bytes)
+{
+    return fmt::format("{}\n{}\n", made_of, bytes);
+}
+
+}  // namespace
+
+void Digest::add(const void* data, std::size_t size)
+{
+    constexpr std::uint64_t prime = 0x100000001b3;
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) {
+        first_ = (first_ ^ bytes[i]) * prime;
+        second_ = (second_ ^ bytes[i]) * prime;
+    }
+}
+
+std::string Digest::text() const { return fmt::format("{:016x}{:016x}", first_, second_); }
+
+std::string digest(const std::string& text)
+{
+    Digest made;
+    made.add(text.data(), text.size());
+    return made.text();
+}
+
+std::string digest_of_file(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::string part(piece, '\0');
+    Digest made;
+    do {
+        stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+        made.add(part.data(), static_cast<std::size_t>(stream.gcount()));
+    } while (stream);
+    if (!stream.eof()) throw Error(fmt::format("{}: it cannot be read", file));
+    return made.text();
+}
+
+std::string note_of(const std::string& file) { return file + ".made"; }
+
+Standing standing(const std::string& file, const std::string& made_of)
+{
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(file, error))) return Standing::missing;
+    const std::string note = note_of(file);
+    if (!fs::is_regular_file(file, error) || !fs::is_regular_file(note, error)) return Standing::damaged;
+    // No more than a note has: what lies there may be anything.
+    const std::string likeness = note_text(made_of, digest(""));
+    std::string text(likeness.size() + 1, '\0');
+    std::ifstream stream(note, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (!text.starts_with(made_of + "\n") || text.size() != likeness.size()) return Standing::damaged;
+    return text == note_text(made_of, digest_of_file(file)) ? Standing::whole : Standing::damaged;
+}
+
+void write_note(const std::string& file, const std::string& made_of, const std::string& bytes)
+{
+    const std::string text = note_text(made_of, bytes);
+    OutputFile note(note_of(file));
+    note.write(text.data(), text.size());
+    note.commit();
+}
+
+}  // namespace mandelmarch

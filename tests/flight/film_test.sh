@@ -1,0 +1,196 @@
+#!/usr/bin/env bash
+# film_test.sh FLYTHROUGH: what a film and stills leave behind and keep, where they go, and what is refused before the work.
+set -uo pipefail
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir tmp
+export TMPDIR=$PWD/tmp
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+# run CODE ARGUMENTS...: of flythrough; codes 2 and 77 have one line on stderr and change no file.
+run() {
+    local code=$1 got before after
+    shift
+    before=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
+    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null
+    got=$?
+    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
+    [ "$code" = 0 ] && return
+    after=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
+    [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $* : $(head -c 300 stderr)"
+    [ "$code" = 1 ] || [ "$before" = "$after" ] || fail "files changed: $*"
+}
+says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+same() { cmp -s "$1" "$2" || fail "$1 is not $2: $3"; }
+
+# A straight flight beside the Mandelbulb: a path of two segments, and one that is another.
+python3 - <<'PY'
+import json
+for name, step in ("path", 0.02), ("other", 0.03):
+    frames = [{"location": [4 + step * i, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1} for i in range(64)]
+    scene = {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2}
+    json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "scene": scene, "frames": frames}, open(name + ".json", "w"))
+PY
+small="--size 32x16 --samples 1 --backend openmp --threads 1"
+run 0 render path.json $small --output whole.mp4
+run 0 render other.json $small --output other.mp4
+
+# Segments that are no longer what they were, each in the parts of a film that is not joined yet.
+run 0 render path.json $small --output parts.mp4 --segments 0-1
+damage() {
+    cp -r parts.mp4.parts "$1.mp4.parts"
+    cd "$1".mp4.parts/*/ || return
+    eval "$2"
+    cd ../..
+    run 0 render path.json $small --output "$1.mp4"
+    says "$1.mp4.parts/.*/segment-000001.mp4 is damaged"
+    says '1 of 2 segments'
+    same "$1.mp4" whole.mp4 "$2"
+}
+damage cut 'truncate -s -100 segment-000001.mp4'
+damage junk 'head -c $(stat -c %s segment-000001.mp4) /dev/urandom >segment-000001.mp4'
+damage copied 'cp segment-000000.mp4 segment-000001.mp4; cp segment-000000.mp4.made segment-000001.mp4.made'
+damage unknown 'rm segment-000001.mp4.made'
+
+# A film that is no longer what its note says, in the same size.
+cp whole.mp4 kept
+head -c "$(stat -c %s kept)" /dev/urandom >whole.mp4
+run 0 render path.json $small --output whole.mp4
+same whole.mp4 kept 'junk of the same size'
+says '2 of 2 segments'
+run 0 render path.json $small --output whole.mp4
+says '0 of 2 segments'
+
+# Where films go: a pipe, a link, a link to what is not there, a device, stdout.
+mkfifo pipe
+timeout 60 cat pipe >piped &
+run 0 render path.json $small --output pipe
+wait %1
+same piped whole.mp4 'through a pipe'
+[ -p pipe ] || fail "the pipe is gone"
+echo old >target
+for target in target nothing; do
+    ln -s $target link.mp4
+    run 0 render path.json $small --output link.mp4
+    [ -L link.mp4 ] || fail "the link is gone"
+    same $target whole.mp4 'through a link'
+    rm link.mp4
+done
+run 0 render path.json $small --output /dev/stdout
+same stdout whole.mp4 'through stdout'
+run 0 render path.json $small --output /dev/null
+[ -e /dev/null.parts ] || [ -e /dev/null.made ] && fail "something is left in /dev"
+[ -z "$(ls -A tmp)" ] || fail "something is left in TMPDIR: $(ls -A tmp)"
+run 2 render path.json $small --output pipe --segments 0-1
+TMPDIR=$PWD/nowhere run 2 render path.json $small --output pipe
+says TMPDIR
+if [ -w /dev/shm ]; then
+    shm=$(mktemp -d -p /dev/shm)
+    run 0 render path.json $small --output "$shm/film.mp4"
+    same "$shm/film.mp4" whole.mp4 'in /dev/shm'
+    rm -rf "$shm"
+fi
+
+# Without a stderr the film and its summary come all the same.
+for to in '2>/dev/full' '2>&-' '2>&1 | true'; do
+    rm -f mute* code
+    eval "{ '$program' render path.json $small --output mute.mp4 --summary mute.json; echo \$? >code; } $to"
+    [ "$(cat code)" = 0 ] || fail "exit code $(cat code) with $to"
+    same mute.mp4 whole.mp4 "$to"
+    [ -s mute.json ] || fail "no summary with $to"
+done
+"$program" audit path.json >/dev/full 2>stderr
+[ $? = 1 ] || fail "an audit that cannot be printed is no failure"
+
+# Stills: each stays only if it is this one, whole.
+run 0 render path.json $small --stills st --every 20
+cp -r st first
+run 0 render path.json $small --stills st --every 20
+[ "$(cd st && ls -l --time-style=full-iso)" = "$(cd first && ls -l --time-style=full-iso)" ] && fail "cp keeps times"
+cp -rp st before
+run 0 render path.json $small --stills st --every 20
+[ "$(cd st && ls -l --time-style=full-iso)" = "$(cd before && ls -l --time-style=full-iso)" ] || fail "stills are made twice"
+: >st/frame-000000.png
+head -c 1000 /dev/urandom >st/frame-000020.png
+cp st/frame-000060.png st/frame-000040.png
+run 0 render path.json $small --stills st --every 20
+diff -r st first >/dev/null || fail "stills that were damaged stay"
+run 0 render other.json $small --stills others --every 20
+for now in "other.json $small" "other.json ${small/32x16/48x16}" "path.json $small --mode exact" "path.json $small"; do
+    run 0 render $now --stills st --every 20
+    run 0 render $now --stills new --every 20
+    diff -r st new >/dev/null || fail "stills of something else stay: $now"
+    rm -rf new
+done
+run 0 render path.json $small --stills st --every 20 --still-format jpeg
+: >st/frame-000000.jpg
+run 0 render path.json $small --stills st --every 20 --still-format jpeg
+[ -s st/frame-000000.jpg ] || fail "an empty JPEG stays"
+
+# Refused before the work, in one line.
+: >file
+run 2 film $small --size 15x16
+run 2 film $small --size 14x14
+run 2 film $small --output nowhere/film.mp4
+run 2 film $small --summary nowhere/summary.json
+run 2 film $small --map nowhere/map.json
+run 2 film $small --json nowhere/audit.json
+run 2 film nowhere/path.json $small
+run 2 film $small --segments 500-600
+run 2 film $small --size 60000x60000
+run 77 film ${small/openmp/openmp --device 99}
+run 2 film $small --stills file
+run 2 film $small --stills stills --summary summary.json
+run 2 plan nowhere/path.json
+run 2 plan new.json --map nowhere/map.json
+run 2 audit path.json --json nowhere/audit.json
+run 2 audit path.json --json path.json
+run 2 render path.json $small --output ./path.json
+run 2 render path.json $small --output v.mp4 --summary "$PWD/v.mp4"
+run 2 plan new.json --map new.json
+run 2 render path.json $small --stills st --segments 1-0
+run 2 render path.json $small --stills st --segments 5-9
+says '5-9'
+
+# Another title, and another font, is another film; where a line ends counts.
+cp /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "it's: 100 %, [a] font; \\.ttf"
+run 0 render path.json $small --output titled.mp4 --title a --authors $'b\nc'
+cp titled.mp4 first.mp4
+run 0 render path.json $small --output titled.mp4 --title $'a\nb' --authors c
+says '2 of 2 segments'
+MANDELMARCH_FONT="it's: 100 %, [a] font; \\.ttf" run 0 render path.json $small --output titled.mp4 --title $'a\nb' --authors c
+says '2 of 2 segments'
+
+# An ffmpeg of our own: with a relative name; and one that waits for a file to be there.
+cat >slow <<'END'
+#!/bin/sh
+case "$*" in *.part-0*) : >begun; while [ ! -e "$GO" ]; do sleep 0.05; done ;; esac
+exec ffmpeg "$@"
+END
+chmod +x slow
+export GO=$PWD/go
+MANDELMARCH_FFMPEG=./slow "$program" render path.json $small --output two.mp4 2>stderr0 &
+until ls two.mp4.parts/*/begun >/dev/null 2>&1; do sleep 0.05; done
+run 1 render other.json $small --output two.mp4
+says 'two.mp4: another run'
+: >go
+wait %1 || fail "a film beside another: $(cat stderr0)"
+same two.mp4 whole.mp4 'beside another'
+
+# One that never answers, at the check and at a segment.
+printf '#!/bin/sh\nexec sleep 100\n' >silent
+chmod +x silent
+export MANDELMARCH_FFMPEG_TIMEOUT=0.5
+MANDELMARCH_FFMPEG=./silent run 1 render path.json $small --output none.mp4
+says 'no answer in 0.5 s'
+rm go
+sed -i 's/sleep 0.05/exec sleep 100/' slow
+MANDELMARCH_FFMPEG=./slow run 1 render path.json $small --output none.mp4
+says 'no answer in 0.5 s'
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))
