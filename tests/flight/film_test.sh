@@ -104,6 +104,8 @@ for to in '2>/dev/full' '2>&-' '2>&1 | true'; do
     same mute.mp4 whole.mp4 "$to"
     [ -s mute.json ] || fail "no summary with $to"
 done
+"$program" render path.json $small --output /dev/fd/2 2>&-
+[ $? = 2 ] || fail "another file has the number of a stderr that is closed"
 "$program" audit path.json >/dev/full 2>stderr
 [ $? = 1 ] || fail "an audit that cannot be printed is no failure"
 
