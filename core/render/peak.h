@@ -14,8 +14,8 @@ inline constexpr double peak_addend = 1;
 // Runs the chains on a whole device, `rounds` rounds on every lane, and returns the seconds that it took.
 using PeakRun = std::function<double(int rounds)>;
 
-// Operations per second, the highest of several runs of some ten milliseconds each: what disturbs a run only makes it
-// slower. `lanes` is the number of lanes that a run keeps busy, on the whole device.
+// Operations per second, the highest of several runs of 20 ms at least, the fastest included: what disturbs a run only
+// makes it slower. `lanes` is the number of lanes that a run keeps busy, on the whole device.
 double highest_rate(const PeakRun& run, double lanes);
 
 }  // namespace mandelmarch
