@@ -12,7 +12,7 @@ struct BuildInfo {
     std::string compiler;  // name and version
     std::string flags;     // of all sources
     std::string revision;  // git's, "unknown" outside a repository
-    bool dirty = false;    // tracked files differed from the revision
+    bool dirty = false;    // tracked files outside report/results differed from the revision
 };
 
 BuildInfo build_info();
