@@ -57,8 +57,15 @@ Json cpu()
     CPU_ZERO(&allowed);
     const int usable = sched_getaffinity(0, sizeof(allowed), &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
     const fs::path frequency = "/sys/devices/system/cpu/cpu0/cpufreq";
-    Json json{{"model", cpu_name()},
-              {"vendor", cpu_vendor()},
+    const Cpu cpu = host_cpu();
+    const auto number = [](const std::optional<int>& value) { return value ? Json(*value) : Json(); };
+    Json json{{"model", cpu.name},
+              {"platform", cpu.platform()},
+              {"vendor", cpu.vendor},
+              {"family", number(cpu.family)},
+              {"model_number", number(cpu.model)},
+              {"stepping", number(cpu.stepping)},
+              {"vector_extensions", cpu.vectors},
               {"cores", std::thread::hardware_concurrency()},
               {"cores_usable", usable},
               {"governor", or_null(text_of(frequency / "scaling_governor"))},

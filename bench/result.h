@@ -56,7 +56,7 @@ struct Row {
     std::string unavailable;  // why there is no such row; empty if there is
     std::string failure;      // what went wrong; empty if nothing did
     std::string device_name, vendor, driver, instruction_set;
-    std::string platform;  // the GPU's name, or the CPU's for every device that runs on it
+    std::string platform;  // the GPU's name, or Cpu::platform() for every device that runs on the CPU
     bool is_gpu = false;
     int threads = 0, pack = 0;  // that really ran
     Proof proof;
@@ -103,7 +103,7 @@ struct StageTime {
 struct Result {
     std::string study;
     std::uint64_t seed = 0;
-    int launches = 1;
+    int launches = 1;  // that left samples
     nlohmann::ordered_json environment;
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;

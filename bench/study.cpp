@@ -212,7 +212,7 @@ std::pair<int, int> size_of(const Options& options)
     return size_option(options.size);
 }
 
-std::string platform_of(const Device& device) { return device.is_gpu ? device.name : cpu_name(); }
+std::string platform_of(const Device& device) { return device.is_gpu ? device.name : host_cpu().platform(); }
 
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {

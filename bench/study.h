@@ -44,7 +44,7 @@ std::vector<Mode> modes_of(const Options& options);
 // Width and height, in pixels, of the option or else of the study. Throws InputError.
 std::pair<int, int> size_of(const Options& options);
 
-// The name of the platform that a device is: a GPU's own, or the CPU's for all devices that run on it.
+// The name of the platform that a device is: a GPU's own, or Cpu::platform() for all devices that run on the CPU.
 std::string platform_of(const Device& device);
 
 }  // namespace mandelmarch::bench

@@ -98,10 +98,10 @@ class Bench:
 
     @property
     def machine(self) -> str:
-        """The processor, its usable cores, and the GPUs that rows ran on."""
+        """The processor, its usable cores, and the GPUs that rows ran on. Old results name no family and model."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
-        return ", ".join([f"{cpu['model']}, {cpu['cores_usable']} threads", *gpus])
+        return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus])
 
     def values(self, key: str) -> list[str]:
         """The distinct values of a field of the timed rows, in the file's order."""

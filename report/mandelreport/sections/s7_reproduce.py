@@ -23,8 +23,8 @@ def _environment(bench: Bench) -> Table:
         ["build", f"{build['type']}, {build['compiler']}, {build['flags']}, version {build['version']}"],
         [
             "processor",
-            f"{cpu['model']} ({cpu['vendor']}), {cpu['cores_usable']} of {cpu['cores']} threads, {cpu['megahertz']} MHz, "
-            f"microcode {cpu['microcode']}, governor {cpu['governor'] or 'unknown'}",
+            f"{cpu.get('platform', cpu['model'])} ({cpu['vendor']}), {cpu['cores_usable']} of {cpu['cores']} threads, "
+            f"{cpu['megahertz']} MHz, microcode {cpu['microcode']}, governor {cpu['governor'] or 'unknown'}",
         ],
         ["memory", f"{e['memory']['total_bytes'] / 2**30:.1f} GiB"],
         ["system", f"{e['os']['name']}, {e['os']['kernel']}, {e['os']['architecture']}"],
