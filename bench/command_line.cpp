@@ -54,8 +54,12 @@ std::string study_names()
     return names;
 }
 
-void add_options(CLI::App& app, CommandLine& line, std::string& repetitions, std::string& launches, std::string& launch,
-                 std::string& seed)
+// Numbers, as they were given.
+struct Texts {
+    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed;
+};
+
+void add_options(CLI::App& app, CommandLine& line, Texts& texts)
 {
     Options& o = line.options;
     app.add_option("--backend", o.backend, "all, or one backend's name")->capture_default_str();
@@ -67,18 +71,18 @@ void add_options(CLI::App& app, CommandLine& line, std::string& repetitions, std
         ->check(CLI::IsMember({"all", "exact", "fast"}));
     app.add_option("--size", o.size, "WxH in pixels (default 540x540)");
     app.add_option("--study", o.study, study_names())->capture_default_str();
-    app.add_option("--repetitions", repetitions, "rounds, exactly so many (default: until the intervals are narrow)");
-    app.add_option("--launches", launches, "processes that measure one after the other (default 1)");
-    app.add_option("--budget", o.budget,
+    app.add_option("--repetitions", texts.repetitions,
+                   "rounds, exactly so many (default: until the intervals are narrow)");
+    app.add_option("--launches", texts.launches, "processes that measure one after the other (default 1)");
+    app.add_option("--budget", texts.budget,
                    "seconds that the timed rounds may take without --repetitions (default: so that all ends in three "
-                   "minutes)")
-        ->check(CLI::Range(0.0, 1e6));
-    app.add_option("--seed", seed, "of the order of rows in each round (default 1)");
+                   "minutes)");
+    app.add_option("--seed", texts.seed, "of the order of rows in each round (default 1)");
     app.add_option("--json", o.json, "write everything to this file (- is standard output)");
     app.add_option("--csv", o.csv, "write a line a row to this file (- is standard output)");
     app.add_flag("--list", o.list, "list rows and studies, measure nothing");
     app.add_flag("--wide", o.wide, "print everything that was measured, in long lines");
-    app.add_option("--launch", launch)->group("");
+    app.add_option("--launch", texts.launch)->group("");
     app.add_flag("--quiet", line.quiet)->group("");
 }
 
@@ -116,35 +120,33 @@ CommandLine parse_command_line(int argc, char** argv)
     line.arguments = inherited({argv + 1, argv + argc});
 
     CLI::App app("bench: proves that all backends draw the same picture, then times them.");
-    std::string repetitions;
-    std::string launches;
-    std::string launch;
-    std::string seed;
+    Texts texts;
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    add_options(app, line, repetitions, launches, launch, seed);
+    add_options(app, line, texts);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
     compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
+    CLI::App* csv = app.add_subcommand("csv", "a stored result as --csv writes it, on standard output: FILE.json");
+    csv->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
     portability->add_option("FILES", line.files, "result files of --json")->required();
     portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
+    portability->add_option("--csv", line.options.csv,
+                            "write the rows behind it to this file, for p3-analysis-library");
     CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
-    std::string scenes;
     random->add_option("--backend", line.random.backend, "the backend that draws them")->capture_default_str();
     random->add_option("--without", line.random.without, "techniques to switch off, `trial` say");
-    random->add_option("--scenes", scenes, "scenes of a fractal in each set (default 60)");
+    random->add_option("--scenes", texts.scenes, "scenes of a fractal in each set (default 60)");
     random->add_option("--sets", line.random.sets, "seeds, one for each set")->delimiter(',')->capture_default_str();
     random->add_option("--json", line.options.json, "write every scene to this file (- is standard output)");
     CLI::App* equivalence =
         app.add_subcommand("equivalence", "exact pictures of random scenes by every backend, bit for bit");
-    std::string extremes;
-    std::string extreme_seed;
     equivalence->add_option("--backend", line.equivalence.backend, "all, or one backend's name")->capture_default_str();
     equivalence->add_option("--fractal", line.equivalence.fractal, "all, or one fractal's name")->capture_default_str();
-    equivalence->add_option("--scenes", extremes, "scenes in all (default 1000)");
-    equivalence->add_option("--seed", extreme_seed, "of the scenes (default 1)");
+    equivalence->add_option("--scenes", texts.extremes, "scenes in all (default 1000)");
+    equivalence->add_option("--seed", texts.extreme_seed, "of the scenes (default 1)");
     equivalence->add_option("--folder", line.folder, "write the parameter files of scenes that differ here");
     equivalence->add_option("--json", line.options.json, "write everything to this file (- is standard output)");
     app.footer(
@@ -162,20 +164,27 @@ CommandLine parse_command_line(int argc, char** argv)
         throw InputError(fmt::format("bench: {} (--help lists the options)", error.what()));
     }
     Options& o = line.options;
-    if (!repetitions.empty()) o.repetitions = whole_option("repetitions", repetitions, 1, most_repetitions);
-    if (!launches.empty()) o.launches = whole_option("launches", launches, 1, 1000);
-    if (!launch.empty()) o.launch = whole_option("launch", launch, 0, 1000);
-    if (!seed.empty()) o.seed = large_option("seed", seed, 1'000'000'000);
+    const auto given = [](const CLI::Option* option) { return option->count() > 0; };
+    const auto option = [&](const char* name) { return app.get_option(name); };
+    if (given(option("--repetitions")))
+        o.repetitions = whole_option("repetitions", texts.repetitions, 1, most_repetitions);
+    if (given(option("--launches"))) o.launches = whole_option("launches", texts.launches, 1, 1000);
+    if (given(option("--launch"))) o.launch = whole_option("launch", texts.launch, 0, 1000);
+    if (given(option("--seed"))) o.seed = large_option("seed", texts.seed, 1'000'000'000);
+    if (given(option("--budget"))) o.budget = real_option("budget", texts.budget, 0, 1e6);
     if (compare->parsed()) line.command = Command::compare;
+    if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;
     if (random->parsed()) line.command = Command::random;
     if (equivalence->parsed()) line.command = Command::equivalence;
-    if (!extremes.empty()) line.equivalence.scenes = whole_option("scenes", extremes, 1, 10'000'000);
-    if (!extreme_seed.empty()) {
-        line.equivalence.seed = static_cast<unsigned>(large_option("seed", extreme_seed, 1'000'000'000));
+    if (given(random->get_option("--scenes"))) line.random.scenes = whole_option("scenes", texts.scenes, 1, 100'000);
+    if (given(equivalence->get_option("--scenes"))) {
+        line.equivalence.scenes = whole_option("scenes", texts.extremes, 1, 10'000'000);
     }
-    if (!scenes.empty()) line.random.scenes = whole_option("scenes", scenes, 1, 100'000);
+    if (given(equivalence->get_option("--seed"))) {
+        line.equivalence.seed = static_cast<unsigned>(large_option("seed", texts.extreme_seed, 1'000'000'000));
+    }
     static_cast<void>(study_named(o.study));
     static_cast<void>(fractals_of(o));
     static_cast<void>(size_of(o));

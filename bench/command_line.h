@@ -10,12 +10,12 @@
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, peak, portability, random, equivalence, help };
+enum class Command { run, compare, csv, peak, portability, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
     Options options;
-    std::vector<std::string> files;  // of compare and portability
+    std::vector<std::string> files;  // of compare, csv and portability
     RandomOptions random;
     EquivalenceOptions equivalence;
     std::string folder;                  // of equivalence: for scenes that differ

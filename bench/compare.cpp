@@ -5,11 +5,16 @@
 #include <algorithm>
 
 #include "bench/console_studies.h"
+#include "bench/differences.h"
 #include "bench/figures.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
+
+constexpr std::size_t columns = 120;
+constexpr std::size_t longest_note = 1000;  // bytes
 
 const Row* partner(const Result& result, const Row& row)
 {
@@ -20,30 +25,71 @@ const Row* partner(const Result& result, const Row& row)
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-std::vector<double> units_of(const Row& row, bool by_launch)
+// Samples of one launch in groups of consecutive rounds, so that one disturbed picture does not move a verdict.
+constexpr std::size_t group_size = 3;
+
+std::vector<double> group_medians(const std::vector<double>& samples)
 {
-    return by_launch ? launch_medians(row) : kernel_times(row);
+    const std::size_t groups = samples.size() / group_size;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < groups; ++i) {
+        const auto at = [&](std::size_t group) {
+            return samples.begin() + static_cast<std::ptrdiff_t>(group * samples.size() / groups);
+        };
+        medians.push_back(median({at(i), at(i + 1)}));
+    }
+    return medians;
 }
 
-std::string state_of(const Row& row)
+std::vector<double> units_of(const Row& row, bool by_launch)
+{
+    return by_launch ? launch_medians(row) : group_medians(kernel_times(row));
+}
+
+// Why a row has nothing to compare; empty if it has.
+std::string lack_of(const Row& row, bool by_launch)
 {
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
-    return row.failure.empty() ? "no samples" : row.failure;
+    if (!row.failure.empty()) return row.failure;
+    if (row.samples.empty()) return "it was not timed";
+    if (!row.timed()) return "its picture was not proven";
+    if (!std::ranges::all_of(kernel_times(row), [](double seconds) { return seconds > 0; })) {
+        return "a time is not above 0";
+    }
+    if (by_launch && launch_medians(row).size() < 2) return "samples of one launch only";
+    if (!by_launch && row.samples.size() < 2 * group_size) {
+        return fmt::format("{} samples, fewer than {}", row.samples.size(), 2 * group_size);
+    }
+    return {};
+}
+
+bool same_setting(const Setting& a, const Setting& b)
+{
+    return same_picture(a, b) && a.threads == b.threads && a.pack == b.pack && a.chunk == b.chunk &&
+           a.frames == b.frames && a.without == b.without;
 }
 
 // Everything but the verdict of rows that can be tested.
 Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
 {
     Compared c{.name = new_row.name(), .platform = new_row.platform};
-    if (!old_row.timed() || !new_row.timed()) {
-        c.verdict = old_row.timed() && new_row.failed() ? Verdict::broken : Verdict::not_compared;
-        c.why = fmt::format("{}: {}", new_row.timed() ? "old" : "new", state_of(new_row.timed() ? old_row : new_row));
+    const std::string old_lack = lack_of(old_row, by_launch);
+    const std::string new_lack = lack_of(new_row, by_launch);
+    if (!old_lack.empty()) {
+        const bool added = !old_row.timed() && new_lack.empty();
+        c.verdict = added ? Verdict::added : Verdict::not_compared;
+        c.why = "old: " + old_lack;
+        return c;
+    }
+    if (!new_lack.empty()) {
+        c.verdict = new_row.failed() ? Verdict::broken : Verdict::lost;
+        c.why = "new: " + new_lack;
         return c;
     }
     const Setting& a = old_row.setting;
     const Setting& b = new_row.setting;
-    if (!same_picture(a, b) || a.threads != b.threads || a.pack != b.pack || a.chunk != b.chunk ||
-        a.frames != b.frames || a.without != b.without) {
+    if (!same_setting(a, b)) {
+        c.verdict = Verdict::lost;
         c.why = fmt::format("other settings: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
         return c;
     }
@@ -51,14 +97,22 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     const std::vector<double> new_units = units_of(new_row, by_launch);
     c.old_units = static_cast<int>(old_units.size());
     c.new_units = static_cast<int>(new_units.size());
-    const auto positive = [](double value) { return value > 0; };
-    if (c.old_units < 2 || c.new_units < 2 || !std::ranges::all_of(old_units, positive) ||
-        !std::ranges::all_of(new_units, positive)) {
-        c.why = "too few samples";
-        return c;
-    }
     c.difference = difference(old_units, new_units, margin);
     c.verdict = Verdict::no_difference;
+    return c;
+}
+
+// A row of the old result that the new one lacks.
+Compared missing(const Row& row, const Result& new_result, bool by_launch)
+{
+    Compared c{.name = row.name(), .platform = row.platform, .why = "not in the new result"};
+    if (lack_of(row, by_launch).empty()) c.verdict = Verdict::lost;
+    // A backend without a device is one row.
+    for (const Row& other : new_result.rows) {
+        if (other.backend == row.backend && other.platform.empty() && !other.unavailable.empty()) {
+            c.why = "new: unavailable: " + other.unavailable;
+        }
+    }
     return c;
 }
 
@@ -71,19 +125,25 @@ std::string_view name_of(Verdict verdict)
         case Verdict::slower: return "SLOWER";
         case Verdict::no_difference: return "no difference";
         case Verdict::broken: return "BROKEN";
+        case Verdict::lost: return "LOST";
+        case Verdict::added: return "added";
         default: return "not compared";
     }
 }
 
 bool ComparedResults::regression() const
 {
-    return std::ranges::any_of(
-        rows, [](const Compared& row) { return row.verdict == Verdict::slower || row.verdict == Verdict::broken; });
+    return std::ranges::any_of(rows, [](const Compared& row) {
+        return row.verdict == Verdict::slower || row.verdict == Verdict::broken || row.verdict == Verdict::lost;
+    });
 }
 
 ComparedResults compare_results(const Result& old_result, const Result& new_result)
 {
     ComparedResults comparison;
+    comparison.differences = differences_of(old_result.environment, new_result.environment);
+    for (const std::string& warning : old_result.warnings) comparison.warnings.push_back("old result: " + warning);
+    for (const std::string& warning : new_result.warnings) comparison.warnings.push_back("new result: " + warning);
     const bool by_launch = old_result.launches > 1 && new_result.launches > 1;
     if (!by_launch) {
         comparison.warnings.emplace_back(
@@ -94,7 +154,9 @@ ComparedResults compare_results(const Result& old_result, const Result& new_resu
     for (const Row& row : new_result.rows) {
         const Row* old_row = partner(old_result, row);
         if (old_row == nullptr) {
-            comparison.rows.push_back({.name = row.name(), .platform = row.platform, .why = "not in the old result"});
+            Compared c{.name = row.name(), .platform = row.platform, .why = "not in the old result"};
+            if (row.timed()) c.verdict = Verdict::added;
+            comparison.rows.push_back(std::move(c));
             continue;
         }
         ++paired;
@@ -102,7 +164,7 @@ ComparedResults compare_results(const Result& old_result, const Result& new_resu
     }
     for (const Row& row : old_result.rows) {
         if (partner(new_result, row) == nullptr) {
-            comparison.rows.push_back({.name = row.name(), .platform = row.platform, .why = "not in the new result"});
+            comparison.rows.push_back(missing(row, new_result, by_launch));
         }
     }
     if (paired == 0) throw InputError("bench compare: the two results have no row in common");
@@ -127,17 +189,21 @@ std::string to_console(const ComparedResults& comparison)
 {
     std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval",
                                    "p, Holm", "units", "verdict");
+    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), columns) + "\n"; };
     for (const Compared& row : comparison.rows) {
-        if (row.verdict == Verdict::broken || row.verdict == Verdict::not_compared) {
-            text += clipped(fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why), 120) + "\n";
+        if (!row.why.empty()) {
+            line(fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why));
             continue;
         }
         const Difference& d = row.difference;
-        text += fmt::format("{:<48} {:>7.3f} {:<18} {:>8.2g} {:>7}  {}\n", row.name, d.ratio,
-                            fmt::format("[{:.3f}, {:.3f}]", d.interval.low, d.interval.high), row.p,
-                            fmt::format("{}, {}", row.old_units, row.new_units), name_of(row.verdict));
+        line(fmt::format("{:<48} {:>7.3f} {:<18} {:>8.2g} {:>7}  {}", row.name, d.ratio,
+                         fmt::format("[{:.3f}, {:.3f}]", d.interval.low, d.interval.high), row.p,
+                         fmt::format("{}, {}", row.old_units, row.new_units), name_of(row.verdict)));
     }
-    for (const std::string& warning : comparison.warnings) text += "warning: " + warning + "\n";
+    for (const std::string& difference : comparison.differences)
+        text += printable("differs: " + difference, longest_note) + "\n";
+    for (const std::string& warning : comparison.warnings)
+        text += printable("warning: " + warning, longest_note) + "\n";
     return text;
 }
 

@@ -12,31 +12,34 @@ namespace mandelmarch::bench {
 inline constexpr double margin = 0.02;        // a ratio within this of 1 is never called a difference
 inline constexpr double significance = 0.05;  // of the whole comparison
 
-enum class Verdict { faster, slower, no_difference, broken, not_compared };
+enum class Verdict { faster, slower, no_difference, broken, lost, added, not_compared };
 std::string_view name_of(Verdict verdict);
 
 struct Compared {
     std::string name;
     std::string platform;
     Verdict verdict = Verdict::not_compared;
-    std::string why{};                 // of broken and not_compared
+    std::string why{};                 // where nothing was tested
     Difference difference{};           // of kernel times, new / old
     double p = 1;                      // after Holm's correction
-    int old_units = 0, new_units = 0;  // launches, or samples where there is one launch
+    int old_units = 0, new_units = 0;  // medians of launches, or of groups of samples where there is one launch
 };
 
 struct ComparedResults {
     std::vector<Compared> rows;
-    std::vector<std::string> warnings;
+    std::vector<std::string> differences;  // of the environments
+    std::vector<std::string> warnings;     // the results' own, too
 
-    // A row is slower, or had a speed and now fails.
+    // A row is slower, or had a speed and has none now that could be compared.
     bool regression() const;
 };
 
 // Pairs rows by name and platform. The units of the test are the medians of the launches, as samples of one process
-// share its memory layout and clock and are not independent; where either result has one launch only, its samples are
-// the units, with a warning that differences between launches are unseen. Rows of other settings or with fewer than two
-// units are not compared. Throws InputError where the results have no row in common.
+// share its memory layout and clock and are not independent; where either result has one launch only, they are the
+// medians of groups of three rounds and more, with a warning that differences between launches are unseen. A row that
+// could be compared in the old result and cannot in the new one (it is missing, unavailable, failed, of another
+// setting, without enough times above 0) is lost; a row that only the new result has a speed for is added. Throws
+// InputError where the results have no row in common.
 ComparedResults compare_results(const Result& old_result, const Result& new_result);
 
 std::string to_console(const ComparedResults& comparison);

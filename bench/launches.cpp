@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,48 +11,63 @@
 #include <filesystem>
 
 #include "bench/report.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 extern char** environ;  // NOLINT: POSIX leaves its declaration to the program
 
 namespace mandelmarch::bench {
 namespace {
 
-// A file that goes when this does.
-class TemporaryFile {
+// A file in memory, without a name: nothing is left of it, however this program ends.
+class MemoryFile {
 public:
-    TemporaryFile() : path_((std::filesystem::temp_directory_path() / "mandelmarch-bench-XXXXXX").string())
+    MemoryFile() : descriptor_(memfd_create("launch", MFD_CLOEXEC))
     {
-        const int descriptor = mkstemp(path_.data());
-        if (descriptor < 0) throw Error(fmt::format("{}: {}", path_, std::strerror(errno)));
-        close(descriptor);
+        if (descriptor_ < 0) throw Error(fmt::format("a file in memory: {}", std::strerror(errno)));
     }
-    ~TemporaryFile() { unlink(path_.c_str()); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~MemoryFile() { close(descriptor_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
 
-    const std::string& path() const { return path_; }
+    int descriptor() const { return descriptor_; }
+
+    std::string text() const
+    {
+        std::string text;
+        char block[1 << 16];
+        for (;;) {
+            const ssize_t got = pread(descriptor_, block, sizeof(block), static_cast<off_t>(text.size()));
+            if (got <= 0) return text;
+            text.append(block, static_cast<std::size_t>(got));
+        }
+    }
 
 private:
-    std::string path_;
+    int descriptor_;
 };
 
-int run(const std::vector<std::string>& arguments)
+// Runs this program with its standard output in `output`; returns the exit code, or 128 and a signal's number.
+int run(const std::vector<std::string>& arguments, int output)
 {
-    std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     pid_t child = 0;
-    if (const int code = posix_spawn(&child, program.c_str(), nullptr, nullptr, argv.data(), environ); code != 0) {
-        throw Error(fmt::format("bench: a further launch does not start: {}", std::strerror(code)));
-    }
+    const int code = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (code != 0) throw Error(fmt::format("does not start: {}", std::strerror(code)));
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) throw Error(fmt::format("bench: waiting for a launch: {}", std::strerror(errno)));
+        if (errno != EINTR) throw Error(fmt::format("cannot be waited for: {}", std::strerror(errno)));
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -92,28 +108,47 @@ Result merged(std::vector<Result> results)
                 }
             }
         }
-        for (const std::string& warning : one.warnings)
-            all.warnings.push_back(fmt::format("launch {}: {}", i, warning));
+        all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
     }
     all.launches = static_cast<int>(results.size());
     return all;
 }
 
+Result with_further_launches(Result first, int count, const Launch& launch)
+{
+    std::vector<Result> results{std::move(first)};
+    std::vector<std::string> lost;
+    for (int number = 1; number < count; ++number) {
+        try {
+            results.push_back(launch(number));
+            for (std::string& warning : results.back().warnings)
+                warning = fmt::format("launch {}: {}", number, warning);
+        } catch (const std::exception& error) {
+            lost.push_back(fmt::format("launch {} {}", number, error.what()));
+            say("bench: {}, the other launches are kept\n", printable(lost.back()));
+        }
+    }
+    Result all = merged(std::move(results));
+    all.warnings.insert(all.warnings.end(), lost.begin(), lost.end());
+    return all;
+}
+
 Result launch_again(const std::vector<std::string>& arguments, int launch)
 {
-    const TemporaryFile file;
+    const MemoryFile file;
     std::vector<std::string> words = arguments;
-    for (const std::string& word : {std::string("--launch"), std::to_string(launch), std::string("--quiet"),
-                                    std::string("--json"), file.path()}) {
-        words.push_back(word);
+    for (const char* word : {"--quiet", "--json", "-", "--launch"}) words.emplace_back(word);
+    words.push_back(std::to_string(launch));
+    const int code = run(words, file.descriptor());
+    // A wrong picture leaves a result, too; nothing else does.
+    if (code != exit_fine && code != exit_failure) throw Error(fmt::format("ended with {}", code));
+    const std::string text = file.text();
+    if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));
+    try {
+        return parse_result(text, "its result");
+    } catch (const InputError& error) {
+        throw Error(fmt::format("ended with {} and left no whole result: {}", code, error.what()));
     }
-    const int code = run(words);
-    // A mismatch leaves a result, too; anything else does not.
-    if (code != exit_fine && code != exit_failure)
-        throw Error(fmt::format("bench: launch {} ended with {}", launch, code));
-    std::error_code none;
-    if (std::filesystem::file_size(file.path(), none) == 0) throw Error(fmt::format("bench: launch {} failed", launch));
-    return read_result(file.path());
 }
 
 }  // namespace mandelmarch::bench

@@ -43,9 +43,9 @@ public:
     {
         platforms_.insert(row.platform);
         applications_.insert(row.backend);
-        if (!row.timed()) return;
-        Entry& entry = entries_[{row.backend, row.platform}];
         const auto time = [](const Row& r) { return median(kernel_times(r)); };
+        if (!row.timed() || !std::ranges::all_of(kernel_times(row), [](double s) { return s > 0; })) return;
+        Entry& entry = entries_[{row.backend, row.platform}];
         if (entry.row == nullptr || time(row) < time(*entry.row)) entry = {&result, &row};
     }
 
@@ -128,6 +128,8 @@ Portability of(const Problem& problem, const Field& field, const std::string& ap
     p.fractal = problem.fractal;
     p.precision = problem.precision;
     p.mode = problem.mode;
+    p.width = problem.width;
+    p.height = problem.height;
     p.application = application;
     const auto seconds = field.seconds(nullptr);
     for (const std::string& platform : field.platforms()) {
@@ -182,54 +184,6 @@ std::vector<Portability> portability(std::span<const Result> results)
         for (const std::string& application : applications) found.push_back(of(problem, field, application));
     }
     return found;
-}
-
-nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities)
-{
-    using Json = nlohmann::ordered_json;
-    Json list = Json::array();
-    for (const Portability& p : portabilities) {
-        Json platforms = Json::array();
-        for (const OnPlatform& on : p.platforms) {
-            platforms.push_back({{"platform", on.platform},
-                                 {"kernel_seconds", on.seconds > 0 ? Json(on.seconds) : Json()},
-                                 {"application_efficiency", on.application},
-                                 {"share_of_peak", on.architecture}});
-        }
-        Json cascade = Json::array();
-        for (const CascadeStep& step : p.cascade) {
-            cascade.push_back(
-                {{"platform", step.platform}, {"efficiency", step.efficiency}, {"portability", step.portability}});
-        }
-        list.push_back(
-            {{"problem", p.problem},
-             {"fractal", p.fractal},
-             {"precision", name_of(p.precision)},
-             {"mode", name_of(p.mode)},
-             {"application", p.application},
-             {"by_application_efficiency", p.application_portability},
-             {"by_application_efficiency_interval", {p.application_interval.low, p.application_interval.high}},
-             {"by_share_of_peak", p.architecture_portability},
-             {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
-             {"platforms", platforms},
-             {"cascade", cascade}});
-    }
-    return list;
-}
-
-std::string to_console(const std::vector<Portability>& portabilities)
-{
-    std::string text = fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7} {:<18} {:>7} {}\n", "problem", "number",
-                                   "mode", "backend", "H", "PP app", "95 %", "PP peak", "95 %");
-    for (const Portability& p : portabilities) {
-        text += fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7.3f} {:<18} {:>7.3f} {}\n", p.problem,
-                            name_of(p.precision), name_of(p.mode), p.application, p.platforms.size(),
-                            p.application_portability,
-                            fmt::format("[{:.3f}, {:.3f}]", p.application_interval.low, p.application_interval.high),
-                            p.architecture_portability,
-                            fmt::format("[{:.3f}, {:.3f}]", p.architecture_interval.low, p.architecture_interval.high));
-    }
-    return text;
 }
 
 }  // namespace mandelmarch::bench

@@ -38,6 +38,7 @@ struct CascadeStep {
 struct Portability {
     std::string problem;  // "mandelbulb 540x540"
     std::string fractal;
+    int width = 0, height = 0;  // pixels
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     std::string application;  // backend
@@ -52,6 +53,11 @@ struct Portability {
 std::vector<Portability> portability(std::span<const Result> results);
 
 nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities);
+
+// The columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
+// p3-analysis-library reads them: one line for each application that runs on a platform. It takes a line that is not
+// there for a platform that is not supported.
+std::string to_csv(const std::vector<Portability>& portabilities);
 
 // The table of `bench portability`.
 std::string to_console(const std::vector<Portability>& portabilities);

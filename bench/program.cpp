@@ -2,20 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "apps/progress_bar.h"
 #include "bench/command_line.h"
 #include "bench/compare.h"
-#include "bench/figures.h"
 #include "bench/launches.h"
+#include "bench/outputs.h"
 #include "bench/portability.h"
 #include "bench/report.h"
 #include "bench/session.h"
+#include "bench/study.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -31,7 +33,7 @@ public:
         if (what != what_) {
             what_ = what;
             bar_ = std::make_unique<ProgressBar>(what);
-            fmt::print(stderr, "bench: {}\n", what);
+            say("bench: {}\n", what);
         }
         bar_->show(share);
     }
@@ -48,16 +50,16 @@ void list(const Registry& registry, const Options& options, bool names_only)
 {
     for (const Case& one : cases_of(registry, options)) {
         if (one.backend != nullptr) {
-            fmt::print("{}\n", one.row.name());
+            print("{}\n", one.row.name());
         } else if (!names_only) {
-            fmt::print("{}: unavailable: {}\n", one.row.backend, one.row.unavailable);
+            print("{}: unavailable: {}\n", one.row.backend, one.row.unavailable);
         }
     }
     if (names_only) return;
-    fmt::print("\nstudies (--study NAME; with --list the rows of that one)\n");
+    print("\nstudies (--study NAME; with --list the rows of that one)\n");
     for (const Study& study : studies()) {
-        fmt::print("  {:<12} {}{}\n", study.name, study.about,
-                   study.varies.empty() ? "" : fmt::format(" [{}]", study.varies));
+        print("  {:<12} {}{}\n", study.name, study.about,
+              study.varies.empty() ? "" : fmt::format(" [{}]", study.varies));
     }
 }
 
@@ -68,39 +70,37 @@ int run(const Registry& registry, const CommandLine& line)
         list(registry, options, line.list_names);
         return exit_fine;
     }
+    Result result;
+    Outputs outputs;
+    outputs.add("--json", options.json, [&] { return text_of(to_json(result)); });
+    outputs.add("--csv", options.csv, [&] { return to_csv(result); });
+    outputs.add("--benchmark_out", options.out, [&] { return to_google_benchmark(result, options.out_format); });
+    outputs.add("--benchmark_format", options.format.empty() ? "" : "-",
+                [&] { return to_google_benchmark(result, options.format); });
+    outputs.check();
+
     Display display(line.quiet);
-    Outcome outcome =
-        measure(registry, options, [&](const std::string& what, double share) { display.show(what, share); });
-    Result& result = outcome.result;
+    result = measure(registry, options, [&](const std::string& what, double share) { display.show(what, share); });
     if (options.launches > 1) {
-        std::vector<Result> results{std::move(result)};
-        for (int launch = 1; launch < options.launches; ++launch) {
+        result = with_further_launches(std::move(result), options.launches, [&](int launch) {
             display.show("further launches", static_cast<double>(launch) / options.launches);
-            results.push_back(launch_again(line.arguments, launch));
-        }
-        result = merged(std::move(results));
+            return launch_again(line.arguments, launch);
+        });
     }
     display.finish();
 
-    if (!options.json.empty()) write_text(options.json, to_json(result).dump(1) + "\n");
-    if (!options.csv.empty()) write_text(options.csv, to_csv(result));
-    if (!options.out.empty()) write_text(options.out, to_google_benchmark(result, outcome.runs, options.out_format));
-    if (!options.format.empty()) {
-        write_text("-", to_google_benchmark(result, outcome.runs, options.format));
-    } else if (!line.quiet) {
-        // Data and table do not mix.
-        const std::string table = to_console(result, options.wide);
-        if (options.json == "-" || options.csv == "-") {
-            fmt::print(stderr, "{}", table);
-        } else {
-            write_text("-", table);
-        }
-    }
-    if (!result.failed()) return exit_fine;
+    bool fine = outputs.write_files();
     for (const Row& row : result.rows) {
-        if (row.failed()) fmt::print(stderr, "bench: {}: {}\n", row.name(), row.failure);
+        if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
-    return exit_failure;
+    fine = fine && !result.failed() && result.launches == options.launches;
+    // Data and table do not mix.
+    if (!line.quiet && options.format.empty()) {
+        const std::string table = to_console(result, options.wide);
+        outputs.on_stdout() ? say(std::string_view(table)) : print(std::string_view(table));
+    }
+    outputs.write_stdout();
+    return fine ? exit_fine : exit_failure;
 }
 
 int peak(const Registry& registry, const CommandLine& line)
@@ -115,30 +115,46 @@ int peak(const Registry& registry, const CommandLine& line)
         text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device,
                             name_of(p.precision), 1e-9 * p.rate);
     }
-    write_text("-", text);
+    print(std::string_view(text));
     return exit_fine;
 }
 
 int portability_of(const CommandLine& line)
 {
+    std::vector<Portability> found;
+    Outputs outputs;
+    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found)); });
+    outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
+    outputs.check(line.files);
     std::vector<Result> results;
     for (const std::string& file : line.files) results.push_back(read_result(file));
-    const auto found = portability(results);
-    if (!line.options.json.empty()) write_text(line.options.json, to_json(found).dump(1) + "\n");
-    if (line.options.json != "-") write_text("-", to_console(found));
-    return exit_fine;
+    found = portability(results);
+    const bool written = outputs.write_files();
+    if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
+    outputs.write_stdout();
+    return written ? exit_fine : exit_failure;
 }
 
 int random_scenes(const Registry& registry, const CommandLine& line)
 {
+    RandomResult result;
+    Outputs outputs;
+    outputs.add("--json", line.options.json, [&] { return text_of(to_json(result)); });
+    outputs.check();
     Display display(line.quiet);
-    const RandomResult result =
-        measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
+    result = measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
     display.finish();
-    const std::string& json = line.options.json;
-    if (!json.empty()) write_text(json, to_json(result).dump(1) + "\n");
-    if (json != "-") write_text("-", to_console(result));
-    return result.held() ? exit_fine : exit_failure;
+    const bool written = outputs.write_files();
+    if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
+    outputs.write_stdout();
+    return written && result.held() ? exit_fine : exit_failure;
+}
+
+int compare_files(const std::string& old_file, const std::string& new_file)
+{
+    const ComparedResults comparison = compare_results(read_result(old_file), read_result(new_file));
+    print(std::string_view(to_console(comparison)));
+    return comparison.regression() ? exit_failure : exit_fine;
 }
 
 // Each discrepancy at once, on stderr, with what draws it again.
@@ -151,18 +167,22 @@ int equivalence(const Registry& registry, const CommandLine& line)
         if (!line.folder.empty()) {
             const std::string file = (fs::path(line.folder) / (d.scene + ".dat")).string();
             fs::create_directories(line.folder);
-            write_text(file, d.parameters);
+            write_file(file, d.parameters);
             parameters = file + "\n";
         }
         say("bench: {}: {}: {}\n{}", d.scene, d.subject, d.what, parameters);
     };
-    const EquivalenceResult result =
+    EquivalenceResult result;
+    Outputs outputs;
+    outputs.add("--json", line.options.json, [&] { return text_of(to_json(result)); });
+    outputs.check();
+    result =
         compare_backends(registry, line.equivalence, show, [&](double share) { display.show("random scenes", share); });
     display.finish();
-    const std::string& json = line.options.json;
-    if (!json.empty()) write_text(json, to_json(result).dump(1) + "\n");
-    if (json != "-") write_text("-", to_console(result));
-    return result.discrepancies.empty() ? exit_fine : exit_failure;
+    const bool written = outputs.write_files();
+    if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
+    outputs.write_stdout();
+    return written && result.discrepancies.empty() ? exit_fine : exit_failure;
 }
 
 }  // namespace
@@ -176,12 +196,8 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::random: return random_scenes(registry, line);
         case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
-        case Command::compare: {
-            const ComparedResults comparison =
-                compare_results(read_result(line.files.at(0)), read_result(line.files.at(1)));
-            write_text("-", to_console(comparison));
-            return comparison.regression() ? exit_failure : exit_fine;
-        }
+        case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
+        case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
         default: return run(registry, line);
     }
 }

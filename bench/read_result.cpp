@@ -1,123 +1,260 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "bench/report.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_or_nothing(const Json& json) { return json.is_null() ? std::string() : json.get<std::string>(); }
+constexpr std::uint64_t most_counted = std::uint64_t{1} << 53;  // JSON's numbers are whole up to here
+constexpr double most_seconds = 1e9;                            // thirty years
+constexpr double most_rate = 1e30;                              // operations per second
 
-double number_or_infinity(const Json& json)
+// What a result holds, by key. Messages do not name the file yet.
+const Json& at(const Json& json, const char* key)
 {
-    return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
+    if (!json.is_object()) throw InputError(fmt::format("{} in the place of an object", json.type_name()));
+    const auto found = json.find(key);
+    if (found == json.end()) throw InputError(fmt::format("'{}' is missing", key));
+    return *found;
 }
 
-Precision precision_of(const Json& json)
+[[noreturn]] void refuse(const char* key, const Json& value, const std::string& expected)
 {
-    return json.get<std::string>() == "float" ? Precision::f32 : Precision::f64;
+    throw InputError(fmt::format("{}: {} given, expected {}", key, printable(value.dump(), 80), expected));
 }
 
-Mode mode_of(const Json& json) { return json.get<std::string>() == "fast" ? Mode::fast : Mode::exact; }
-
-Setting setting_of(const Json& json)
+std::string text_at(const Json& json, const char* key)
 {
-    Setting s;
-    s.width = json.at("width");
-    s.height = json.at("height");
-    s.iterations = json.at("iterations");
-    s.detail = json.at("detail");
-    s.power = json.at("power");
-    s.view = json.at("view");
-    s.without = json.at("without");
-    s.threads = json.at("threads");
-    s.pack = json.at("pack");
-    s.chunk = json.at("chunk");
-    s.frames = json.at("frames");
-    return s;
+    const Json& value = at(json, key);
+    if (!value.is_string()) refuse(key, value, "a text");
+    return value.get<std::string>();
 }
 
-Work work_of(const Json& json) { return {json.at("steps"), json.at("de_calls"), json.at("iterations")}; }
-
-Proof proof_of(const Json& json)
+std::string text_or_nothing_at(const Json& json, const char* key)
 {
+    return at(json, key).is_null() ? std::string() : text_at(json, key);
+}
+
+bool flag_at(const Json& json, const char* key)
+{
+    const Json& value = at(json, key);
+    if (!value.is_boolean()) refuse(key, value, "true or false");
+    return value.get<bool>();
+}
+
+std::uint64_t count_at(const Json& json, const char* key, std::uint64_t most = most_counted)
+{
+    const Json& value = at(json, key);
+    const bool whole = value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
+    if (!whole || value.get<std::uint64_t>() > most) {
+        refuse(key, value, fmt::format("a whole number from 0 to {}", most));
+    }
+    return value.get<std::uint64_t>();
+}
+
+int whole_at(const Json& json, const char* key, int most = std::numeric_limits<int>::max())
+{
+    return static_cast<int>(count_at(json, key, static_cast<std::uint64_t>(most)));
+}
+
+double number(const char* key, const Json& value, double low, double high)
+{
+    const bool held = value.is_number() && value.get<double>() >= low && value.get<double>() <= high;
+    if (!held) refuse(key, value, fmt::format("a number from {} to {}", low, high));
+    return value.get<double>();
+}
+
+double number_at(const Json& json, const char* key, double low, double high)
+{
+    return number(key, at(json, key), low, high);
+}
+
+// Of a sample: bench compare says of which row they are not above 0.
+double seconds_at(const Json& json, const char* key) { return number_at(json, key, -most_seconds, most_seconds); }
+
+double number_or_infinity_at(const Json& json, const char* key)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return at(json, key).is_null() ? infinity : number_at(json, key, -infinity, infinity);
+}
+
+// Calls read(element) for each element of a list; what it throws names the element.
+template <class Read>
+void each_at(const Json& json, const char* key, const Read& read)
+{
+    const Json& list = at(json, key);
+    if (!list.is_array()) refuse(key, list, "a list");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        try {
+            read(list[i]);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}[{}]: {}", key, i, error.what()));
+        }
+    }
+}
+
+Precision precision_at(const Json& json, const char* key)
+{
+    const std::string name = text_at(json, key);
+    if (name == name_of(Precision::f32)) return Precision::f32;
+    if (name == name_of(Precision::f64)) return Precision::f64;
+    refuse(key, at(json, key), "float or double");
+}
+
+Mode mode_at(const Json& json, const char* key)
+{
+    const std::string name = text_at(json, key);
+    if (name == name_of(Mode::exact)) return Mode::exact;
+    if (name == name_of(Mode::fast)) return Mode::fast;
+    refuse(key, at(json, key), "exact or fast");
+}
+
+Setting setting_at(const Json& parent, const char* key)
+{
+    const Json& json = at(parent, key);
+    constexpr double wide = 1e6;
+    return {.width = whole_at(json, "width", max_side),
+            .height = whole_at(json, "height", max_side),
+            .iterations = whole_at(json, "iterations"),
+            .detail = number_at(json, "detail", -wide, wide),
+            .power = number_at(json, "power", -wide, wide),
+            .threads = whole_at(json, "threads"),
+            .pack = whole_at(json, "pack"),
+            .chunk = whole_at(json, "chunk"),
+            .without = text_at(json, "without"),
+            .view = text_at(json, "view"),
+            .frames = whole_at(json, "frames")};
+}
+
+Work work_at(const Json& parent, const char* key)
+{
+    const Json& json = at(parent, key);
+    return {count_at(json, "steps"), count_at(json, "de_calls"), count_at(json, "iterations")};
+}
+
+Proof proof_at(const Json& parent, const char* key)
+{
+    const Json& json = at(parent, key);
     Proof p;
-    p.drawn = json.at("drawn");
-    p.fine = json.at("fine");
-    p.yardstick = json.at("yardstick");
-    p.level = json.at("level");
-    p.text = json.at("text");
-    p.against = json.at("against");
-    p.pixels = json.at("pixels");
-    p.differing = json.at("differing");
-    p.visibly_differing = json.at("visibly_differing");
-    p.largest_ulps = number_or_infinity(json.at("largest_ulps"));
-    p.psnr = number_or_infinity(json.at("psnr_db"));
+    p.drawn = flag_at(json, "drawn");
+    p.fine = flag_at(json, "fine");
+    p.yardstick = flag_at(json, "yardstick");
+    p.level = text_at(json, "level");
+    p.text = text_at(json, "text");
+    p.against = text_at(json, "against");
+    p.pixels = count_at(json, "pixels");
+    p.differing = count_at(json, "differing");
+    p.visibly_differing = count_at(json, "visibly_differing");
+    p.largest_ulps = number_or_infinity_at(json, "largest_ulps");
+    p.psnr = number_or_infinity_at(json, "psnr_db");
     return p;
+}
+
+Sample sample_of(const Json& json)
+{
+    return {.launch = whole_at(json, "launch"),
+            .round = whole_at(json, "round"),
+            .kernel = seconds_at(json, "kernel"),
+            .wall = seconds_at(json, "wall"),
+            .upload = seconds_at(json, "upload"),
+            .readback = seconds_at(json, "readback")};
 }
 
 Row row_of(const Json& json)
 {
     Row row;
-    row.fractal = json.at("fractal");
-    row.precision = precision_of(json.at("precision"));
-    row.mode = mode_of(json.at("mode"));
-    row.backend = json.at("backend");
-    row.device = json.at("device");
-    row.point = json.at("point");
-    row.setting = setting_of(json.at("setting"));
-    row.unavailable = text_or_nothing(json.at("unavailable"));
-    row.failure = text_or_nothing(json.at("failure"));
-    row.platform = json.at("platform");
-    row.device_name = json.at("device_name");
-    row.vendor = json.at("vendor");
-    row.driver = json.at("driver");
-    row.is_gpu = json.at("is_gpu");
-    row.instruction_set = json.at("instruction_set");
-    row.threads = json.at("threads");
-    row.pack = json.at("pack");
-    row.proof = proof_of(json.at("proof"));
-    row.context = json.at("context_seconds");
-    row.build = json.at("build_seconds");
-    row.work = work_of(json.at("work"));
-    row.operations = json.at("operations");
-    for (const Json& sample : json.at("samples")) {
-        row.samples.push_back({.launch = sample.at("launch"),
-                               .round = sample.at("round"),
-                               .kernel = sample.at("kernel"),
-                               .wall = sample.at("wall"),
-                               .upload = sample.at("upload"),
-                               .readback = sample.at("readback")});
-    }
+    row.fractal = text_at(json, "fractal");
+    row.precision = precision_at(json, "precision");
+    row.mode = mode_at(json, "mode");
+    row.backend = text_at(json, "backend");
+    row.device = whole_at(json, "device");
+    row.point = text_at(json, "point");
+    row.setting = setting_at(json, "setting");
+    row.unavailable = text_or_nothing_at(json, "unavailable");
+    row.failure = text_or_nothing_at(json, "failure");
+    row.platform = text_at(json, "platform");
+    row.device_name = text_at(json, "device_name");
+    row.vendor = text_at(json, "vendor");
+    row.driver = text_at(json, "driver");
+    row.is_gpu = flag_at(json, "is_gpu");
+    row.instruction_set = text_at(json, "instruction_set");
+    row.threads = whole_at(json, "threads");
+    row.pack = whole_at(json, "pack");
+    row.proof = proof_at(json, "proof");
+    row.context = seconds_at(json, "context_seconds");
+    row.build = seconds_at(json, "build_seconds");
+    row.work = work_at(json, "work");
+    row.operations = number_at(json, "operations", 0, most_rate);
+    each_at(json, "samples", [&](const Json& sample) { row.samples.push_back(sample_of(sample)); });
     return row;
 }
 
 Counted counted_of(const Json& json)
 {
     Counted c;
-    c.fractal = json.at("fractal");
-    c.precision = precision_of(json.at("precision"));
-    c.mode = mode_of(json.at("mode"));
-    c.setting = setting_of(json.at("setting"));
+    c.fractal = text_at(json, "fractal");
+    c.precision = precision_at(json, "precision");
+    c.mode = mode_at(json, "mode");
+    c.setting = setting_at(json, "setting");
     for (int i = 0; i < stage_count; ++i) {
-        const Json& o = json.at("stages").at(std::string(name_of(static_cast<Stage>(i))));
-        c.count.stages.at(static_cast<std::size_t>(i)) = {o.at("sums"), o.at("products"), o.at("quotients"),
-                                                          o.at("roots")};
+        const Json& o = at(at(json, "stages"), std::string(name_of(static_cast<Stage>(i))).c_str());
+        c.count.stages.at(static_cast<std::size_t>(i)) = {count_at(o, "sums"), count_at(o, "products"),
+                                                          count_at(o, "quotients"), count_at(o, "roots")};
     }
-    c.count.pixels = json.at("pixels");
-    c.count.hits = json.at("hits");
-    c.count.work = work_of(json.at("work"));
-    c.count.march_estimates = json.at("march_de_calls");
-    c.count.march_iterations = json.at("march_iterations");
-    c.count.lanes = json.at("lanes");
-    c.count.active_in_steps = json.at("active_in_steps");
-    c.count.active_in_iterations = json.at("active_in_iterations");
+    c.count.pixels = count_at(json, "pixels");
+    c.count.hits = count_at(json, "hits");
+    c.count.work = work_at(json, "work");
+    c.count.march_estimates = count_at(json, "march_de_calls");
+    c.count.march_iterations = count_at(json, "march_iterations");
+    c.count.lanes = whole_at(json, "lanes");
+    c.count.active_in_steps = number_at(json, "active_in_steps", 0, 1);
+    c.count.active_in_iterations = number_at(json, "active_in_iterations", 0, 1);
     return c;
+}
+
+StageTime stage_of(const Json& json)
+{
+    StageTime stage{
+        text_at(json, "fractal"), precision_at(json, "precision"), mode_at(json, "mode"), text_at(json, "stage"), {}};
+    each_at(json, "seconds",
+            [&](const Json& seconds) { stage.seconds.push_back(number("seconds", seconds, 0, most_seconds)); });
+    return stage;
+}
+
+Result result_of(const Json& json)
+{
+    if (text_at(json, "schema") != "mandelmarch-bench") throw InputError("no result of bench");
+    if (const Json& version = at(json, "version"); version != schema_version) {
+        throw InputError(
+            fmt::format("version {} of the result format, expected {}", printable(version.dump(), 80), schema_version));
+    }
+    Result result;
+    result.study = text_at(json, "study");
+    result.seed = count_at(json, "seed");
+    result.launches = whole_at(json, "launches");
+    result.environment = at(json, "environment");
+    if (!result.environment.is_object()) refuse("environment", result.environment, "an object");
+    each_at(json, "warnings", [&](const Json& warning) {
+        if (!warning.is_string()) refuse("warning", warning, "a text");
+        result.warnings.push_back(warning);
+    });
+    each_at(json, "peaks", [&](const Json& p) {
+        result.peaks.push_back({text_at(p, "platform"), text_at(p, "backend"), whole_at(p, "device"),
+                                precision_at(p, "precision"), number_at(p, "operations_per_second", 0, most_rate)});
+    });
+    each_at(json, "counts", [&](const Json& counted) { result.counts.push_back(counted_of(counted)); });
+    each_at(json, "stages", [&](const Json& stage) { result.stages.push_back(stage_of(stage)); });
+    each_at(json, "rows", [&](const Json& row) { result.rows.push_back(row_of(row)); });
+    return result;
 }
 
 }  // namespace
@@ -125,40 +262,29 @@ Counted counted_of(const Json& json)
 Result from_json(const Json& json, const std::string& name)
 {
     try {
-        if (json.at("schema") != "mandelmarch-bench") throw InputError(name + ": no result of bench");
-        if (const int version = json.at("version"); version != schema_version) {
-            throw InputError(
-                fmt::format("{}: version {} of the result format, expected {}", name, version, schema_version));
-        }
-        Result result;
-        result.study = json.at("study");
-        result.seed = json.at("seed");
-        result.launches = json.at("launches");
-        result.environment = json.at("environment");
-        result.warnings = json.at("warnings").get<std::vector<std::string>>();
-        for (const Json& p : json.at("peaks")) {
-            result.peaks.push_back({p.at("platform"), p.at("backend"), p.at("device"), precision_of(p.at("precision")),
-                                    p.at("operations_per_second")});
-        }
-        for (const Json& counted : json.at("counts")) result.counts.push_back(counted_of(counted));
-        for (const Json& s : json.at("stages")) {
-            result.stages.push_back({s.at("fractal"), precision_of(s.at("precision")), mode_of(s.at("mode")),
-                                     s.at("stage"), s.at("seconds").get<std::vector<double>>()});
-        }
-        for (const Json& row : json.at("rows")) result.rows.push_back(row_of(row));
-        return result;
+        return result_of(json);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}, expected a result of bench --json", name, error.what()));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(fmt::format("{}: no result of bench: {}", name, error.what()));
     }
 }
 
+Result parse_result(const std::string& text, const std::string& name)
+{
+    check_json_depth(text, name);
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
+    return from_json(json, name);
+}
+
 Result read_result(const std::string& path)
 {
-    std::ifstream file(path);
+    std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
-    const Json json = Json::parse(file, nullptr, false);
-    if (json.is_discarded()) throw InputError(path + ": no JSON, expected a result file of bench --json");
-    return from_json(json, path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_result(text.str(), path);
 }
 
 }  // namespace mandelmarch::bench

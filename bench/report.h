@@ -5,7 +5,6 @@
 #include <string>
 
 #include "bench/result.h"
-#include "bench/runner.h"
 
 namespace mandelmarch::bench {
 
@@ -17,18 +16,26 @@ std::string to_console(const Result& result, bool wide);
 nlohmann::ordered_json to_json(const Result& result);
 
 // Reads what to_json wrote; derived figures are left out, as they follow from the samples. `name` is what messages call
-// the file. Throws InputError where it is no result, or one of another version.
+// the file. Throws InputError where it is no result, one of another version, or holds values that no study has.
 Result from_json(const nlohmann::ordered_json& json, const std::string& name);
+Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);
 
+// A JSON file's text. Bytes that are no UTF-8, in a driver's name say, are replaced.
+std::string text_of(const nlohmann::ordered_json& json);
+
 // One line a row; the first columns are problem, application, platform and fom (pixels per second of kernel time,
-// higher is better; empty where there is none), as p3-analysis-library reads them.
+// higher is better; empty where there is none). For p3-analysis-library take bench/portability.h's.
 std::string to_csv(const Result& result);
 
-// As Google Benchmark's own reporter prints the runs: "console", "json" or "csv". Throws InputError for another format.
-std::string to_google_benchmark(const Result& result, const Runs& runs, const std::string& format);
+// What is solved, so that rows of one problem can be compared: "mandelbulb double exact 540x540".
+std::string problem_name(const std::string& fractal, Precision precision, Mode mode, int width, int height);
 
-// Writes text into a file, whole or not at all, or to standard output where the path is "-".
-void write_text(const std::string& path, const std::string& text);
+// A text as one cell of CSV, quoted where it must be.
+std::string csv_cell(const std::string& text);
+
+// As Google Benchmark's own reporter prints repetitions: the samples of all launches, a row's median behind them.
+// `format`: "console", "json" or "csv"; throws InputError for another.
+std::string to_google_benchmark(const Result& result, const std::string& format);
 
 }  // namespace mandelmarch::bench

@@ -1,16 +1,21 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "bench/figures.h"
 #include "bench/report.h"
-#include "core/base/error.h"
-#include "core/base/output_file.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-std::string quoted(const std::string& text)
+std::string or_empty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+
+}  // namespace
+
+std::string problem_name(const std::string& fractal, Precision precision, Mode mode, int width, int height)
+{
+    return fmt::format("{} {} {} {}x{}", fractal, name_of(precision), name_of(mode), width, height);
+}
+
+std::string csv_cell(const std::string& text)
 {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string made = "\"";
@@ -21,12 +26,7 @@ std::string quoted(const std::string& text)
     return made + "\"";
 }
 
-std::string or_empty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
-
-}  // namespace
-
-// problem: what is solved, so that rows of one problem can be compared: fractal, number, mode, size and the point of a
-// sweep. An unsupported row has an empty fom.
+// An unsupported row has an empty fom.
 std::string to_csv(const Result& result)
 {
     std::string text =
@@ -38,23 +38,22 @@ std::string to_csv(const Result& result)
         "unavailable,failure\n";
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
-        const std::string problem =
-            fmt::format("{} {} {} {}x{}{}{}", row.fractal, name_of(row.precision), name_of(row.mode), s.width, s.height,
-                        row.point.empty() ? "" : " ", row.point);
+        const std::string problem = problem_name(row.fractal, row.precision, row.mode, s.width, s.height) +
+                                    (row.point.empty() ? "" : " " + row.point);
         const Figures f = row.timed() ? figures_of(result, row) : Figures{};
         const auto timed = [&](double value) { return row.timed() ? fmt::format("{}", value) : std::string(); };
         const auto& interval = f.kernel.interval;
-        const std::vector<std::string> cells{quoted(problem),
+        const std::vector<std::string> cells{csv_cell(problem),
                                              row.backend,
-                                             quoted(row.platform),
+                                             csv_cell(row.platform),
                                              timed(f.pixel_rate),
-                                             quoted(row.name()),
+                                             csv_cell(row.name()),
                                              row.fractal,
                                              std::string(name_of(row.precision)),
                                              std::string(name_of(row.mode)),
                                              row.backend,
                                              fmt::format("{}", row.device),
-                                             quoted(row.point),
+                                             csv_cell(row.point),
                                              fmt::format("{}", s.width),
                                              fmt::format("{}", s.height),
                                              fmt::format("{}", s.iterations),
@@ -62,7 +61,7 @@ std::string to_csv(const Result& result)
                                              fmt::format("{}", row.threads),
                                              fmt::format("{}", row.pack),
                                              fmt::format("{}", s.frames),
-                                             quoted(row.proof.text),
+                                             csv_cell(row.proof.text),
                                              row.proof.drawn ? (row.proof.fine ? "1" : "0") : "",
                                              row.proof.drawn ? fmt::format("{}", row.proof.differing) : "",
                                              fmt::format("{}", row.samples.size()),
@@ -87,24 +86,11 @@ std::string to_csv(const Result& result)
                                              timed(static_cast<double>(row.work.steps)),
                                              timed(static_cast<double>(row.work.estimates)),
                                              timed(static_cast<double>(row.work.iterations)),
-                                             quoted(row.unavailable),
-                                             quoted(row.failure)};
+                                             csv_cell(row.unavailable),
+                                             csv_cell(row.failure)};
         text += fmt::format("{}\n", fmt::join(cells, ","));
     }
     return text;
-}
-
-void write_text(const std::string& path, const std::string& text)
-{
-    if (path == "-") {
-        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-            throw Error("standard output: it cannot be written");
-        }
-        return;
-    }
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
 }
 
 }  // namespace mandelmarch::bench

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 #include "bench/report.h"
@@ -27,34 +28,48 @@ std::unique_ptr<benchmark::BenchmarkReporter> reporter_of(const std::string& for
     throw InputError(fmt::format("--benchmark_format: '{}' given, expected console, json or csv", format));
 }
 
-// One aggregate of a row's runs, as Google Benchmark names them.
-Run median_of(const std::vector<Run>& runs)
+// One picture as one repetition. Its CPU time is not measured; the kernel's time stands for it.
+Run run_of(const Row& row, const Sample& sample)
 {
-    Run made = runs.front();
-    made.run_type = Run::RT_Aggregate;
-    made.aggregate_name = "median";
-    made.repetition_index = 0;
-    made.iterations = static_cast<benchmark::IterationCount>(runs.size());
-    const auto middle = [&](auto value) {
-        std::vector<double> values;
-        values.reserve(runs.size());
-        for (const Run& run : runs) values.push_back(value(run));
-        return median(std::move(values));
-    };
-    // Of an aggregate's time the reporters take seconds; they multiply by the unit themselves.
-    made.real_accumulated_time = middle([](const Run& run) { return run.real_accumulated_time; });
-    made.cpu_accumulated_time = middle([](const Run& run) { return run.cpu_accumulated_time; });
-    for (auto& counter : made.counters) {
-        counter.second.value = middle([&](const Run& run) { return run.counters.at(counter.first).value; });
-    }
-    return made;
+    Run run;
+    run.run_name.function_name = row.name();
+    run.run_name.iterations = "iterations:1";
+    run.run_name.time_type = "manual_time";
+    run.family_index = run.per_family_instance_index = run.repetition_index = 0;
+    run.repetitions = static_cast<std::int64_t>(row.samples.size());
+    run.time_unit = benchmark::kMillisecond;
+    run.real_accumulated_time = run.cpu_accumulated_time = sample.kernel;
+    run.counters["wall"] = sample.wall;
+    run.counters["upload"] = sample.upload;
+    run.counters["readback"] = sample.readback;
+    run.statistics = nullptr;
+    return run;
+}
+
+double median_of(const Row& row, double Sample::*part)
+{
+    std::vector<double> values;
+    for (const Sample& sample : row.samples) values.push_back(sample.*part);
+    return median(std::move(values));
+}
+
+// The medians of a row's repetitions, as Google Benchmark's own aggregates: the iterations are the repetitions, and the
+// reporters divide times, but no counters, by them.
+Run median_of(const Row& row)
+{
+    Run run = run_of(row, {.kernel = median_of(row, &Sample::kernel) * static_cast<double>(row.samples.size()),
+                           .wall = median_of(row, &Sample::wall),
+                           .upload = median_of(row, &Sample::upload),
+                           .readback = median_of(row, &Sample::readback)});
+    run.run_type = Run::RT_Aggregate;
+    run.aggregate_name = "median";
+    run.iterations = static_cast<benchmark::IterationCount>(row.samples.size());
+    return run;
 }
 
 }  // namespace
 
-// The runs were made one repetition at a time; here they become the repetitions of one benchmark. compare.py pairs them
-// by their names.
-std::string to_google_benchmark(const Result& result, const Runs& runs, const std::string& format)
+std::string to_google_benchmark(const Result& result, const std::string& format)
 {
     const auto reporter = reporter_of(format);
     std::ostringstream out;
@@ -62,19 +77,22 @@ std::string to_google_benchmark(const Result& result, const Runs& runs, const st
     reporter->SetErrorStream(&out);
     benchmark::BenchmarkReporter::Context context;
     std::size_t longest = 10;
-    for (const auto& [name, of_row] : runs) longest = std::max(longest, name.size());
+    for (const Row& row : result.rows) longest = std::max(longest, row.name().size());
     context.name_field_width = longest + std::string("/iterations:1/manual_time_median").size();
     if (!reporter->ReportContext(context)) return out.str();
+    std::int64_t family = 0;
     for (const Row& row : result.rows) {
-        const auto found = runs.find(row.name());
-        if (found == runs.end() || !row.timed()) continue;
-        std::vector<Run> repetitions = found->second;
-        for (std::size_t i = 0; i < repetitions.size(); ++i) {
-            repetitions[i].repetitions = static_cast<std::int64_t>(repetitions.size());
-            repetitions[i].repetition_index = static_cast<std::int64_t>(i);
+        if (!row.timed()) continue;
+        std::vector<Run> runs;
+        for (const Sample& sample : row.samples) {
+            runs.push_back(run_of(row, sample));
+            runs.back().family_index = family;
+            runs.back().repetition_index = static_cast<std::int64_t>(runs.size()) - 1;
         }
-        reporter->ReportRuns(repetitions);
-        reporter->ReportRuns({median_of(repetitions)});
+        reporter->ReportRuns(runs);
+        Run aggregate = median_of(row);
+        aggregate.family_index = family++;
+        reporter->ReportRuns({aggregate});
     }
     reporter->Finalize();
     return out.str();

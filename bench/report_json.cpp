@@ -174,4 +174,6 @@ Json to_json(const Result& result)
     return json;
 }
 
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
 }  // namespace mandelmarch::bench

@@ -21,36 +21,6 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 // threads, caches and clock behind. Seconds.
 constexpr double warmed_below = 0.1;
 
-// Keeps what Google Benchmark measured, instead of printing it.
-class Collector : public benchmark::BenchmarkReporter {
-public:
-    explicit Collector(std::map<std::string, Run>& runs) : runs_(runs) {}
-    bool ReportContext(const Context&) override { return true; }
-    void ReportRuns(const std::vector<Run>& report) override
-    {
-        for (const Run& run : report) runs_[run.run_name.function_name] = run;
-    }
-
-private:
-    std::map<std::string, Run>& runs_;
-};
-
-void draw_with_google_benchmark(benchmark::State& state, Live& row, Image& image)
-{
-    for ([[maybe_unused]] auto ignored : state) {
-        try {
-            const Sample sample = draw_sample(row, image);
-            state.SetIterationTime(sample.kernel);
-            state.counters["wall"] = sample.wall;
-            state.counters["upload"] = sample.upload;
-            state.counters["readback"] = sample.readback;
-        } catch (const std::exception& error) {
-            state.SkipWithError(error.what());
-            break;
-        }
-    }
-}
-
 bool narrow_enough(const Row& row, double half_width)
 {
     const auto reached = summary(kernel_times(row)).half_width();
@@ -66,7 +36,7 @@ public:
     {
     }
 
-    Runs run(const std::function<void(double)>& progress)
+    void run(const std::function<void(double)>& progress)
     {
         const int most = rules_.repetitions.value_or(rules_.most);
         for (int round = 0; round < most; ++round) {
@@ -76,7 +46,6 @@ public:
             draw(order, round, progress);
             for (Live* row : order) row->done = row->done || finished(*row);
         }
-        return std::move(runs_);
     }
 
 private:
@@ -91,58 +60,29 @@ private:
 
     void draw(const std::vector<Live*>& order, int round, const std::function<void(double)>& progress)
     {
-        std::map<std::string, benchmark::BenchmarkReporter::Run> measured;
         for (Live* row : order) {
-            const auto body = [this, row, &progress](benchmark::State& state) {
-                if (out_of_time() && !row->one->row.samples.empty()) {
-                    skip(state);
-                } else {
-                    draw_with_google_benchmark(state, *row, image_for(*row));
-                }
-                progress(share());
-            };
-            static_cast<void>(body);
-#ifndef __clang_analyzer__  // which takes what the library keeps for a leak
-            benchmark::RegisterBenchmark(row->one->row.name().c_str(), body)
-                ->UseManualTime()
-                ->Unit(benchmark::kMillisecond)
-                ->Iterations(1);
-#endif
+            if (!out_of_time() || row->one->row.samples.empty()) draw(*row, round);
+            progress(share());
         }
-        Collector collector(measured);
-        benchmark::RunSpecifiedBenchmarks(&collector, "all");
-        benchmark::ClearRegisteredBenchmarks();
-        for (Live* row : order) keep(*row, round, measured.at(row->one->row.name()));
+    }
+
+    void draw(Live& live, int round)
+    {
+        Row& row = live.one->row;
+        try {
+            Sample sample = draw_sample(live, image_for(live));
+            sample.launch = rules_.launch;
+            sample.round = round;
+            live.spent += sample.wall;
+            row.samples.push_back(sample);
+        } catch (const std::exception& error) {
+            row.failure = error.what();
+            row.samples.clear();
+            live.done = true;
+        }
     }
 
     bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
-
-    // Draws nothing; keep() knows by the counter.
-    static void skip(benchmark::State& state)
-    {
-        for ([[maybe_unused]] auto ignored : state) state.SetIterationTime(0);
-        state.counters["skipped"] = 1;
-    }
-
-    void keep(Live& live, int round, const benchmark::BenchmarkReporter::Run& run)
-    {
-        Row& row = live.one->row;
-        if (run.counters.contains("skipped")) return;
-        if (run.error_occurred) {
-            row.failure = run.error_message;
-            row.samples.clear();
-            live.done = true;
-            return;
-        }
-        row.samples.push_back({.launch = rules_.launch,
-                               .round = round,
-                               .kernel = run.real_accumulated_time,
-                               .wall = run.counters.at("wall"),
-                               .upload = run.counters.at("upload"),
-                               .readback = run.counters.at("readback")});
-        live.spent += row.samples.back().wall;
-        runs_[row.name()].push_back(run);
-    }
 
     bool finished(const Live& live) const
     {
@@ -174,7 +114,6 @@ private:
     std::mt19937_64 random_;
     Clock::time_point start_ = Clock::now();
     Image image_;
-    Runs runs_;
 };
 
 }  // namespace
@@ -210,9 +149,9 @@ Sample draw_sample(Live& row, Image& image)
     return sample;
 }
 
-Runs run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)
+void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)
 {
-    return Rounds(rows, rules).run(progress);
+    Rounds(rows, rules).run(progress);
 }
 
 }  // namespace mandelmarch::bench

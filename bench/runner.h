@@ -1,17 +1,13 @@
-// The timed rounds. Google Benchmark does the timing, one picture at a time; this decides what is drawn when.
+// The timed rounds: what is drawn when, and its times as the backends report them.
 //
 // A round draws every row that still needs samples, in an order that is shuffled anew for each round, so that a
 // disturbance that lasts meets all rows alike and rows can be compared round by round. A row is done when the 95 %
 // interval of its median is narrower than 2 % to either side, or at its limit of time or of rounds.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bench/study.h"
@@ -41,12 +37,9 @@ struct Rules {
     int launch = 0;
 };
 
-// Google Benchmark's own records, by row, for its own reporters.
-using Runs = std::map<std::string, std::vector<benchmark::BenchmarkReporter::Run>>;
-
 // Draws the rounds and puts the samples into the rows. A row that throws, or whose picture is no longer the proven one,
 // fails and loses its samples. `progress` is told the finished share, 0 to 1.
-Runs run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress);
+void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress);
 
 // Draws one sample: a picture, or setting.frames of them from a fresh renderer. Throws what the backend throws, and
 // Error where the picture is not the proven one.

@@ -9,6 +9,7 @@
 #include "bench/figures.h"
 #include "bench/profile.h"
 #include "bench/proof.h"
+#include "bench/runner.h"
 #include "bench/steadiness.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
@@ -162,10 +163,9 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     return peaks;
 }
 
-Outcome measure(const Registry& registry, const Options& options, const Phase& phase)
+Result measure(const Registry& registry, const Options& options, const Phase& phase)
 {
-    Outcome outcome;
-    Result& result = outcome.result;
+    Result result;
     result.study = study_named(options.study).name;
     result.seed = options.seed;
     Steadiness steadiness;
@@ -197,13 +197,13 @@ Outcome measure(const Registry& registry, const Options& options, const Phase& p
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
-    outcome.runs = run_rounds(live, rules, [&](double share) { phase("timing", share); });
+    run_rounds(live, rules, [&](double share) { phase("timing", share); });
     // Once more: a machine that was slow before must not make the shares look better.
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
-    return outcome;
+    return result;
 }
 
 }  // namespace mandelmarch::bench

@@ -2,18 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "bench/options.h"
 #include "bench/result.h"
-#include "bench/runner.h"
+#include "core/render/registry.h"
 
 namespace mandelmarch::bench {
-
-// NOLINTNEXTLINE(bugprone-exception-escape): as in result.h
-struct Outcome {
-    Result result;
-    Runs runs;  // Google Benchmark's records
-};
 
 // Told what is being done, and the finished share of it, 0 to 1.
 using Phase = std::function<void(const std::string& what, double share)>;
@@ -21,7 +17,7 @@ using Phase = std::function<void(const std::string& what, double share)>;
 // Measures the study that the options name. Every row's picture is drawn and compared before anything is timed; a row
 // whose picture fails is not timed. Throws InputError where the options are wrong, Unavailable where the one backend
 // that was asked for is not there.
-Outcome measure(const Registry& registry, const Options& options, const Phase& phase);
+Result measure(const Registry& registry, const Options& options, const Phase& phase);
 
 // The multiply-add peak of every device in the precisions asked for. Backends that measure none are left out.
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase);

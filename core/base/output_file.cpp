@@ -149,4 +149,11 @@ void OutputFile::commit()
     if (temporary_ && !temporary_->rename_to(target_)) fail("rename a file to");
 }
 
+void write_file(const std::string& path, std::string_view text)
+{
+    OutputFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
 }  // namespace mandelmarch

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/temporary_path.h"
 
@@ -41,5 +42,8 @@ private:
     std::optional<TemporaryPath> temporary_;  // beside it
     int descriptor_ = -1;
 };
+
+// Writes a whole file, as OutputFile does.
+void write_file(const std::string& path, std::string_view text);
 
 }  // namespace mandelmarch

@@ -1,0 +1,80 @@
+#include "bench/differences.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<const char*, const char*>, 13> facts{{{"revision", "/git/revision"},
+                                                                     {"changed since the revision", "/git/dirty"},
+                                                                     {"version", "/build/version"},
+                                                                     {"build type", "/build/type"},
+                                                                     {"compiler", "/build/compiler"},
+                                                                     {"compiler flags", "/build/flags"},
+                                                                     {"CPU", "/cpu/model"},
+                                                                     {"CPU", "/cpu/platform"},
+                                                                     {"usable cores", "/cpu/cores_usable"},
+                                                                     {"governor", "/cpu/governor"},
+                                                                     {"microcode", "/cpu/microcode"},
+                                                                     {"kernel", "/os/kernel"},
+                                                                     {"variables", "/variables"}}};
+
+// What is not there is null.
+Json value_at(const Json& json, const std::string& pointer)
+{
+    const Json::json_pointer place(pointer);
+    return json.contains(place) ? json.at(place) : Json();
+}
+
+std::string words(const Json& value)
+{
+    if (value.is_null()) return "unknown";
+    return printable(value.is_string() ? value.get<std::string>() : value.dump(), 200);
+}
+
+// How each backend is built and which drivers it has, by what messages call it.
+std::map<std::string, Json> backends_of(const Json& environment)
+{
+    std::map<std::string, Json> found;
+    for (const Json& backend : value_at(environment, "/backends")) {
+        const std::string name = words(value_at(backend, "/name"));
+        for (const char* part : {"compiler", "flags_exact", "flags_fast"}) {
+            found[fmt::format("{} of {}", part, name)] = value_at(backend, fmt::format("/{}", part));
+        }
+        int index = 0;
+        for (const Json& device : value_at(backend, "/devices")) {
+            found[fmt::format("driver of {} {}", name, index++)] = value_at(device, "/driver");
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> differences_of(const Json& old_environment, const Json& new_environment)
+{
+    std::vector<std::string> lines;
+    const auto look = [&](const std::string& what, const Json& before, const Json& after) {
+        if (before == after) return;
+        lines.push_back(fmt::format("{}: {} in the old result, {} in the new", what, words(before), words(after)));
+    };
+    for (const auto& [what, pointer] : facts) {
+        look(what, value_at(old_environment, pointer), value_at(new_environment, pointer));
+    }
+    // A backend or device that one result lacks shows in its rows.
+    const std::map<std::string, Json> before = backends_of(old_environment);
+    for (const auto& [what, value] : backends_of(new_environment)) {
+        if (const auto found = before.find(what); found != before.end()) look(what, found->second, value);
+    }
+    return lines;
+}
+
+}  // namespace mandelmarch::bench
