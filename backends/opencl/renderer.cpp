@@ -55,7 +55,8 @@ void wait_for(cl::Event& event, const char* doing)
     std::unique_lock lock(mine->mutex);
     const auto limit = std::chrono::duration<double>(device_timeout());
     if (!mine->changed.wait_for(lock, limit, [&] { return mine->status != CL_QUEUED; })) {
-        throw DeviceHung(fmt::format("backend opencl: {}: no answer from the device in {} s", doing, limit.count()));
+        throw DeviceHung(fmt::format("backend opencl: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)",
+                                     limit.count(), doing));
     }
     if (mine->status < 0) throw cl::Error(mine->status, "the kernel");
 }

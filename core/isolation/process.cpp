@@ -48,7 +48,8 @@ std::optional<Packet> Process::heard(const char* doing)
     }
     end(true);
     repeat_said();
-    throw DeviceHung(fmt::format("{}: no answer in {} s while {}", name_, device_timeout(), doing));
+    throw DeviceHung(
+        fmt::format("{}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name_, device_timeout(), doing));
 }
 
 void Process::listen()

@@ -85,10 +85,10 @@ done
 # Hangs take their time: side by side.
 export MANDELMARCH_DEVICE_TIMEOUT=4
 for api in $apis; do
-    for stage in load enumeration build launch map; do refused $api $stage hang 'no answer in 4 s' & done
+    for stage in load enumeration build launch map; do refused $api $stage hang 'no answer within 4 s' & done
     drawn $api release hang &
     listed_hang() { with $api enumeration hang "$bin/render" --list-devices >list-$api 2>&1; }
-    { listed_hang; [ $? = 1 ] && grep -q "^$api *FAILED: .*no answer in 4 s" list-$api && grep -q '^openmp *0: ' list-$api ||
+    { listed_hang; [ $? = 1 ] && grep -q "^$api *FAILED: .*no answer within 4 s" list-$api && grep -q '^openmp *0: ' list-$api ||
         fail "$api: a list with a driver that hangs: $(cat list-$api)"; } &
 done
 wait

@@ -69,10 +69,10 @@ expect 77 1 'there is no device 4, only 0 to 3' --backend openacc --device 4 --o
 unset SIMULATED_GPUS
 expect 0 1 '^backend openacc: openacc has the GPU Simulated K40 number 0' --output a.png
 
-# Failures: of these, gcc's run-time library ends the program itself, with its own line.
-SIMULATED_FAULT=launch expect 1 1 '^libgomp: cuLaunchKernel error' --backend openacc --output b.png
-SIMULATED_FAULT=lost expect 1 1 '^libgomp: .*unspecified launch failure' --backend openacc --output b.png
-SIMULATED_FAULT=timeout expect 1 1 '^libgomp: .*launch timed out' --backend openacc --output b.png
+# Failures: of these, gcc's run-time library ends the device's process itself, with a line of its own.
+SIMULATED_FAULT=launch expect 1 1 'last words: libgomp: cuLaunchKernel error' --backend openacc --output b.png
+SIMULATED_FAULT=lost expect 1 1 'last words: libgomp: .*unspecified launch failure' --backend openacc --output b.png
+SIMULATED_FAULT=timeout expect 1 1 'last words: libgomp: .*launch timed out' --backend openacc --output b.png
 SIMULATED_MEMORY=40000 expect 1 1 'Simulated K40 number 0 has .* bytes of memory free' --backend openacc --output b.png
 SIMULATED_MEMORY=80000 expect 0 0 '' --backend openacc --output c.png  # in many bands
 [ -e b.png ] && fail "a picture from a GPU that failed"

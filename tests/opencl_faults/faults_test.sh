@@ -50,7 +50,7 @@ differs() {  # FAULT OPTION...
 }
 
 fails dies 1 "backend opencl: .*out of resources, or died"
-patience=1 fails hangs 1 "no answer from the device in 1 s"
+patience=1 fails hangs 1 "no answer within 1 s"
 fails memory 1 "out of memory"
 fails compiler 1 "no compiler"
 fails absent 77 "no OpenCL device"

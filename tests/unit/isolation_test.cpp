@@ -244,7 +244,8 @@ TEST_F(Isolation, ADeviceThatHangsIsNotAskedAgain)
     const auto renderer = backend->create({.device = hangs});
     Image image(8, 8, Image::Layers::bytes);
     const auto draw = [&] { renderer->render(bad_scene(), image); };
-    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: no answer in 0.2 s while drawing");
+    EXPECT_EQ(thrown_by<Error>(draw),
+              "backend made: device 5: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
     EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: it did not answer before and was given up");
 }
 

@@ -188,7 +188,7 @@ if [ -e $validation/VkLayer_khronos_validation.json ]; then
     [ -s stdout ] || [ -s stderr ] && fail "validation, GPU: $(cat stdout stderr | head -c 500)"
     MANDELMARCH_FAULT=misuse VK_LAYER_PATH=$layer:$validation \
         VK_INSTANCE_LAYERS=VK_LAYER_MANDELMARCH_faults:VK_LAYER_KHRONOS_validation draw bulb valid.exr
-    grep -q 'VUID-VkFenceCreateInfo' stdout || fail "validation does not see a misuse"
+    grep -q 'VUID-VkFenceCreateInfo' stderr || fail "validation does not see a misuse"
 else
     echo "no validation layers here"
 fi
