@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
+#include <span>
 
 #include "bench/environment.h"
 #include "core/base/error.h"
@@ -136,13 +136,24 @@ Scene scaled(Scene scene, double factor)
     return scene;
 }
 
-// The scene, smaller where it would be too much work, as a few pixels show. They are drawn in packs, which are fast.
-Scene affordable(Renderer& packs, const Scene& scene)
+// The scene, smaller where it would be too much work, and with fewer iterations where even one pixel would. It is drawn
+// in packs, which are fast: first a few of its pixels, then all.
+Scene affordable(std::span<const std::unique_ptr<Renderer>> packs, const Scene& scene)
 {
     const auto pixels = [](const Scene& s) { return static_cast<double>(s.width) * s.height; };
-    const Scene few = scaled(scene, std::min(1.0, std::sqrt(few_pixels / pixels(scene))));
-    const auto work = static_cast<double>(drawn(packs, few).work.iterations) / pixels(few) * pixels(scene);
-    return work <= most_iterations ? scene : scaled(scene, std::sqrt(most_iterations / work));
+    Scene tried = scaled(scene, std::min(1.0, std::sqrt(few_pixels / pixels(scene))));
+    for (;;) {
+        double each = 1;  // iterations a pixel
+        for (const auto& renderer : packs) {
+            each = std::max(each, static_cast<double>(drawn(*renderer, tried).work.iterations) / pixels(tried));
+        }
+        if (each > most_iterations)
+            tried.iterations = std::max(1, static_cast<int>(scene.iterations / each * most_iterations));
+        Scene next = scaled(scene, std::min(1.0, std::sqrt(most_iterations / each / pixels(scene))));
+        next.iterations = tried.iterations;
+        if (pixels(next) <= 1.5 * pixels(tried)) return next;
+        tried = next;
+    }
 }
 
 std::vector<const Fractal*> fractals_of(const EquivalenceOptions& options)
@@ -178,16 +189,19 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
     std::vector<Contestant> contestants;
     for (Subject& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
-    const auto packs = right.create({});
-    const std::unique_ptr<Renderer> scalar[] = {right.create({.precision = precisions[0], .pack = 1}),
-                                                right.create({.precision = precisions[1], .pack = 1})};
+    std::vector<std::unique_ptr<Renderer>> packs;
+    std::vector<std::unique_ptr<Renderer>> scalar;
+    for (const Precision precision : precisions) {
+        packs.push_back(right.create({.precision = precision}));
+        scalar.push_back(right.create({.precision = precision, .pack = 1}));
+    }
     // Fractal by fractal, as devices compile a text for each.
     int done = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const auto count = static_cast<int>(of.size());
         const int scenes = options.scenes / count + (static_cast<int>(i) < options.scenes % count ? 1 : 0);
         for (int number = 0; number < scenes; ++number) {
-            const Scene scene = affordable(*packs, extreme_scene(*of[i], options.seed, number));
+            const Scene scene = affordable(packs, extreme_scene(*of[i], options.seed, number));
             for (std::size_t p = 0; p < std::size(precisions); ++p) {
                 const Drawn expected = drawn(*scalar[p], scene);
                 for (Contestant& contestant : contestants) {
