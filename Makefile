@@ -3,7 +3,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench fuzz intel-opencl lint k40 loop-mix flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
 build: setup
 	@tools/build $(PRESET) all
@@ -23,6 +23,13 @@ LAUNCHES ?= 3
 bench: build
 	@mkdir -p report/results
 	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
+
+# Exact pictures of random scenes at the edges of the format on every backend, bit for bit: some minutes.
+# SCENES=5000, SCENES_SEED=2; the parameter files of scenes that differ come into build/equivalence.
+SCENES ?= 1000
+SCENES_SEED ?= 1
+equivalence: build
+	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
 flythrough: setup
 	@tools/build $(PRESET) flythrough

@@ -67,6 +67,14 @@ expect 2 random --backend nosuch
 expect 2 random --scenes 0
 expect 2 random --sets one
 
+expect 0 equivalence --backend openmp --scenes 6 --json equivalence.json
+grep -q '^openmp  *0 .* float .* 6 ' out || fail "equivalence has no line of six pictures"
+python3 -c 'import json; assert all(s["wrong"] == 0 for s in json.load(open("equivalence.json"))["subjects"])' ||
+    fail "equivalence --json"
+expect 2 equivalence --backend nosuch
+expect 2 equivalence --fractal nosuch
+expect 2 equivalence --scenes 0
+
 expect 2 --nosuch
 expect 2 --size 10
 expect 2 compare a.json

@@ -56,7 +56,7 @@ private:
         std::vector<Real> reals(real_planes * pixels);
         std::vector<int> wholes(whole_planes * pixels);
         kernel(&scene, 0, image.height(), pixels, reals.data(), wholes.data());
-        if (defect_ == Defect::not_a_number) reals[pixels + 30] = std::numeric_limits<Real>::quiet_NaN();
+        if (defect_ == Defect::not_a_number) reals[pixels + pixels / 2] = std::numeric_limits<Real>::quiet_NaN();
         const auto width = static_cast<std::size_t>(image.width());
         if (defect_ != Defect::other_work) {
             add_work(work, planes_of(reals.data(), wholes.data(), pixels, width), image.width(), image.height());

@@ -28,7 +28,7 @@ namespace {
 
 using mandelmarch::drivers::misconduct;
 
-// The next layer's functions, of the one instance and the one device that a program under test has at a time.
+// The next layer's functions, taken from the last instance and the last device: all of a program's have one driver.
 struct Next {
     PFN_vkGetInstanceProcAddr instance_proc = nullptr;
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
@@ -36,16 +36,16 @@ struct Next {
     PFN_vkGetPhysicalDeviceFeatures get_features = nullptr;
     PFN_vkGetPhysicalDeviceProperties get_properties = nullptr;
     PFN_vkGetPhysicalDeviceProperties2 get_properties2 = nullptr;
-    VkDevice device = VK_NULL_HANDLE;
+    PFN_vkAllocateMemory allocate_memory = nullptr;
+    PFN_vkQueueSubmit queue_submit = nullptr;
+    PFN_vkWaitForFences wait_for_fences = nullptr;
+    PFN_vkCreateFence create_fence = nullptr;
+    PFN_vkCreateShaderModule create_shader_module = nullptr;
+    PFN_vkMapMemory map_memory = nullptr;
+    PFN_vkDestroyDevice destroy_device = nullptr;
     int calls = 0;  // of the faulty function
 };
 Next next;
-
-template <class Function>
-Function next_of_device(const char* name)
-{
-    return reinterpret_cast<Function>(next.device_proc(next.device, name));
-}
 
 bool wanted(std::string_view fault)
 {
@@ -98,7 +98,17 @@ VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* crea
     next.device_proc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const VkResult result = next.create_device(physical, create, memory, device);
-    next.device = *device;
+    if (result != VK_SUCCESS) return result;
+    const auto ask = [&](auto& function, const char* name) {
+        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.device_proc(*device, name));
+    };
+    ask(next.allocate_memory, "vkAllocateMemory");
+    ask(next.queue_submit, "vkQueueSubmit");
+    ask(next.wait_for_fences, "vkWaitForFences");
+    ask(next.create_fence, "vkCreateFence");
+    ask(next.create_shader_module, "vkCreateShaderModule");
+    ask(next.map_memory, "vkMapMemory");
+    ask(next.destroy_device, "vkDestroyDevice");
     return result;
 }
 
@@ -134,7 +144,7 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
                          VkDeviceMemory* memory)
 {
     if (strikes("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return next_of_device<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, callbacks, memory);
+    return next.allocate_memory(device, info, callbacks, memory);
 }
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
@@ -142,7 +152,7 @@ VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* in
     // Garbage: nothing is done, and said to be done.
     if (misconduct("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
-    return next_of_device<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
+    return next.queue_submit(queue, count, infos, fence);
 }
 
 VkResult wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
@@ -152,7 +162,7 @@ VkResult wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fe
         std::this_thread::sleep_for(std::chrono::nanoseconds(timeout));
         return VK_TIMEOUT;
     }
-    return next_of_device<PFN_vkWaitForFences>("vkWaitForFences")(device, count, fences, all, timeout);
+    return next.wait_for_fences(device, count, fences, all, timeout);
 }
 
 VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAllocationCallbacks* memory,
@@ -160,20 +170,20 @@ VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAl
 {
     VkFenceCreateInfo misused = *info;
     if (wanted("misuse")) misused.flags |= 0x40000000;
-    return next_of_device<PFN_vkCreateFence>("vkCreateFence")(device, &misused, memory, fence);
+    return next.create_fence(device, &misused, memory, fence);
 }
 
 VkResult map_memory(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
                     VkMemoryMapFlags flags, void** data)
 {
     misconduct("map");
-    return next_of_device<PFN_vkMapMemory>("vkMapMemory")(device, memory, offset, size, flags, data);
+    return next.map_memory(device, memory, offset, size, flags, data);
 }
 
 void destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks)
 {
     misconduct("release");
-    next_of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device, callbacks);
+    next.destroy_device(device, callbacks);
 }
 
 // Divisions of numbers of `bits` bits become products. Numbers of opcodes from the SPIR-V specification, section 3.49.
@@ -201,7 +211,7 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     if (wanted("double_division")) words = without_division(words.data(), words.size(), 64);
     if (misconduct("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.pCode = words.data();
-    return next_of_device<PFN_vkCreateShaderModule>("vkCreateShaderModule")(device, &changed, memory, module);
+    return next.create_shader_module(device, &changed, memory, module);
 }
 
 template <class Function>
