@@ -45,11 +45,17 @@ std::string cache_folder()
     return {};
 }
 
+// A pipe, say, would be waited for.
+bool may_hold_cache(const std::string& path)
+{
+    std::error_code ignored;
+    const auto type = std::filesystem::status(path, ignored).type();
+    return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
+}
+
 // Empty if the file is not there or not whole.
 Bytes read_cache(const std::string& path)
 {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return {};
     std::ifstream file(path, std::ios::binary);
     const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
     FileHeader header{};
@@ -82,7 +88,11 @@ PipelineCache::PipelineCache(const Gpu& gpu, Module module)
         for (const std::uint8_t byte : properties.pipelineCacheUUID) uuid += fmt::format("{:02x}", byte);
         path_ = fmt::format("{}/vulkan-{}-{:08x}-{:016x}.bin", folder, uuid, properties.driverVersion,
                             hash_of(module.data(), module.size_bytes()));
-        known_ = read_cache(path_);
+        if (may_hold_cache(path_)) {
+            known_ = read_cache(path_);
+        } else {
+            path_.clear();
+        }
         if (!is_of(properties, known_)) known_.clear();
     }
     handle_ = attempt(gpu.name(), "opening a pipeline cache", [&] {

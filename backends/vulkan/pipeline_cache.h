@@ -10,8 +10,8 @@
 
 namespace mandelmarch::vulkan {
 
-// A file that is truncated, changed or another driver's is ignored and written anew; a folder that cannot be written
-// means no cache, silently.
+// A file that is truncated, changed or another driver's is ignored and written anew; a folder that cannot be written,
+// or what is no file in its place, means no cache, silently.
 class PipelineCache {
 public:
     PipelineCache(const Gpu& gpu, Module module);

@@ -133,6 +133,11 @@ break_cache flip
 break_cache empty
 break_cache junk
 break_cache rm
+for file in cache/mandelmarch/*.bin; do rm "$file" && mkfifo "$file"; done
+draw bulb again.exr || fail "pipes in place of the cache: $(cat stderr)"
+[ -s stderr ] && fail "pipes in place of the cache: $(cat stderr)"
+same first.exr again.exr
+rm -rf cache
 for folder_for_cache in /dev/null /nowhere/at/all relative ""; do
     MESA_SHADER_CACHE_DISABLE=true XDG_CACHE_HOME=$folder_for_cache HOME=/dev/null draw bulb again.exr ||
         fail "cache in '$folder_for_cache'"
