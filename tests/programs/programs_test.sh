@@ -144,6 +144,79 @@ says 'PNG or EXR'
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size 65535x65535 --output huge.exr
 says 'MiB of memory'
 
+mkdir gone
+(cd gone && rmdir ../gone && "$bin/mandelbulb" "$folder/paramsBulb.dat" $small --output a.bmp 2>"$folder/stderr")
+[ $? = 2 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
+
+# One file for two things.
+cp again.bmp twice.bmp
+ln -s twice.bmp link.bmp
+ln twice.bmp hard.bmp
+cp paramsBulb.dat parameters.bmp
+for pair in "new.bmp ./new.bmp" "twice.bmp link.bmp" "link.bmp hard.bmp"; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output ${pair% *} --stats ${pair#* }
+    says 'the same file'
+done
+expect 2 "$bin/mandelbulb" parameters.bmp $small --output ./parameters.bmp
+expect 2 "$bin/mandelbulb" parameters.bmp $small --output new.bmp --stats parameters.bmp
+expect 2 "$bin/imgdiff" a.bmp link.bmp --map hard.bmp
+expect 2 "$bin/imgdiff" link.bmp a.bmp --map twice.bmp
+expect 0 cmp twice.bmp again.bmp
+expect 0 cmp parameters.bmp paramsBulb.dat
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/null --stats /dev/null
+
+# Notes that cannot be written end nothing; results that cannot be written are a failure.
+awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >warning.dat
+expect 0 "$bin/mandelbulb" warning.dat $small --output kept.bmp
+says 'warning: '
+for where in '2>/dev/full' '2>&-' '2>&1 | true; exit ${PIPESTATUS[0]}'; do
+    rm -f noted.bmp
+    expect 0 bash -c "'$bin/mandelbulb' warning.dat $small --output noted.bmp $where"
+    cmp -s noted.bmp kept.bmp || fail "no picture, or another, with $where"
+    expect 1 bash -c "'$bin/imgdiff' a.bmp odd.bmp $where"
+done
+for command in "imgdiff a.bmp a.bmp" "imgdiff a.bmp a.bmp --json" "imgdiff --help" "mandelbulb --help" \
+    "mandelbulb --list-devices"; do
+    for where in '>/dev/full' '>&-'; do
+        expect 1 bash -c "'$bin'/$command $where"
+        says 'standard output cannot be written'
+        [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $command $where"
+    done
+done
+expect 2 bash -c "'$bin/mandelbulb' paramsBulb.dat $small --output /dev/stdout >&-"
+
+# Names with control characters and long values stay one line, and a short one.
+odd=$'a\n\e[31m'
+cp warning.dat "$odd.dat"
+expect 0 "$bin/mandelbulb" "$odd.dat" $small --output a.png
+[ "$(wc -l <stderr)" = 1 ] || fail "a warning of $(wc -l <stderr) lines"
+expect 2 "$bin/mandelbulb" "$odd.none"
+for ending in bmp png exr; do
+    head -c 300 a.$ending >"$odd.$ending"
+    expect 2 "$bin/imgdiff" "$odd.$ending" a.$ending
+    says '^a\\n\\x1b\[31m'
+done
+cp odd.bmp "$odd.bmp"
+expect 1 "$bin/imgdiff" "$odd.bmp" a.bmp
+[ "$(wc -l <stderr)" = 1 ] || fail "a note of $(wc -l <stderr) lines"
+expect 2 "$bin/mandelbulb" paramsBulb.dat --size "$(head -c 100000 /dev/zero | tr '\0' 7)"
+[ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
+
+# A signal that ends the program amid a picture leaves nothing, and the status is the signal's.
+sed '0,/^[^#]/s/^[^#].*/90 90 90/' paramsBulb.dat >far.dat
+for signal in INT TERM HUP; do
+    env --default-signal=INT,TERM,HUP "$bin/mandelbulb" far.dat --size 3000x3000 --backend openmp --output signal.png \
+        2>stderr &
+    until compgen -G '.mandelmarch-*' >stdout || ! kill -0 $!; do :; done
+    kill -STOP $!
+    compgen -G '.mandelmarch-*' >stdout || fail "no picture was in the making: $(cat stderr)"
+    kill -$signal $!
+    kill -CONT $!
+    wait $! 2>stderr
+    [ $? = $((128 + $(kill -l $signal))) ] || fail "exit code after $signal"
+    [ -z "$(find . -name '.mandelmarch-*' -o -name signal.png)" ] || fail "$signal leaves $(ls -A)"
+done
+
 # Disks that are full, by device and by limit.
 expect 1 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/full
 says 'No space left'
