@@ -77,10 +77,9 @@ test: build python
 # A longer search for inputs that break the readers: make fuzz SECONDS=3600
 SECONDS ?= 600
 fuzz: setup
-	@tools/build asan parameter_file_fuzz bmp_fuzz path_file_fuzz
-	@for name in parameter_file bmp path_file; do \
-	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/tests/$${name}_fuzz $(CURDIR) build/fuzz/$$name $(SECONDS) || exit 1; \
-	done
+	@tools/build asan fuzzers render
+	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
+	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
 
 # The equivalence tests with a second OpenCL CPU device, which this installs (large).
 intel-opencl: build

@@ -1,16 +1,49 @@
 #!/usr/bin/env bash
-# run.sh FUZZER SOURCE CORPUS SECONDS: fuzzes for so long, from the official parameter files, a small picture and a short
-# path.
-set -euo pipefail
-mkdir -p "$3"
-cp "$2"/params*.dat "$3"/
-printf 'BM\x5a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0%032d' 0 >"$3/small.bmp"
-cat >"$3/path.json" <<'END'
+# run.sh BIN SOURCE CORPUS SECONDS FUZZER...: fuzzes for so long each, one on each core at a time, from the official
+# parameter files, small pictures and a short path. Inputs that break one stay in CORPUS/FUZZER.
+set -uo pipefail
+bin=$1
+source=$2
+corpus=$3
+seconds=$4
+shift 4
+seeds=$corpus/seeds
+mkdir -p "$seeds" || exit 1
+cp "$source"/params*.dat "$seeds"/
+for format in bmp png exr; do
+    "$bin/render" --fractal box "$source/paramsBox.dat" --size 5x3 --backend openmp --output "$seeds/small.$format" ||
+        exit 1
+done
+
+cat >"$seeds/path.json" <<'END'
 {"format": "mandelmarch path 1", "fractal": "mandelbulb", "seed": 1, "frames_per_second": 30,
 "scene": {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2},
 "frames": [{"location": [4, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1},
 {"location": [4, 3, 3.5], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1, "detail": -3.5, "shape": [0, 4, 7.5],
 "iterations": 50, "escape": 90, "colouring": 1, "brightness": 2}]}
 END
-cd "$3"
-exec "$1" -max_total_time="$4" -max_len=4096 -timeout=10 -rss_limit_mb=4096 -print_final_stats=1 "$3"
+
+# fuzz NAME
+fuzz() {
+    mkdir -p "$corpus/$1" && cd "$corpus/$1" || return 1
+    "$bin/$1_fuzz" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2560 -print_final_stats=1 . \
+        "$seeds" >"$corpus/$1.log" 2>&1
+}
+
+declare -A running
+for name in "$@"; do
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do sleep 0.2; done
+    fuzz "$name" &
+    running[$name]=$!
+done
+failures=0
+for name in "$@"; do
+    if wait "${running[$name]}"; then
+        echo "$name: $(sed -n 's/stat::number_of_executed_units: *//p' "$corpus/$name.log") inputs"
+    else
+        failures=$((failures + 1))
+        echo "FAILED: $name, in $corpus/$name:"
+        tail -n 60 "$corpus/$name.log"
+    fi
+done
+exit $((failures > 0))

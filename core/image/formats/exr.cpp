@@ -149,17 +149,45 @@ int lines_of_block(Imf::Compression compression)
     }
 }
 
-// Reads the header alone, before OpenEXR takes memory for what it claims. True if the picture has depths.
-bool check_header(MemoryStream& stream, const std::string& name, std::uint64_t file_size)
+constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after the magic number and the version
+
+// Throws where an attribute of the header claims more bytes than the file has: OpenEXR would take the memory.
+void check_attributes(std::span<const std::byte> data)
 {
+    std::size_t at = first_attribute;
+    const auto take = [&](std::size_t size) {
+        if (size > data.size() - at) throw Error("the file ends in its header");
+        at += size;
+        return data.subspan(at - size, size);
+    };
+    const auto skip_text = [&] {
+        const std::size_t start = at;
+        while (take(1)[0] != std::byte{0}) {
+        }
+        return at - start > 1;
+    };
+    while (skip_text()) {  // the attribute's name; an empty one ends the header
+        skip_text();       // its type
+        std::size_t size = 0;
+        const auto bytes = take(4);
+        for (std::size_t i = bytes.size(); i > 0; --i) size = size << 8 | std::to_integer<std::size_t>(bytes[i - 1]);
+        take(size);
+    }
+}
+
+// Reads the header alone, before OpenEXR takes memory for what it claims. True if the picture has depths.
+bool check_header(std::span<const std::byte> data, const std::string& name)
+{
+    MemoryStream stream(data, name);
     constexpr int largest_tile = 4096;  // pixels, both ways
     Imf::Header::setMaxImageSize(max_side, max_side);
     Imf::Header::setMaxTileSize(largest_tile, largest_tile);
-    std::array<char, 8> first{};  // the magic number; flags and version, from the lowest byte up
+    std::array<char, first_attribute> first{};  // the magic number; version and flags, from the lowest byte up
     stream.read(first.data(), first.size());
     int version = 0;
     for (std::size_t i = first.size(); i > 4; --i) version = version << 8 | static_cast<unsigned char>(first.at(i - 1));
     if (Imf::isMultiPart(version) || Imf::isNonImage(version)) throw Error("it has several parts or deep pixels");
+    check_attributes(data);
     Imf::Header header;
     header.readFrom(stream, version);
     header.sanityCheck(Imf::isTiled(version));
@@ -181,11 +209,14 @@ bool check_header(MemoryStream& stream, const std::string& name, std::uint64_t f
         Imf::isTiled(version)
             ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
             : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
+    constexpr std::uint64_t usual_block = 64 << 20;  // bytes; a small picture may have a large block
+    const std::uint64_t most = data.size() * ratio_of(header.compression());
+    if (width > 0 && block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
     const bool depths = header.channels().findChannel("depth") != nullptr;
     check_claim(name, {.width = width,
                        .height = height,
                        .pixel_bits = bits,
-                       .most_bytes = file_size * ratio_of(header.compression()),
+                       .most_bytes = most,
                        .decoder = 3 * block * bytes,  // packed, unpacked and on the way between
                        .layers = depths ? Image::Layers::all : Image::Layers::colours});
     return depths;
@@ -217,9 +248,8 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
 Image decode_exr(std::span<const std::byte> data, const std::string& name)
 {
     try {
+        const bool depths = check_header(data, name);
         MemoryStream stream(data, name);
-        const bool depths = check_header(stream, name, data.size());
-        stream.seekg(0);
         Imf::InputFile input(stream, 0);
         const auto window = input.header().dataWindow();
         Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
