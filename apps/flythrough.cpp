@@ -24,7 +24,7 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr std::size_t long_flight = 100'000;  // frames whose audit takes so long that it is told
+constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
 
 void write_text(const std::string& file, const std::string& text)
 {

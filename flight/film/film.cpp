@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
+#include "core/base/temporary_path.h"
 #include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/mp4.h"
@@ -168,17 +169,12 @@ private:
     template <class Write, class Take>
     void make(const std::string& part, Write write, Take take)
     {
-        try {
-            write(part);
-            if (!whole_mp4(work_.folder() + "/" + part)) {
-                throw Error(
-                    fmt::format("{}/{}: ffmpeg left half a file, is there room on the disk?", work_.folder(), part));
-            }
-            take(part);
-        } catch (...) {
-            work_.discard(part);
-            throw;
+        const TemporaryPath temporary(work_.folder() + "/" + part);
+        write(part);
+        if (!whole_mp4(temporary.path())) {
+            throw Error(fmt::format("{}: ffmpeg left half a file, is there room on the disk?", temporary.path()));
         }
+        take(part);
     }
 
     template <class Write>

@@ -123,12 +123,6 @@ void Workshop::finish(const std::string& part, const std::string& file) const
     if (error) throw Error(fmt::format("{}: cannot be renamed to {}: {}", path, finished, error.message()));
 }
 
-void Workshop::discard(const std::string& part) const
-{
-    std::error_code ignored;
-    fs::remove(folder_ + "/" + part, ignored);
-}
-
 void Workshop::close()
 {
     std::error_code ignored;

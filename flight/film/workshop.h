@@ -37,7 +37,6 @@ public:
     Standing standing(const std::string& file) const;
     // A whole part becomes the finished file, with its note. Throws Error.
     void finish(const std::string& part, const std::string& file) const;
-    void discard(const std::string& part) const;
 
     // The film stands: its parts go.
     void close();

@@ -171,7 +171,7 @@ says '2 of 2 segments'
 # An ffmpeg of our own: with a relative name; and one that waits for a file to be there.
 cat >slow <<'END'
 #!/bin/sh
-case "$*" in *.part-0*) : >begun; while [ ! -e "$GO" ]; do sleep 0.05; done ;; esac
+case "$*" in *.part-0*) : >begun; while [ ! -e "$GO" ] && kill -0 $PPID; do sleep 0.05; done ;; esac
 exec ffmpeg "$@"
 END
 chmod +x slow
@@ -184,13 +184,21 @@ says 'two.mp4: another run'
 wait %1 || fail "a film beside another: $(cat stderr0)"
 same two.mp4 whole.mp4 'beside another'
 
+# Ended by a signal: no part under way stays.
+rm go
+MANDELMARCH_FFMPEG=./slow "$program" render path.json $small --output ended.mp4 2>stderr &
+until ls ended.mp4.parts/*/begun >/dev/null 2>&1; do sleep 0.05; done
+touch "$(ls -d ended.mp4.parts/*/)/.part-000000-$(hostname)-$!.mp4"
+kill -TERM $!
+wait $! && fail "a signal ended nothing"
+ls ended.mp4.parts/*/.[pm]* 2>/dev/null && fail "a signal leaves files"
+
 # One that never answers, at the check and at a segment.
 printf '#!/bin/sh\nexec sleep 100\n' >silent
 chmod +x silent
 export MANDELMARCH_FFMPEG_TIMEOUT=0.5
 MANDELMARCH_FFMPEG=./silent run 1 render path.json $small --output none.mp4
 says 'no answer in 0.5 s'
-rm go
 sed -i 's/sleep 0.05/exec sleep 100/' slow
 MANDELMARCH_FFMPEG=./slow run 1 render path.json $small --output none.mp4
 says 'no answer in 0.5 s'
