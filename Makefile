@@ -1,21 +1,23 @@
-# Thin targets over the CMake presets. `make demo` and `make test` install what is missing on Debian 12.
+# Thin targets over the CMake presets. `make demo`, `make test` and `make setup` install what is missing on Debian 12; all
+# others say what is missing.
 PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
 .PHONY: build mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
-build: setup
+build:
 	@tools/build $(PRESET) all
 	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/flythrough bin/
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
-mandelbulb mandelbox: setup
+mandelbulb mandelbox:
 	@tools/build $(PRESET) $@
 	@cp $(BUILD)/bin/$@ $@
 
 # Draws both official scenes on every backend, proves that they agree and prints the times.
-demo: build
+demo: setup
+	@$(MAKE) --no-print-directory build
 	@bin/demo
 
 # The standard study, by three processes one after the other: some eight minutes. docs/benchmarking.md explains it.
@@ -31,7 +33,7 @@ SCENES_SEED ?= 1
 equivalence: build
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
-flythrough: setup
+flythrough:
 	@tools/build $(PRESET) flythrough
 	@mkdir -p bin && cp $(BUILD)/bin/flythrough bin/
 
@@ -71,12 +73,13 @@ kill-test: flythrough
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 # Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
-test: build python
+test: setup
+	@$(MAKE) --no-print-directory build python
 	ctest --preset $(PRESET)
 
 # A longer search for inputs that break the readers: make fuzz SECONDS=3600
 SECONDS ?= 600
-fuzz: setup
+fuzz:
 	@tools/build asan fuzzers render
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
@@ -85,7 +88,7 @@ fuzz: setup
 intel-opencl: build
 	@tools/intel_opencl $(BUILD)
 
-lint: setup
+lint:
 	@tools/lint
 
 # What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the time of a frame that follows from it.
@@ -119,5 +122,5 @@ clean:
 setup:
 	@tools/setup
 
-python: setup
+python:
 	@tools/python_packages
