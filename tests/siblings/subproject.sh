@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# subproject.sh SOURCE: mandelmarch as a subproject leaves its parent's settings alone. The twin changes one.
+set -uo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+configure() { cmake -G Ninja -S "$1/tests/siblings/subproject" -B "$folder/$2" -DMANDELMARCH_SOURCE="$1" "${@:3}" >"$folder/log" 2>&1; }
+configure "$1" plain || { cat "$folder/log"; exit 1; }
+configure "$1" twin -DTWIN=ON && { echo "the twin is not seen"; exit 1; }
+grep -q "the parent's settings have changed" "$folder/log" || { cat "$folder/log"; exit 1; }
+echo "a parent's settings stay"
