@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 
 #include "backends/openacc/device.h"
 #include "backends/openacc/kernels.h"
 #include "backends/openacc/peak.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
@@ -85,15 +86,15 @@ public:
     {
         const auto width = static_cast<std::size_t>(image.width());
         const std::size_t pixels = width * static_cast<std::size_t>(band.rows);
-        reals_.resize(pixels * real_planes);
-        wholes_.resize(pixels * whole_planes);
         timed(timings_.readback, [&] {
+            reals_.resize(pixels * real_planes);
+            wholes_.resize(pixels * whole_planes);
             reals_on_device_.read_back(reals_.data(), reals_.size() * sizeof(Real));
             wholes_on_device_.read_back(wholes_.data(), wholes_.size() * sizeof(int));
+            const Planes<Real> planes = planes_of(reals_.data(), wholes_.data(), pixels, width);
+            image.store(planes, 0, band.first_row, image.width(), band.rows);
+            add_work(work_, planes, image.width(), band.rows);
         });
-        const Planes<Real> planes = planes_of(reals_.data(), wholes_.data(), pixels, width);
-        image.store(planes, 0, band.first_row, image.width(), band.rows);
-        add_work(work_, planes, image.width(), band.rows);
     }
 
     const Work& work() const { return work_; }
@@ -139,9 +140,11 @@ private:
         timed(report.timings.wall, [&] {
             openacc::use_device(device_, options_.device);
             const Limits limits = limits_for(scene, pixel_bytes<Real>);
-            BandExecutor<Real> executor(scene, options_, limits.pixels_per_band, report.timings);
-            run_schedule(scene, options_.mode, limits, executor, image, progress);
-            report.work = executor.work();
+            std::optional<BandExecutor<Real>> executor;
+            timed(report.timings.upload,
+                  [&] { executor.emplace(scene, options_, limits.pixels_per_band, report.timings); });
+            run_schedule(scene, options_.mode, limits, *executor, image, progress);
+            report.work = executor->work();
         });
         report.timings.context = context_;
         return report;
@@ -190,7 +193,7 @@ public:
                             last == 0 ? "device 0, the host: no NVIDIA GPU is here" : fmt::format("0 to {}", last)));
         }
         const Opened found = opened(options.device);
-        if (!found.device.is_gpu) fmt::print(stderr, "backend openacc: runs on the {}\n", found.device.name);
+        if (!found.device.is_gpu) say("backend openacc: runs on the {}\n", found.device.name);
         return std::make_unique<OpenaccRenderer>(options, found.device, found.seconds);
     }
 

@@ -222,7 +222,7 @@ private:
         try {
             if (first) {
                 executor->warm_up();
-                build_seconds = seconds_since(start);
+                build_seconds = seconds_since(start) - executor->timings.upload;
             }
             run_schedule(scene, options_.mode, {.pixels_per_band = pixels}, *executor, image, progress);
         } catch (const DeviceHung&) {

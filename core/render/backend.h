@@ -55,14 +55,15 @@ struct RendererOptions {
     Techniques techniques = {};
 };
 
-// Seconds, each part apart; `wall` is the whole render() call.
+// Seconds by the host's clock. `build`, `upload`, `kernel` and `readback` are parts of `wall` and apart from each
+// other; what they leave is the schedule's own.
 struct Timings {
-    double context = 0;  // finding and opening the device, in create()
-    double build = 0;    // making the kernel ready, in the first picture of a fractal; 0 after that
-    double upload = 0;
-    double kernel = 0;
-    double readback = 0;
-    double wall = 0;
+    double context = 0;   // finding and opening the device, in create(); no part of wall
+    double build = 0;     // making the kernel ready, in the first picture of a fractal; 0 after that
+    double upload = 0;    // memory on the device, and the scene on its way there; 0 on the host
+    double kernel = 0;    // launching the kernels and waiting for them
+    double readback = 0;  // from the last kernel to the picture in host memory: copying, converting, counting
+    double wall = 0;      // the whole render() call
 };
 
 // Work done for one picture, counted by the kernel itself. 0 where it was not asked for and not counted.

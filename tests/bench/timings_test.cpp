@@ -1,0 +1,50 @@
+// The parts of Timings as core/render/backend.h defines them, by every backend: apart from each other, and within the
+// wall time.
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "bench/views.h"
+#include "core/base/error.h"
+#include "core/render/registry.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double rounding = 1e-6;  // seconds: sums of differences of one clock
+
+TEST(Timings, PartsAreApartAndWithinTheWallTime)
+{
+    const Registry registry = all_backends();
+    int asked = 0;
+    for (const auto& backend : registry.backends()) {
+        const Listing found = listing_of(*backend);
+        for (int device = 0; device < static_cast<int>(found.devices.size()); ++device) {
+            for (const Mode mode : {Mode::exact, Mode::fast}) {
+                for (const char* nickname : {"bulb", "box"}) {
+                    const Scene scene = bench::official_scene_of(nickname, 64, 48);
+                    const Precision precision = backend->name() == "reference" ? Precision::f64 : Precision::f32;
+                    const auto renderer =
+                        backend->create({.device = device, .precision = precision, .mode = mode, .counts = false});
+                    for (const auto layers : {Image::Layers::all, Image::Layers::bytes, Image::Layers::bytes}) {
+                        Image image(scene.width, scene.height, layers);
+                        const Timings t = renderer->render(scene, image).timings;
+                        SCOPED_TRACE(std::string(backend->name()) + " " + std::to_string(device) + " " + nickname);
+                        for (const double part : {t.context, t.build, t.upload, t.readback}) EXPECT_GE(part, 0);
+                        EXPECT_GT(t.kernel, 0);
+                        EXPECT_LE(t.build + t.upload + t.kernel + t.readback, t.wall + rounding);
+                        const bool on_host = backend->name() == "reference" || backend->name() == "openmp";
+                        if (!on_host) {
+                            EXPECT_GT(t.readback, 0);
+                            EXPECT_GT(t.upload, 0);
+                        }
+                    }
+                    ++asked;
+                }
+            }
+        }
+    }
+    EXPECT_GE(asked, 8) << "reference and openmp at least";
+}
+
+}  // namespace
+}  // namespace mandelmarch
