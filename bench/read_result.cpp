@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "bench/report.h"
@@ -253,7 +254,12 @@ Result result_of(const Json& json)
     });
     each_at(json, "counts", [&](const Json& counted) { result.counts.push_back(counted_of(counted)); });
     each_at(json, "stages", [&](const Json& stage) { result.stages.push_back(stage_of(stage)); });
-    each_at(json, "rows", [&](const Json& row) { result.rows.push_back(row_of(row)); });
+    std::set<std::string> names;
+    each_at(json, "rows", [&](const Json& row) {
+        result.rows.push_back(row_of(row));
+        const std::string name = result.rows.back().name();
+        if (!names.insert(name).second) throw InputError(printable(name, 200) + " is there twice");
+    });
     return result;
 }
 

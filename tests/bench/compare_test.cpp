@@ -10,7 +10,6 @@
 #include <random>
 
 #include "bench/figures.h"
-#include "bench/launches.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
@@ -172,10 +171,10 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     after.rows[1].backend = "another";
     after.rows[2].unavailable = "no device";
     const ComparedResults compared = compare_results(before, after);
-    EXPECT_EQ(compared.rows[0].verdict, Verdict::not_compared);
+    EXPECT_EQ(compared.rows[0].verdict, Verdict::lost);
     EXPECT_NE(compared.rows[0].why.find("other settings"), std::string::npos);
     EXPECT_EQ(compared.rows[1].why, "not in the old result");
-    EXPECT_EQ(compared.rows[2].verdict, Verdict::not_compared);
+    EXPECT_EQ(compared.rows[2].verdict, Verdict::lost);
     EXPECT_EQ(compared.rows.back().why, "not in the new result");
     ASSERT_EQ(compared.warnings.size(), 1U);
     EXPECT_NE(compared.warnings[0].find("unseen"), std::string::npos);
@@ -184,26 +183,90 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     EXPECT_THROW(compare_results(before, other), InputError);
 }
 
-TEST(Launches, AreMergedByRow)
+// A regression cannot hide: the old result's row 3 is there, and this is what the new result has in its place.
+Compared third_row_after(const std::function<void(Result&)>& change)
 {
-    std::mt19937_64 random(9);
-    std::vector<Result> results;
-    for (int launch = 0; launch < 3; ++launch) {
-        results.push_back(made_result(random, same, 1));
-        for (Row& row : results.back().rows) {
-            for (Sample& sample : row.samples) sample.launch = launch;
-        }
-        results.back().peaks.push_back({"machine", "openmp", 0, Precision::f64, 100.0 + launch});
+    std::mt19937_64 random(7);
+    const Result before = made_result(random, same);
+    Result after = before;
+    EXPECT_FALSE(compare_results(before, after).regression());
+    change(after);
+    const ComparedResults compared = compare_results(before, after);
+    EXPECT_TRUE(compared.regression());
+    const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Compared::name);
+    if (found == compared.rows.end()) return {};
+    EXPECT_NE(to_console(compared).find(before.rows[3].name()), std::string::npos);
+    return *found;
+}
+
+TEST(Compare, WhatVanishedIsLost)
+{
+    const auto missing = third_row_after([](Result& after) { after.rows.erase(after.rows.begin() + 3); });
+    EXPECT_EQ(missing.verdict, Verdict::lost);
+    EXPECT_EQ(missing.why, "not in the new result");
+    const auto unavailable = third_row_after([](Result& after) { after.rows[3].unavailable = "no device"; });
+    EXPECT_EQ(unavailable.verdict, Verdict::lost);
+    EXPECT_EQ(unavailable.why, "new: unavailable: no device");
+    const auto backend = third_row_after([](Result& after) {
+        Row& row = after.rows[3];
+        row.fractal = "all";
+        row.platform = row.device_name = "";
+        row.unavailable = "no driver";
+        row.samples.clear();
+    });
+    EXPECT_EQ(backend.verdict, Verdict::lost);
+    EXPECT_EQ(backend.why, "new: unavailable: no driver");
+}
+
+TEST(Compare, WhatHasNoTimeIsLost)
+{
+    const auto none = third_row_after([](Result& after) { after.rows[3].samples.clear(); });
+    EXPECT_EQ(none.verdict, Verdict::lost);
+    for (const double seconds : {0.0, -1.0}) {
+        const auto zero = third_row_after([&](Result& after) { after.rows[3].samples[7].kernel = seconds; });
+        EXPECT_EQ(zero.verdict, Verdict::lost);
+        EXPECT_EQ(zero.why, "new: a time is not above 0");
     }
-    results[1].rows[4].failure = "died";
-    const Result all = merged(results);
-    EXPECT_EQ(all.launches, 3);
-    EXPECT_EQ(launch_medians(all.rows[0]).size(), 3U);
-    EXPECT_EQ(all.rows[0].samples.size(), 3U * samples);
-    ASSERT_EQ(all.peaks.size(), 1U);
-    EXPECT_EQ(all.peaks[0].rate, 102);
-    EXPECT_TRUE(all.rows[4].failed());
-    EXPECT_FALSE(all.rows[4].timed());
+    const auto few = third_row_after([](Result& after) { after.rows[3].samples.resize(1); });
+    EXPECT_EQ(few.verdict, Verdict::lost);
+}
+
+TEST(Compare, WhatIsNewIsSaidAndFine)
+{
+    std::mt19937_64 random(7);
+    const Result after = made_result(random, same);
+    Result before = after;
+    before.rows[1].unavailable = "no device";
+    before.rows.erase(before.rows.begin() + 3);
+    const ComparedResults compared = compare_results(before, after);
+    EXPECT_FALSE(compared.regression());
+    EXPECT_EQ(compared.rows[1].verdict, Verdict::added);
+    EXPECT_EQ(compared.rows[3].verdict, Verdict::added);
+    EXPECT_NE(to_console(compared).find("added: not in the old result"), std::string::npos);
+}
+
+TEST(Compare, TheResultsOwnWarningsAreShown)
+{
+    std::mt19937_64 random(7);
+    Result before = made_result(random, same);
+    Result after = before;
+    before.warnings = {"load: 7 threads"};
+    after.warnings = {"frequency:\x1b[2J 1 to 2 MHz"};
+    const std::string text = to_console(compare_results(before, after));
+    EXPECT_NE(text.find("warning: old result: load: 7 threads\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("warning: new result: frequency:\\x1b[2J 1 to 2 MHz\n"), std::string::npos) << text;
+}
+
+// With one launch, too, one disturbed picture does not make a row slower; in a mean of logarithms it does.
+TEST(Compare, OneLaunchIsComparedByMedians)
+{
+    std::mt19937_64 random(7);
+    const Result before = made_result(random, same, 1);
+    Result after = before;
+    after.rows[3].samples[4].kernel *= 1000;
+    const ComparedResults compared = compare_results(before, after);
+    EXPECT_NEAR(compared.rows[3].difference.ratio, 1, 0.02);
+    EXPECT_GT(difference(kernel_times(before.rows[3]), kernel_times(after.rows[3]), margin).ratio, 1.9);
 }
 
 }  // namespace

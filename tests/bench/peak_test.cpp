@@ -18,9 +18,7 @@ constexpr double true_rate = peak_operations_per_round * lanes / seconds_per_rou
 // A device whose runs, counted from 0, are longer by what `disturbance` says. Seconds.
 PeakRun device(const std::function<double(int run)>& disturbance)
 {
-    return [=, run = 0](int rounds) mutable {
-        return start_seconds + rounds * seconds_per_round + disturbance(run++);
-    };
+    return [=, run = 0](int rounds) mutable { return start_seconds + rounds * seconds_per_round + disturbance(run++); };
 }
 
 // Every run among the first 20 disturbed by itself, for the worst of the measured rates.

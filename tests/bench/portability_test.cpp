@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "bench/figures.h"
 
@@ -123,6 +125,35 @@ TEST(Portability, TheIntervalHoldsTheValue)
     const auto found = by_application(portability(results)).at("latest");
     EXPECT_LT(found.application_interval.low, found.application_portability);
     EXPECT_GT(found.application_interval.high, found.application_portability);
+}
+
+// p3-analysis-library takes a line that is not there for "did not run", and stops at an empty cell.
+TEST(Portability, TheCsvHasALineForEachApplicationThatRuns)
+{
+    std::vector<Result> results = example();
+    Row reference = row_of("reference", "A", 9);
+    Row nowhere = row_of("vulkan", "", 1);
+    nowhere.unavailable = "no driver";
+    results[0].rows.push_back(reference);
+    results[0].rows.push_back(nowhere);
+    for (Row& row : results[1].rows) {
+        if (row.backend == "best") row.platform = "B, the second";
+    }
+    std::istringstream csv(to_csv(portability(results)));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line, "problem,application,platform,fom");
+    std::vector<std::string> lines;
+    while (std::getline(csv, line)) lines.push_back(line);
+    EXPECT_EQ(lines.size(), 14U);
+    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,latest,A,400"), lines.end());
+    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,best,\"B, the second\",1000"), lines.end());
+    for (const std::string& one : lines) {
+        EXPECT_EQ(one.find("reference"), std::string::npos);
+        EXPECT_EQ(one.find("vulkan"), std::string::npos);
+        EXPECT_EQ(one.find(",,"), std::string::npos);
+        EXPECT_FALSE(one.ends_with(','));
+    }
 }
 
 }  // namespace

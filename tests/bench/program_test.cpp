@@ -273,7 +273,7 @@ TEST(BenchProgram, AResultIsReadAsItWasWritten)
     EXPECT_THROW(from_json(nlohmann::ordered_json::array(), "file"), InputError);
 }
 
-TEST(BenchProgram, TheCsvHasTheColumnsOfP3Analysis)
+TEST(BenchProgram, TheCsvHasALineARow)
 {
     const Ran ran = run(Defect::hidden, small("exact"));
     std::istringstream csv(to_csv(from_json(ran.json, "file")));

@@ -44,8 +44,63 @@ grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
 
-expect 0 portability a.json b.json
+# A row that is gone is no success.
+python3 - <<'PY'
+import json
+result = json.load(open('even.json'))
+del result['rows'][0]
+json.dump(result, open('gone.json', 'w'))
+PY
+expect 1 compare even.json gone.json
+grep -q LOST out || fail "a row that is gone is not named"
+expect 0 compare gone.json even.json
+
+expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
+grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
+grep -q reference p3.csv && fail "the yardstick is no application"
+cp a.json kept.json
+expect 2 portability a.json --json a.json
+cmp a.json kept.json || fail "portability wrote over what it reads"
+expect 0 csv a.json
+cmp out a.csv || fail "csv makes other lines than --csv"
+
+# What cannot be written is refused before anything is measured; what fails later costs nothing else.
+expect 2 "${quick[@]}" --json nosuch/x.json
+! grep -q proof err || fail "measured for a file that cannot be written"
+expect 2 "${quick[@]}" --json - --csv -
+expect 2 "${quick[@]}" --json - --benchmark_format=csv
+expect 2 "${quick[@]}" --json x.json --csv x.json
+expect 2 "${quick[@]}" --budget nan
+expect 2 "${quick[@]}" --budget inf
+expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
+grep -q '^box' out || fail "no table beside a full disk"
+[ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
+[ "$(grep -c /dev/full err)" = 1 ] || fail "the full disk is not named once"
+# Notes that nobody can read cost nothing; a table that nobody can read is a failure.
+one=("${quick[@]}" --fractal box --mode exact --repetitions 1)
+"$bench" "${one[@]}" --json noted.json >out 2>/dev/full || fail "stderr on a full disk"
+grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
+"$bench" "${one[@]}" --json noted.json >out 2>&- || fail "stderr closed"
+{ "$bench" "${one[@]}" --json noted.json 3>&1 >out 2>&3 3>&-; echo $? >code; } | true
+[ "$(cat code)" = 0 ] || fail "stderr into a pipe that nobody reads"
+code=0
+"$bench" --list >/dev/full 2>err || code=$?
+[ "$code" = 1 ] || fail "--list on a full disk exited with $code"
+# A launch that is killed costs its own samples.
+"$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
+killer=$!
+until victim=$(pgrep -f -- "--launch 1$" -P $killer); do kill -0 $killer || fail "no launch to kill"; sleep 0.01; done
+kill -9 "$victim"
+code=0
+wait $killer || code=$?
+[ "$code" = 1 ] || fail "a killed launch: exit code $code"
+grep -q '^bench: launch 1 ended with 137' err || fail "the killed launch is not named"
+grep -q '"launches": 2' killed.json || fail "the launches that are left"
+grep -q '"launch 1 ended with 137"' killed.json || fail "no warning in the result"
+grep -q '"launch": 2' killed.json || fail "the third launch is lost"
+grep -q '^box' out || fail "no table"
+
 expect 0 --list
 grep -q box-vs-bulb out || fail "--list shows no studies"
 expect 0 --benchmark_list_tests
@@ -85,6 +140,10 @@ grep -q 'version 99' err || fail "the version is not named"
 expect 1 "${quick[@]}" --fractal box --json /dev/full
 echo "not JSON" >bad.json
 expect 2 portability bad.json
+python3 -c 'print("{\"version\": " + 300000 * "[")' >deep.json
+expect 2 compare a.json deep.json
+[ "$(wc -l <err)" = 1 ] || fail "more than a line for brackets that are too deep"
+expect 2 portability deep.json
 
 # The schema, where the pinned Python package is installed (make python).
 python=$source/build/venv/bin/python3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh BIN SOURCE CORPUS SECONDS FUZZER...: fuzzes for so long each, one on each core at a time, from the official
-# parameter files, small pictures and a short path. Inputs that break one stay in CORPUS/FUZZER.
+# parameter files, small pictures, a short path and a small result. Inputs that break one stay in CORPUS/FUZZER.
 set -uo pipefail
 bin=$1
 source=$2
@@ -9,7 +9,7 @@ seconds=$4
 shift 4
 seeds=$corpus/seeds
 mkdir -p "$seeds" || exit 1
-cp "$source"/params*.dat "$seeds"/
+cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$seeds"/
 for format in bmp png exr; do
     "$bin/render" --fractal box "$source/paramsBox.dat" --size 5x3 --backend openmp --output "$seeds/small.$format" ||
         exit 1

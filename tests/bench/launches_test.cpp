@@ -1,0 +1,74 @@
+// Several launches: their samples together, and what is kept where some leave nothing.
+#include "bench/launches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "bench/figures.h"
+#include "core/base/error.h"
+#include "made.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+Result of_launch(int launch)
+{
+    Result result = made_result({made_row("openmp", {0.1, 0.2}), made_row("opencl", {0.3, 0.4})});
+    for (Row& row : result.rows) {
+        for (Sample& sample : row.samples) sample.launch = launch;
+    }
+    result.peaks.push_back({"machine", "openmp", 0, Precision::f64, 100.0 + launch});
+    result.warnings.push_back("noise");
+    return result;
+}
+
+TEST(Launches, AreMergedByRow)
+{
+    std::vector<Result> results{of_launch(0), of_launch(1), of_launch(2)};
+    results[1].rows[1].failure = "died";
+    const Result all = merged(std::move(results));
+    EXPECT_EQ(all.launches, 3);
+    EXPECT_EQ(launch_medians(all.rows[0]).size(), 3U);
+    EXPECT_EQ(all.rows[0].samples.size(), 6U);
+    ASSERT_EQ(all.peaks.size(), 1U);
+    EXPECT_EQ(all.peaks[0].rate, 102);
+    EXPECT_TRUE(all.rows[1].failed());
+    EXPECT_FALSE(all.rows[1].timed());
+}
+
+TEST(Launches, AreAllKept)
+{
+    const Result all = with_further_launches(of_launch(0), 3, of_launch);
+    EXPECT_EQ(all.launches, 3);
+    EXPECT_EQ(all.rows[0].samples.size(), 6U);
+    EXPECT_EQ(all.warnings, (std::vector<std::string>{"noise", "launch 1: noise", "launch 2: noise"}));
+}
+
+TEST(Launches, OneThatLeavesNothingCostsTheOthersNothing)
+{
+    testing::internal::CaptureStderr();
+    const Result all = with_further_launches(of_launch(0), 4, [](int launch) {
+        if (launch == 2) throw Error("ended with 137");
+        return of_launch(launch);
+    });
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(all.launches, 3);
+    EXPECT_EQ(launch_medians(all.rows[0]).size(), 3U);
+    EXPECT_EQ(all.rows[0].samples.back().launch, 3);
+    EXPECT_NE(std::ranges::find(all.warnings, "launch 2 ended with 137"), all.warnings.end());
+    EXPECT_NE(said.find("launch 2 ended with 137"), std::string::npos) << said;
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+}
+
+TEST(Launches, TheFirstIsKeptWhereAllOthersFail)
+{
+    testing::internal::CaptureStderr();
+    const Result all = with_further_launches(of_launch(0), 3, [](int) -> Result { throw Error("ended with 1"); });
+    testing::internal::GetCapturedStderr();
+    EXPECT_EQ(all.launches, 1);
+    EXPECT_EQ(all.rows[0].samples.size(), 2U);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

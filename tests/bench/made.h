@@ -1,0 +1,39 @@
+// A made result: one row that is timed, and an environment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result.h"
+
+namespace mandelmarch::bench {
+
+// Samples in the order given, `each` of them in one launch.
+inline Row made_row(const std::string& backend, const std::vector<double>& seconds, int each = 1000)
+{
+    Row row;
+    row.fractal = "mandelbox";
+    row.precision = Precision::f32;
+    row.backend = backend;
+    row.platform = row.device_name = "machine";
+    row.proof.drawn = row.proof.fine = true;
+    row.setting.width = row.setting.height = 100;
+    for (int i = 0; i < static_cast<int>(seconds.size()); ++i) {
+        const double kernel = seconds[static_cast<std::size_t>(i)];
+        row.samples.push_back(
+            {.launch = i / each, .round = i % each, .kernel = kernel, .wall = 2 * kernel, .readback = kernel / 8});
+    }
+    return row;
+}
+
+inline Result made_result(std::vector<Row> rows, int launches = 1)
+{
+    Result result;
+    result.study = "standard";
+    result.launches = launches;
+    result.environment = nlohmann::ordered_json::object();
+    result.rows = std::move(rows);
+    return result;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,60 @@
+// Outputs: refused before the work, written whatever becomes of the others.
+#include "bench/outputs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+std::string path_of(const std::string& name) { return testing::TempDir() + "outputs_test_" + name; }
+
+std::string text_in(const std::string& path)
+{
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+Outputs outputs_of(const std::vector<std::pair<std::string, std::string>>& named)
+{
+    Outputs outputs;
+    for (const auto& [option, path] : named) outputs.add(option, path, [option] { return "text of " + option; });
+    return outputs;
+}
+
+TEST(Outputs, AreRefusedBeforeTheWork)
+{
+    const std::string file = path_of("one.json");
+    EXPECT_NO_THROW(outputs_of({{"--json", file}, {"--csv", "-"}, {"--benchmark_out", ""}}).check());
+    EXPECT_THROW(outputs_of({{"--json", "/nosuch/x.json"}}).check(), InputError);
+    EXPECT_THROW(outputs_of({{"--json", testing::TempDir()}}).check(), InputError);
+    EXPECT_THROW(outputs_of({{"--json", "-"}, {"--csv", "-"}}).check(), InputError);
+    EXPECT_THROW(outputs_of({{"--json", file}, {"--csv", file}}).check(), InputError);
+    EXPECT_THROW(outputs_of({{"--json", file}}).check({file}), InputError) << "the result that is read";
+}
+
+TEST(Outputs, OneThatFailsCostsTheOthersNothing)
+{
+    const std::string csv = path_of("kept.csv");
+    std::filesystem::remove(csv);
+    const Outputs outputs = outputs_of({{"--json", "/dev/full"}, {"--csv", csv}});
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(outputs.write_files());
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(text_in(csv), "text of --csv");
+    EXPECT_NE(said.find("--json: /dev/full"), std::string::npos) << said;
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+    EXPECT_TRUE(outputs_of({{"--csv", csv}}).write_files());
+    std::filesystem::remove(csv);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

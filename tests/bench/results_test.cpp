@@ -1,0 +1,165 @@
+// Result files: what is read, what is refused, and what Google Benchmark's reporters make of one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "core/base/error.h"
+#include "made.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<double> seven{0.010, 0.013, 0.011, 0.019, 0.012, 0.017, 0.016};
+
+Json whole() { return to_json(made_result({made_row("openmp", seven)})); }
+
+std::string refusal_of(const std::string& text)
+{
+    try {
+        static_cast<void>(parse_result(text, "file.json"));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(to_json(parse_result(text_of(whole()), "file.json")), whole()); }
+
+// Each is one line that names the file, the place and what was given.
+TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
+{
+    const std::vector<std::pair<std::string, std::string>> changes{{"/rows/0/setting/width", "-5"},
+                                                                   {"/rows/0/setting/height", "1e300"},
+                                                                   {"/rows/0/setting/frames", "0.5"},
+                                                                   {"/rows/0/samples/3/kernel", "\"0.1\""},
+                                                                   {"/rows/0/samples/3/kernel", "null"},
+                                                                   {"/rows/0/samples/3/wall", "1e300"},
+                                                                   {"/rows/0/samples/3/launch", "-1"},
+                                                                   {"/rows/0/samples/3", "[]"},
+                                                                   {"/rows/0/samples", "{}"},
+                                                                   {"/rows/0/proof/fine", "1"},
+                                                                   {"/rows/0/proof/pixels", "18446744073709551615"},
+                                                                   {"/rows/0/work/steps", "-1"},
+                                                                   {"/rows/0/precision", "\"half\""},
+                                                                   {"/rows/0/mode", "7"},
+                                                                   {"/rows/0/backend", "null"},
+                                                                   {"/rows/0/operations", "-1"},
+                                                                   {"/launches", "99999999999"},
+                                                                   {"/launches", "true"},
+                                                                   {"/seed", "-1"},
+                                                                   {"/warnings", "[1]"},
+                                                                   {"/environment", "[]"},
+                                                                   {"/version", "\"1\""},
+                                                                   {"/rows", "\"none\""}};
+    for (const auto& [place, value] : changes) {
+        Json json = whole();
+        json[Json::json_pointer(place)] = Json::parse(value);
+        const std::string said = refusal_of(text_of(json));
+        EXPECT_TRUE(said.starts_with("file.json: ")) << place << " " << value << ": " << said;
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    }
+    EXPECT_EQ(refusal_of(text_of(whole())), "");
+    Json json = whole();
+    json["rows"][0]["samples"][3]["kernel"] = "fast";
+    EXPECT_EQ(refusal_of(text_of(json)),
+              "file.json: rows[0]: samples[3]: kernel: \"fast\" given, expected a number from -1000000000 to "
+              "1000000000, expected a result of bench --json");
+}
+
+TEST(ResultFile, BracketsThatAreTooDeepAreRefusedBeforeTheyAreParsed)
+{
+    const std::string deep = "{\"version\": " + std::string(1'000'000, '[');
+    EXPECT_NE(refusal_of(deep).find("nested"), std::string::npos);
+}
+
+TEST(ResultFile, ARowThatIsThereTwiceIsRefused)
+{
+    Json json = whole();
+    json["rows"].push_back(json["rows"][0]);
+    EXPECT_NE(refusal_of(text_of(json)).find("mandelbox/float/exact/openmp/0 is there twice"), std::string::npos);
+}
+
+TEST(ResultFile, ALongTextIsCutInTheMessage)
+{
+    Json json = whole();
+    json["version"] = std::string(5'000'000, 'x');
+    EXPECT_LT(refusal_of(text_of(json)).size(), 300U);
+}
+
+TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
+{
+    Result result = made_result({made_row("openmp", seven)});
+    result.rows[0].driver = "driver \xff 1";
+    EXPECT_EQ(parse_result(text_of(to_json(result)), "file.json").rows[0].samples.size(), seven.size());
+}
+
+// The times of the rows that Google Benchmark prints, medians apart.
+struct Printed {
+    std::vector<double> repetitions;
+    double median = 0;
+};
+
+Printed printed_json(const Result& result)
+{
+    Printed printed;
+    const Json json = Json::parse(to_google_benchmark(result, "json"));
+    for (const Json& row : json["benchmarks"]) {
+        if (row["run_type"] == "aggregate") {
+            printed.median = row["real_time"];
+        } else {
+            printed.repetitions.push_back(row["real_time"]);
+        }
+    }
+    return printed;
+}
+
+Printed printed_csv(const Result& result)
+{
+    Printed printed;
+    std::istringstream lines(to_google_benchmark(result, "csv"));
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("\"mandel")) continue;
+        // name,iterations,real_time
+        const double time = std::stod(line.substr(line.find(',', line.find(',') + 1) + 1));
+        if (line.find("_median\"") != std::string::npos) {
+            printed.median = time;
+        } else {
+            printed.repetitions.push_back(time);
+        }
+    }
+    return printed;
+}
+
+TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
+{
+    const Result result = made_result({made_row("openmp", seven)});
+    for (const Printed& printed : {printed_json(result), printed_csv(result)}) {
+        ASSERT_EQ(printed.repetitions.size(), seven.size());
+        EXPECT_NEAR(printed.repetitions[3], 19, 1e-9) << "ms";
+        EXPECT_NEAR(printed.median, median(printed.repetitions), 1e-9);
+    }
+}
+
+TEST(GoogleBenchmark, AllLaunchesAreRepetitions)
+{
+    const Printed printed = printed_json(made_result({made_row("openmp", seven, 3)}, 3));
+    EXPECT_EQ(printed.repetitions.size(), seven.size());
+    EXPECT_NEAR(printed.median, 13, 1e-9);
+}
+
+TEST(GoogleBenchmark, CountersAreNotDividedByTheRepetitions)
+{
+    const Json json = Json::parse(to_google_benchmark(made_result({made_row("openmp", seven)}), "json"));
+    const Json& aggregate = json["benchmarks"].back();
+    EXPECT_NEAR(aggregate["wall"], 0.026, 1e-12);
+    EXPECT_EQ(aggregate["name"], "mandelbox/float/exact/openmp/0/iterations:1/manual_time_median");
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

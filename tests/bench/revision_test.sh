@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# revision_test.sh CMAKE SOURCE: what makes a build dirty: changed sources, but no results that were measured again.
+set -euo pipefail
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+git init -q
+mkdir -p report/results bench
+echo a >report/results/bench.json
+echo a >bench/source.cpp
+git add .
+git -c user.name=test -c user.email=test@test commit -qm one
+# dirty EXPECTED WHAT
+dirty() {
+    "$1" -DSOURCE="$work" -DOUTPUT="$work/out/revision.h" -P "$2/cmake/Revision.cmake"
+    grep -q "MANDELMARCH_DIRTY $3" out/revision.h || fail "$4: $(cat out/revision.h)"
+}
+dirty "$1" "$2" false "as committed"
+grep -q "$(git rev-parse HEAD)" out/revision.h || fail "not git's revision"
+echo b >report/results/bench.json
+dirty "$1" "$2" false "a result measured again"
+echo b >bench/source.cpp
+dirty "$1" "$2" true "a changed source"
