@@ -26,13 +26,6 @@ using namespace mandelmarch;
 
 constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
 
-void write_text(const std::string& file, const std::string& text)
-{
-    OutputFile output(file);
-    output.write(text.data(), text.size());
-    output.commit();
-}
-
 // The scene whose fractal is flown through: a parameter file, or the fractal's usual one.
 Scene scene_of(const Flythrough& options)
 {
@@ -83,13 +76,13 @@ bool show_audit(const Flythrough& options, const Path& path, double planning)
         print("{}", table_of(path, result));
         flush_stdout();
     }
-    if (!options.json.empty()) write_text(options.json, json_of(path, result));
+    if (!options.json.empty()) write_file(options.json, json_of(path, result));
     return result.promises_kept();
 }
 
 void write_map(const Flythrough& options, const Plan& made)
 {
-    if (!options.map.empty()) write_text(options.map, map_of(made.path, made.balls, made.gates, options.threads));
+    if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
 }
 
 // Before any work: every file that will be written can be, and none of them is another one.
@@ -105,7 +98,7 @@ void check_outputs(const Flythrough& options)
 int plan_command(const Flythrough& options)
 {
     const Plan made = make_plan(options);
-    write_text(options.output, to_text(made.path));
+    write_file(options.output, to_text(made.path));
     write_map(options, made);
     return show_audit(options, made.path, made.seconds) ? exit_fine : exit_failure;
 }
@@ -176,7 +169,7 @@ std::string path_text(const Flythrough& options, const RendererOptions& renderer
     }
     check_pictures(options, renderer, static_cast<std::size_t>(options.frames));
     const Plan made = make_plan(options);
-    if (!options.path.empty()) write_text(options.path, to_text(made.path));
+    if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);
     show_audit(options, made.path, made.seconds);
     return to_text(made.path);
@@ -197,7 +190,7 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
         report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
         report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
     if (!options.summary.empty()) {
-        write_text(options.summary, summary_of(path, backend, film, report, ranks.size()));
+        write_file(options.summary, summary_of(path, backend, film, report, ranks.size()));
     }
     return exit_fine;
 }

@@ -35,10 +35,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
          {{"steps", report.work.steps}, {"de_calls", report.work.estimates}, {"iterations", report.work.iterations}}},
     };
     // A driver's name may be no UTF-8.
-    const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
+    write_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace mandelmarch

@@ -12,18 +12,6 @@
 
 namespace mandelmarch::bench {
 
-void write_text(const std::string& path, const std::string& text)
-{
-    if (path == "-") {
-        print(std::string_view(text));
-        flush_stdout();
-        return;
-    }
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 void Outputs::add(std::string option, std::string path, std::function<std::string()> text)
 {
     if (!path.empty()) outputs_.push_back({std::move(option), std::move(path), std::move(text)});
@@ -70,7 +58,7 @@ bool Outputs::write_files() const
 void Outputs::write_stdout() const
 {
     for (const Output& output : outputs_) {
-        if (output.is_stdout()) write_text(output.path, output.text());
+        if (output.is_stdout()) print(std::string_view(output.text()));
     }
 }
 

@@ -7,9 +7,6 @@
 
 namespace mandelmarch::bench {
 
-// Writes text into a file, whole or not at all, or to standard output where the path is "-". Throws Error.
-void write_text(const std::string& path, const std::string& text);
-
 // Files and standard output ("-"), checked before the work and written after it, each whatever becomes of the others.
 class Outputs {
 public:

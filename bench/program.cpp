@@ -100,7 +100,7 @@ int run(const Registry& registry, const CommandLine& line)
         if (outputs.on_stdout()) {
             say(std::string_view(table));
         } else {
-            write_text("-", table);
+            print(std::string_view(table));
         }
     }
     outputs.write_stdout();
@@ -119,7 +119,7 @@ int peak(const Registry& registry, const CommandLine& line)
         text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device,
                             name_of(p.precision), 1e-9 * p.rate);
     }
-    write_text("-", text);
+    print(std::string_view(text));
     return exit_fine;
 }
 
@@ -134,7 +134,7 @@ int portability_of(const CommandLine& line)
     for (const std::string& file : line.files) results.push_back(read_result(file));
     found = portability(results);
     const bool written = outputs.write_files();
-    if (!outputs.on_stdout()) write_text("-", to_console(found));
+    if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
     outputs.write_stdout();
     return written ? exit_fine : exit_failure;
 }
@@ -149,7 +149,7 @@ int random_scenes(const Registry& registry, const CommandLine& line)
     result = measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
     display.finish();
     const bool written = outputs.write_files();
-    if (!outputs.on_stdout()) write_text("-", to_console(result));
+    if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
     outputs.write_stdout();
     return written && result.held() ? exit_fine : exit_failure;
 }
@@ -157,7 +157,7 @@ int random_scenes(const Registry& registry, const CommandLine& line)
 int compare_files(const std::string& old_file, const std::string& new_file)
 {
     const ComparedResults comparison = compare_results(read_result(old_file), read_result(new_file));
-    write_text("-", to_console(comparison));
+    print(std::string_view(to_console(comparison)));
     return comparison.regression() ? exit_failure : exit_fine;
 }
 
@@ -201,7 +201,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
-        case Command::csv: write_text("-", to_csv(read_result(line.files.at(0)))); return exit_fine;
+        case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
         default: return run(registry, line);
     }
 }

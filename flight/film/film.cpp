@@ -101,9 +101,7 @@ public:
             list = fmt::format("file '{}'\n", title);
         }
         for (std::size_t s = 0; s < work_.segments(); ++s) list += fmt::format("file '{}'\n", work_.segment_file(s));
-        OutputFile file(work_.folder() + "/list.txt");
-        file.write(list.data(), list.size());
-        file.commit();
+        write_file(work_.folder() + "/list.txt", list);
         const auto join_to = [&](const std::string& part) {
             const auto told = run_ffmpeg({"-f",
                                           "concat",

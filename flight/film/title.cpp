@@ -36,13 +36,6 @@ std::string line_filter(const std::string& file, int size, int below_middle)
         font_option(), file, size, below_middle);
 }
 
-void write_text(const std::string& path, const std::string& text)
-{
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 }  // namespace
 
 std::string title_font()
@@ -64,11 +57,11 @@ void write_title(const std::string& folder, const std::string& file, const std::
 {
     std::string filter;
     if (!title.empty()) {
-        write_text(folder + "/title.txt", title);
+        write_file(folder + "/title.txt", title);
         filter = line_filter("title.txt", height / 11, -height / 24);
     }
     if (!authors.empty()) {
-        write_text(folder + "/authors.txt", authors);
+        write_file(folder + "/authors.txt", authors);
         if (!filter.empty()) filter += ',';
         filter += line_filter("authors.txt", height / 28, height / 12);
     }
