@@ -38,7 +38,7 @@ struct Names {
     std::atomic<int> changing = 0;
     std::atomic<bool> ending = false;
 };
-std::atomic<Names*> names = nullptr;
+std::atomic<Names*> names = nullptr;  // NOLINT: see above
 
 void wait_a_millisecond()
 {

@@ -170,6 +170,14 @@ TEST(ExrReading, MorePixelsThanTheFileCanHoldAreRefused)
     }
 }
 
+TEST(ExrReading, AHeaderThatClaimsMoreThanTheFileIsRefused)
+{
+    std::string file = exr({"R", "G", "B"});
+    const std::string name("dataWindow\0box2i", 16);
+    file.at(file.find(name) + name.size() + 4) = '\x7f';  // the highest byte of its size
+    EXPECT_TRUE(holds(refusal(decode_exr, file), "ends in its header"));
+}
+
 // The flattest pictures are not taken for ones that claim too much.
 TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
 {

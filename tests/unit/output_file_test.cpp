@@ -165,6 +165,14 @@ TEST_F(OutputFiles, SignalsThatEndTheProcessLeaveNothing)
     }
 }
 
+// The twin: a signal that nobody can handle does leave the half file.
+TEST_F(OutputFiles, AKilledProcessLeavesItsHalfFile)
+{
+    const auto half = [this] { new OutputFile(path("a")); };
+    EXPECT_TRUE(WIFSIGNALED(end_of(half, SIGKILL)));
+    EXPECT_EQ(entries(folder), 1U);
+}
+
 TEST_F(OutputFiles, WhatIsWholeStaysAfterASignal)
 {
     const int status = end_of([this] { write(path("a"), "text"); }, SIGTERM);

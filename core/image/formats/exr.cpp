@@ -130,7 +130,7 @@ std::uint64_t ratio_of(Imf::Compression compression)
     switch (compression) {
         case Imf::NO_COMPRESSION: return 1;
         case Imf::DWAA_COMPRESSION:
-        case Imf::DWAB_COMPRESSION: return 2 * 64 * deflate_ratio;
+        case Imf::DWAB_COMPRESSION: return deflate_ratio * 2 * 64;
         default: return 2 * deflate_ratio;
     }
 }
@@ -211,7 +211,6 @@ bool check_header(std::span<const std::byte> data, const std::string& name)
             : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
     constexpr std::uint64_t usual_block = 64 << 20;  // bytes; a small picture may have a large block
     const std::uint64_t most = data.size() * ratio_of(header.compression());
-    if (width > 0 && block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
     const bool depths = header.channels().findChannel("depth") != nullptr;
     check_claim(name, {.width = width,
                        .height = height,
@@ -219,6 +218,7 @@ bool check_header(std::span<const std::byte> data, const std::string& name)
                        .most_bytes = most,
                        .decoder = 3 * block * bytes,  // packed, unpacked and on the way between
                        .layers = depths ? Image::Layers::all : Image::Layers::colours});
+    if (block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
     return depths;
 }
 
@@ -226,7 +226,7 @@ bool check_header(std::span<const std::byte> data, const std::string& name)
 
 void write_exr(OutputFile& file, const std::string& path, const Image& image)
 {
-    if (!image.has_values()) throw Error(path + ": an EXR picture needs an image with all layers");
+    if (!image.has_depths()) throw Error(path + ": an EXR picture needs an image with all layers");
     try {
         if (!OutputFile::is_stream(path)) {
             FileStream stream(file, path);
