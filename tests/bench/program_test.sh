@@ -90,7 +90,10 @@ code=0
 # A launch that is killed costs its own samples.
 "$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
 killer=$!
-until victim=$(pgrep -f -- "--launch 1$" -P $killer); do kill -0 $killer || fail "no launch to kill"; sleep 0.01; done
+until victim=$(pgrep -P $killer -f -- '--launch 1$'); do
+    kill -0 $killer 2>/dev/null || fail "no launch to kill"
+    sleep 0.01
+done
 kill -9 "$victim"
 code=0
 wait $killer || code=$?
