@@ -60,7 +60,7 @@ public:
     {
         try {
             if (renderer_ == nullptr) renderer_ = backend_.create(subject_.options);
-            const std::string different = difference(expected, drawn(*renderer_, scene));
+            std::string different = difference(expected, drawn(*renderer_, scene));
             ++subject_.pictures;
             subject_.wrong += different.empty() ? 0 : 1;
             return different;

@@ -27,18 +27,13 @@ using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::
 inline constexpr int group_side = 8;
 enum Stage : int { stage_begin = 1, stage_march = 2, stage_refine = 4, stage_shade = 8 };
 
-// As in kernel.comp. still_marching is of one pass, cut_off of all passes over a band.
-struct Flags {
-    std::int32_t still_marching;
-    std::int32_t cut_off;
-};
-
 // The buffers on the bench. `results` holds, each at a multiple of 256 bytes, which is the largest alignment that a
-// device may ask for: the flags, and the planes of reals and of wholes. `mirror` is the host's copy of it, on devices
-// with memory of their own.
+// device may ask for: the flag of rays still marching, and the planes of reals and of wholes. `mirror` is the host's
+// copy of it, on devices with memory of their own.
 enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
 constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
-inline constexpr vk::DeviceSize reals_at = aligned(sizeof(Flags));
+inline constexpr vk::DeviceSize flag_size = 4;
+inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
 
 // A Ray's size as std430 lays it out: a vec3, four reals and three ints, to a multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
@@ -80,7 +75,6 @@ public:
 
     void run(Entry entry, const Band& band, int steps) override
     {
-        if (entry == Entry::begin || entry == Entry::draw) clear(sizeof(Flags));
         // A ray begins in the pass that first marches it.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
@@ -92,16 +86,18 @@ public:
                            : entry == Entry::refine ? stage_refine
                                                     : stage_shade;
         begins_ = 0;
-        if (entry == Entry::march) clear(sizeof(Flags::still_marching));
+        if ((stages & stage_march) != 0) {
+            gpu_.commands().fillBuffer(*results().handle, 0, flag_size, 0);
+            gpu_.barrier();
+        }
         dispatch(stages, band, steps);
         gpu_.barrier();
     }
 
     bool marching(const Band&) override
     {
-        const std::byte* bytes = fetch(sizeof(Flags), "marching", timings_.kernel);
-        check(bytes);
-        return reinterpret_cast<const Flags*>(bytes)->still_marching != 0;
+        const std::byte* flag = fetch(flag_size, "marching", timings_.kernel);
+        return *reinterpret_cast<const std::int32_t*>(flag) != 0;
     }
 
     void read_back(const Band& band, Image& image) override
@@ -110,10 +106,10 @@ public:
         const auto start = Clock::now();
         double waited = 0;
         const std::byte* bytes = fetch(results().size, "reading back", waited);
-        check(bytes);
         const auto planes = planes_of(reinterpret_cast<const Real*>(bytes + reals_at),
                                       reinterpret_cast<const int*>(bytes + wholes_at(pixels_)), pixels_,
                                       static_cast<std::size_t>(scene_.width));
+        check(planes, band);
         image.store(planes, 0, band.first_row, scene_.width, band.rows);
         add_work(work_, planes, scene_.width, band.rows);
         timings_.readback += seconds_since(start);
@@ -130,17 +126,11 @@ public:
 private:
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
-    // The first bytes of the flags.
-    void clear(vk::DeviceSize size)
+    // Throws Error where a ray did not come to its end: its steps are kernel.comp's cut_off.
+    void check(const Planes<Real>& planes, const Band& band) const
     {
-        gpu_.commands().fillBuffer(*results().handle, 0, size, 0);
-        gpu_.barrier();
-    }
-
-    // Throws Error if an invocation of this band did not run to its end.
-    void check(const std::byte* results) const
-    {
-        if (reinterpret_cast<const Flags*>(results)->cut_off == 0) return;
+        const int* end = planes.steps + planes.stride * static_cast<std::size_t>(band.rows);
+        if (std::all_of(planes.steps, end, [](int steps) { return steps <= max_steps; })) return;
         throw Error(fmt::format(
             "backend vulkan: {}: the device cut a ray off in a loop, expected a device whose loops run to their end",
             gpu_.name()));

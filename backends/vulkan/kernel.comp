@@ -22,11 +22,7 @@ layout(std430, binding = 0) readonly buffer SceneBuffer { Scene whole_scene; };
 layout(std430, binding = 1) buffer RayBuffer { Ray rays[]; };
 layout(std430, binding = 2) writeonly buffer RealBuffer { real reals[]; };
 layout(std430, binding = 3) writeonly buffer WholeBuffer { int wholes[]; };
-layout(std430, binding = 4) writeonly buffer FlagBuffer
-{
-    int still_marching;
-    int cut_off;
-};
+layout(std430, binding = 4) writeonly buffer FlagBuffer { int still_marching; };
 
 layout(push_constant) uniform Pass
 {
@@ -43,14 +39,17 @@ int every_second(int index, int bit)
     return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
 }
 
-// True where the device has cut a loop of this invocation off. lavapipe counts rounds over all loops; when they are used
-// up it leaves the loop that it is in, goes on behind it, and gives every later loop one round only: so this one, which
-// makes two. Its bounds come from a buffer, so that no compiler takes it away.
-bool was_cut_off()
+// The steps of a ray that the device has cut off: more than any makes, so that it marches no more. The host looks for it.
+const int cut_off = 1 << 30;
+
+// `steps`, or cut_off. lavapipe counts rounds over all loops of an invocation; when they are used up it leaves the loop
+// that it is in, goes on behind it, and gives every later loop one round only: so this one, which makes two. Its bounds
+// come from a buffer, so that no compiler takes it away.
+int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;
     while (round < whole_scene.max_steps) round = round + 1;
-    return round < whole_scene.max_steps;
+    return round < whole_scene.max_steps ? cut_off : steps;
 }
 
 void main()
@@ -89,11 +88,11 @@ void main()
         reals[pixel + pass.pixels] = done.colour.y;
         reals[pixel + 2 * pass.pixels] = done.colour.z;
         reals[pixel + 3 * pass.pixels] = done.depth;
-        wholes[pixel] = done.steps;
+        wholes[pixel] = steps_or_cut_off(done.steps);
         wholes[pixel + pass.pixels] = done.estimates;
         wholes[pixel + 2 * pass.pixels] = done.iterations;
     } else {
+        ray.steps = steps_or_cut_off(ray.steps);
         rays[pixel] = ray;
     }
-    if (was_cut_off()) cut_off = 1;
 }

@@ -142,7 +142,7 @@ private:
         session_->bench.program->bind(std::array{
             Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
             Binding{results, reals_at, real_planes * sizeof(Real) * pixels}, Binding{results, wholes_at, wholes_size},
-            Binding{results, 0, sizeof(Flags)}});
+            Binding{results, 0, flag_size}});
     }
 
     RendererOptions options_;
