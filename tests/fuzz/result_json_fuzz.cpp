@@ -1,8 +1,12 @@
 // libFuzzer: any bytes as a result file give a result that is written as it was read, is no regression of itself and
 // has efficiencies from 0 to 1, or an InputError in one line.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "bench/compare.h"
 #include "bench/launches.h"
@@ -21,6 +25,39 @@ void demand(bool held)
 }
 
 bool share(double value) { return value >= 0 && value <= 1; }
+
+// The values of a JSON, nested ones included.
+void collect(nlohmann::ordered_json& json, std::vector<nlohmann::ordered_json*>& values)
+{
+    values.push_back(&json);
+    if (!json.is_structured()) return;
+    for (auto& value : json) collect(value, values);
+}
+
+// What may stand in a value's place.
+constexpr const char* odd[] = {"null",
+                               "true",
+                               "0",
+                               "1",
+                               "-1",
+                               "2",
+                               "7",
+                               "0.5",
+                               "1e-320",
+                               "1e9",
+                               "1e300",
+                               "99999999",
+                               "[]",
+                               "[1]",
+                               "{}",
+                               "\"\"",
+                               "\"float\"",
+                               "\"fast\"",
+                               "\"openmp\"",
+                               "\"reference\"",
+                               "\"all\"",
+                               "9007199254740993",
+                               "18446744073709551615"};
 
 void use(const Result& result)
 {
@@ -43,6 +80,32 @@ void use(const Result& result)
 }
 
 }  // namespace
+
+extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t most);
+
+// Whole results with one value changed or copied: changed bytes alone are seldom a JSON.
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed)
+{
+    std::minstd_rand random(seed);
+    auto json = nlohmann::ordered_json::parse(data, data + size, nullptr, false);
+    if (random() % 4 == 0 || json.is_discarded()) return LLVMFuzzerMutate(data, size, most);
+    std::vector<nlohmann::ordered_json*> values;
+    collect(json, values);
+    const auto any = [&]() -> nlohmann::ordered_json& { return *values[random() % values.size()]; };
+    if (random() % 4 != 0) {
+        any() = nlohmann::ordered_json::parse(odd[random() % std::size(odd)]);
+    } else if (auto& list = any(); list.is_array() && !list.empty()) {
+        const auto first = list.front();
+        list.push_back(first);
+    } else {
+        const auto other = any();
+        list = other;
+    }
+    const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    if (text.size() > most) return LLVMFuzzerMutate(data, size, most);
+    std::copy(text.begin(), text.end(), data);
+    return text.size();
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
