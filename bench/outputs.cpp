@@ -36,6 +36,7 @@ void Outputs::check(const std::vector<std::string>& read) const
         first = &output;
     }
     std::vector<NamedFile> named;
+    named.reserve(read.size());
     for (const std::string& path : read) named.push_back({"the result", path});
     refuse_shared_files(written, named);
 }
