@@ -19,14 +19,14 @@ namespace mandelmarch {
 
 namespace {
 
-// Opens what stands for standard input, output or error where that is closed, or a file would get its number. Writing
-// to standard output stays the error that it would have been.
-void open_standard_descriptors()
+// Opens /dev/null where standard input, output or error is closed, or a file would get its number and what is written
+// there. The wrong way round: reading and writing fail, as before.
+void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
         // The lowest number that is free is this one.
-        static_cast<void>(open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY));
+        static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
 }
 
@@ -47,7 +47,7 @@ double device_timeout()
 
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
 {
-    open_standard_descriptors();
+    hold_standard_descriptors();
     // A reader that goes away and a file size limit become errors of the write that meets them.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
