@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
+.PHONY: build mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
 build:
 	@tools/build $(PRESET) all
@@ -100,6 +100,10 @@ k40: mandelbulb python
 # What the loops of openmp's estimators consist of on this build, and how near the multiply-add peak that lets them come.
 loop-mix: build
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
+
+# The figures of README and docs, from report/results.
+docs-figures:
+	@python3 tools/figures.py README.md docs/*.md
 
 # The report on what report/results has, with the pictures that bin/render draws: report/out. docs/report.md explains it.
 RESULTS ?= report/results

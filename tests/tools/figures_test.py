@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""figures_test.py: marked places of documents are filled from result files, and stale ones are found."""
+import copy
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
+ENVIRONMENT = {"date": "2026-01-02T03:04:05Z", "git": {"revision": "0123456789abcdef", "dirty": False},
+               "cpu": {"model": "A Processor", "cores_usable": 2}}
+
+
+def row(point, seconds):
+    figures = {"kernel_seconds": {"median": seconds, "count": 9, "interval": [seconds, 2 * seconds]},
+               "wall_seconds": {"median": seconds}, "share_of_peak": 0.25, "speed_up": 12.5}
+    return {"fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0, "point": point,
+            "proof": {"level": "perceptual", "fine": True, "yardstick": False, "text": "0.500 % off", "pixels": 200,
+                      "visibly_differing": 1}, "figures": figures}
+
+
+ABLATION = {"environment": ENVIRONMENT, "rows": [row("without=none", 0.02), row("without=hull", 0.03)]}
+WORTH = "It takes <!-- figures: worth hull bulb float -->1.50<!-- end --> times as long.\n"
+TABLE = """<!-- figures: study ablation -->
+| fractal | number | mode | backend | proof | kernel ms | 95 % interval | share of peak | speed-up |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- |
+| mandelbulb | float | fast | openmp | 0.500 % off | 20.00 | [20.00, 40.00] | 25 % | 12.50 |
+| mandelbulb | float | fast | openmp | 0.500 % off | 30.00 | [30.00, 60.00] | 25 % | 12.50 |
+<!-- end -->
+"""
+
+
+class FiguresTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = scratch.name
+        self.results(ABLATION)
+
+    def results(self, data):
+        with open(os.path.join(self.folder, "ablation.json"), "w", encoding="utf-8") as file:
+            json.dump(data, file)
+
+    def figures(self, text, *options):
+        """Exit code, stderr and the document afterwards."""
+        path = os.path.join(self.folder, "page.md")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        done = subprocess.run([sys.executable, os.path.join(TOOLS, "figures.py"), "--results", self.folder, *options, path],
+                              capture_output=True, text=True)
+        with open(path, encoding="utf-8") as file:
+            return done.returncode, done.stderr, file.read()
+
+    def test_a_number_is_filled_in(self):
+        empty = WORTH.replace("1.50", "")
+        self.assertEqual(self.figures(empty), (0, "", WORTH))
+
+    def test_a_table_is_filled_in(self):
+        self.assertEqual(self.figures("<!-- figures: study ablation --><!-- end -->\n"), (0, "", TABLE))
+
+    def test_what_is_fresh_passes_the_check(self):
+        self.assertEqual(self.figures(WORTH + TABLE, "--check"), (0, "", WORTH + TABLE))
+
+    def test_a_changed_document_is_found_and_left_alone(self):
+        stale = "\n\n" + WORTH.replace("1.50", "1.51")
+        code, said, text = self.figures(stale, "--check")
+        self.assertEqual((code, text), (1, stale))
+        self.assertEqual(said.count("\n"), 1)
+        self.assertRegex(said, r"page.md:3: 'worth hull bulb float' is stale: '1.51' stands there, the results say '1.50'")
+
+    def test_a_changed_result_is_found(self):
+        changed = copy.deepcopy(ABLATION)
+        changed["rows"][1]["figures"]["kernel_seconds"]["median"] = 0.04
+        self.results(changed)
+        code, said, _ = self.figures(WORTH + TABLE, "--check")
+        self.assertEqual(code, 1)
+        self.assertEqual(said.count("\n"), 2)  # the number and the table
+        self.assertIn("the results say '2.00'", said)
+        self.assertIn("40.00", said)
+
+    def test_wrong_places_are_one_line(self):
+        for text, message in (
+            ("It takes <!-- figures: worth hull bulb float -->1.50 times.\n", "page.md:1: .* has no <!-- end -->"),
+            ("It takes <!-- figures: wroth hull -->1.50<!-- end -->.\n", "no figure is called 'wroth'"),
+            ("It takes <!-- figures: worth hull -->1.50<!-- end -->.\n", "missing a required argument"),
+            ("It takes <!-- figures: worth cones bulb float --><!-- end -->.\n", "ablation.json has no timed row"),
+            ("It takes <!-- figures: ms nothing bulb float fast --><!-- end -->.\n", "nothing.json: No such file"),
+            ("<!-- figures: worth hull bulb float -->1.50<!-- end --> times.\n", "begins a line"),
+        ):
+            code, said, left = self.figures(text)
+            self.assertEqual((code, said.count("\n"), left), (2, 1, text), said)
+            self.assertRegex(said, message)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,76 @@
+"""Result files as tools/figures.py reads them: rows of bench by what they measure, random scenes, texts."""
+import json
+import os
+
+FRACTALS = {"bulb": "mandelbulb", "box": "mandelbox"}
+
+
+class FigureError(Exception):
+    """What is wrong with a place or a result file, in one line."""
+
+
+class Row:
+    """A timed row of bench."""
+
+    def __init__(self, data):
+        self.data = data
+        self.figures = data["figures"]
+
+    def __getitem__(self, key):
+        return self.data[key]
+
+    @property
+    def kernel_ms(self):
+        return 1e3 * self.figures["kernel_seconds"]["median"]
+
+    @property
+    def wall_ms(self):
+        return 1e3 * self.figures["wall_seconds"]["median"]
+
+    @property
+    def off_percent(self):
+        proof = self.data["proof"]
+        return 100 * proof["visibly_differing"] / proof["pixels"]
+
+
+class Results:
+    """The files of a folder, each read once. Names are paths below it without .json."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.read = {}
+
+    def text(self, name):
+        try:
+            with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+                return file.read()
+        except OSError as error:
+            raise FigureError(f"{name}: {error.strerror}") from None
+
+    def json(self, name):
+        if name not in self.read:
+            try:
+                self.read[name] = json.loads(self.text(name + ".json"))
+            except ValueError as error:
+                raise FigureError(f"{name}.json: no JSON: {error}") from None
+        return self.read[name]
+
+    def rows(self, name):
+        """All timed rows of a study."""
+        return [Row(row) for row in self.json(name)["rows"] if row["figures"] is not None]
+
+    def row(self, name, fractal, precision, mode, *more):
+        """One timed row: fractal (bulb, box), precision, mode, and, in any order, a backend (else openmp) and a point."""
+        point = next((word for word in more if "=" in word), "")
+        backend = next((word for word in more if "=" not in word), "openmp")
+        fractal = FRACTALS.get(fractal, fractal)
+        key = {"fractal": fractal, "precision": precision, "mode": mode, "backend": backend, "point": point, "device": 0}
+        found = [row for row in self.rows(name) if all(row[k] == v for k, v in key.items())]
+        if not found:
+            words = " ".join(filter(None, (fractal, precision, mode, backend, point)))
+            raise FigureError(f"{name}.json has no timed row {words}")
+        return found[0]
+
+    def peak(self, name, precision):
+        """The machine's measured multiply-add peak, in operations a second."""
+        return max(p["operations_per_second"] for p in self.json(name)["peaks"] if p["precision"] == precision)

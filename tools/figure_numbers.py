@@ -1,0 +1,147 @@
+"""Single numbers of the documents, by name. Each takes the results and the words of its place."""
+from figure_data import FRACTALS, FigureError
+
+
+def ms(results, study, *row):
+    """Kernel time of a row, a median in milliseconds."""
+    return f"{results.row(study, *row).kernel_ms:.1f}"
+
+
+def frames(results, study, *row):
+    """Pictures a second, kernel and all else."""
+    return f"{1e3 / results.row(study, *row).wall_ms:.0f}"
+
+
+def ratio(results, study, fractal, precision, mode, point, other):
+    points = [results.row(study, fractal, precision, mode, p).kernel_ms for p in (point, other)]
+    return points[0] / points[1]
+
+
+def times(results, study, fractal, precision, mode, point, other):
+    """Kernel time of openmp's row at `point` over that at `other`."""
+    return f"{ratio(results, study, fractal, precision, mode, point, other):.2f}"
+
+
+def worth(results, technique, fractal, precision):
+    """Kernel time of a fast picture without a technique over the time with all."""
+    return times(results, "ablation", fractal, precision, "fast", f"without={technique}", "without=none")
+
+
+def cost(results, technique, fractal, precision):
+    """What a technique adds to the kernel time of a fast picture, in percent."""
+    return f"{100 * (ratio(results, 'ablation', fractal, precision, 'fast', 'without=none', f'without={technique}') - 1):.0f}"
+
+
+def off(results, study, *row):
+    """Pixels that are visibly off the picture that the row was proven against, in percent."""
+    return f"{results.row(study, *row).off_percent:.1f}"
+
+
+def speed_up(results, study, *row):
+    """Over the reference in exact mode: wall times."""
+    return f"{results.row(study, *row).figures['speed_up']:.0f}"
+
+
+def share(results, study, *row):
+    """Of the measured multiply-add peak, in percent."""
+    return f"{100 * results.row(study, *row).figures['share_of_peak']:.0f}"
+
+
+def peak(results, study, precision):
+    """GFLOP/s."""
+    return f"{results.peak(study, precision) / 1e9:.0f}"
+
+
+def range_of(values, places=1):
+    low, high = (f"{value:.{places}f}" for value in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"
+
+
+def over_openmp(results, study, backend):
+    """Kernel times of a backend over openmp's, the least and the greatest of a study."""
+    found = [row for row in results.rows(study) if row["backend"] == backend]
+    if not found:
+        raise FigureError(f"{study}.json has no rows of {backend}")
+    other = [results.row(study, row["fractal"], row["precision"], row["mode"], *filter(None, [row["point"]]))
+             for row in found]
+    return range_of([a.kernel_ms / b.kernel_ms for a, b in zip(found, other)])
+
+
+def one_register(results):
+    """Kernel times of openmp in packs of one register over those in its widest packs."""
+    ratios = []
+    for fractal in FRACTALS:
+        for precision, pack, widest in (("float", 16, 64), ("double", 8, 32)):
+            ratios.append(ratio(results, "packs", fractal, precision, "exact", f"pack={pack}", f"pack={widest}"))
+    return range_of(ratios)
+
+
+def backends_with_same_bits(results, study):
+    """How many backends draw the bits of the scalar kernel text in all their exact rows."""
+    exact = [row for row in results.json(study)["rows"] if row["mode"] == "exact"]
+    fine = {row["backend"] for row in exact if row["proof"]["level"] == "same bits"}
+    return str(len(fine - {row["backend"] for row in exact if not row["proof"]["fine"]}))
+
+
+def rows_proven(results, study):
+    """How many rows' pictures were compared and found good before they were timed."""
+    rows = results.rows(study)
+    if not all(row["proof"]["fine"] for row in rows):
+        raise FigureError(f"{study}.json has a timed row whose picture is wrong")
+    return str(sum(not row["proof"]["yardstick"] for row in rows))
+
+
+def random_off(results, study, fractal, precision):
+    """Pixels of random scenes that are visibly off the canonical picture, in percent, set by set."""
+    sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
+    return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
+
+
+def far_off(results, study, fractal, precision):
+    """How many random scenes are more than 2 % off."""
+    sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
+    return str(sums["all"]["scenes_far_off"])
+
+
+def audit(results, flight, name):
+    """A row of a flight's audit."""
+    for row in results.json(flight)["rows"]:
+        if row["name"] == name.replace("_", " "):
+            return f"{row['value']:.3g}"
+    raise FigureError(f"{flight}.json has no row '{name}'")
+
+
+def film(results, key):
+    """A whole number of the film's summary."""
+    return f"{results.json('film')[key]:.0f}"
+
+
+def k40(results, fractal, precision, mode):
+    """Milliseconds of a frame of 1920 x 1080 on a Tesla K40, reckoned."""
+    for line in results.text("k40_expected.txt").splitlines():
+        words = line.split()
+        if words[:3] == [FRACTALS[fractal], precision, mode]:
+            return words[-2]
+    raise FigureError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
+
+
+NUMBERS = {
+    "audit": audit,
+    "backends-with-same-bits": backends_with_same_bits,
+    "cost": cost,
+    "far-off": far_off,
+    "film": film,
+    "frames": frames,
+    "k40": k40,
+    "ms": ms,
+    "off": off,
+    "one-register": one_register,
+    "over-openmp": over_openmp,
+    "peak": peak,
+    "random-off": random_off,
+    "rows-proven": rows_proven,
+    "share": share,
+    "speed-up": speed_up,
+    "times": times,
+    "worth": worth,
+}

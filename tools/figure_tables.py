@@ -1,0 +1,186 @@
+"""Tables of the documents, by name. Each takes the results and the words of its place."""
+from figure_data import FRACTALS, FigureError
+from figure_numbers import random_off
+
+# What openmp is to reach in the standard study at 1080 x 1080, as a speed-up over the reference in exact mode.
+AIMS = {
+    ("bulb", "double", "exact"): 30, ("bulb", "float", "exact"): 60,
+    ("bulb", "double", "fast"): 150, ("bulb", "float", "fast"): 420,
+    ("box", "double", "exact"): 12, ("box", "float", "exact"): 30,
+    ("box", "double", "fast"): 60, ("box", "float", "fast"): 180,
+}
+TECHNIQUES = {  # points of the ablation study
+    "hull": "hull", "relax": "over-relaxation", "cones": "cones", "near": "neighbours", "all": "these four together",
+    "trial": "trials", "tail": "tails", "root": "the root refined", "normal": "normals from the gradient",
+}
+SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
+
+
+def table(head, rows):
+    """Markdown."""
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
+
+
+def measured(results, study):
+    """On what a study was measured, when and of which revision."""
+    e = results.json(study)["environment"]
+    dirty = " with changes that no commit has" if e["git"]["dirty"] else ""
+    return (f"Measured on {e['cpu'].get('platform', e['cpu']['model'])}, {e['cpu']['cores_usable']} threads, on "
+            f"{e['date'][:10]}, at revision {e['git']['revision'][:7]}{dirty}: `{study}.json`.")
+
+
+def ratio(results, study, key, backend):
+    try:
+        return f"{results.row(study, *key, backend).kernel_ms / results.row(study, *key).kernel_ms:.1f}"
+    except FigureError:
+        return "-"
+
+
+def targets(results, study):
+    """openmp beside the reference, its aims and the other backends."""
+    head = ["fractal", "number", "mode", "kernel ms", "speed-up", "aim", "share of peak", "opencl / openmp", "vulkan / openmp"]
+    rows = []
+    for (fractal, precision, mode), aim in AIMS.items():
+        key = (fractal, precision, mode)
+        row = results.row(study, *key)
+        rows.append([FRACTALS[fractal], precision, mode, f"{row.kernel_ms:.1f}", f"{row.figures['speed_up']:.1f}", str(aim),
+                     f"{100 * row.figures['share_of_peak']:.0f} %", ratio(results, study, key, "opencl"),
+                     ratio(results, study, key, "vulkan")])
+    return table(head, rows)
+
+
+def instruction_sets(results, *studies):
+    """openmp's speed-ups in several studies, each of which is one instruction set."""
+    names = [results.row(study, "bulb", "float", "fast")["instruction_set"] for study in studies]
+    head = ["fractal", "number", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway's word
+    rows = []
+    for fractal, precision, mode in AIMS:
+        found = [results.row(study, fractal, precision, mode).figures["speed_up"] for study in studies]
+        rows.append([FRACTALS[fractal], precision, mode, *(f"{value:.1f}" for value in found)])
+    return table(head, rows)
+
+
+def ablation(results):
+    """What each technique of fast mode is worth: the kernel time without it over the time with all."""
+    columns = [(fractal, precision) for fractal in FRACTALS for precision in ("double", "float")]
+    rows = []
+    for point, name in TECHNIQUES.items():
+        cells = []
+        for fractal, precision in columns:
+            if point == "normal" and precision == "float":
+                cells.append("-")
+                continue
+            row = results.row("ablation", fractal, precision, "fast", f"without={point}")
+            whole = results.row("ablation", fractal, precision, "fast", "without=none")
+            cells.append(f"{row.kernel_ms / whole.kernel_ms:.2f}" + (f" ({row.off_percent:.1f} % off)" if point == "root" else ""))
+        rows.append([name, *cells])
+    bounds = [results.row("ablation", *column, "fast", "without=none") for column in columns]
+    rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
+                 *(f"{1e3 * row.figures['bound_seconds']:.1f} of {row.kernel_ms:.1f}" for row in bounds)])
+    return table(["without", *(f"{fractal}, {precision}" for fractal, precision in columns)], rows)
+
+
+def growth(results):
+    """What four times the pixels cost in fast mode."""
+    head = ["fractal, number", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step of the whole sweep"]
+    rows = []
+    for fractal in FRACTALS:
+        for precision in ("double", "float"):
+            times = [results.row("resolution_fast", fractal, precision, "fast", f"size={s}x{s}").kernel_ms for s in SIDES]
+            steps = [b / a for a, b in zip(times, times[1:])]
+            mean = (times[-1] / times[0]) ** (1 / len(steps))
+            rows.append([f"{FRACTALS[fractal]}, {precision}", *(f"{step:.2f}" for step in [*steps, mean])])
+    return table(head, rows)
+
+
+def closeups(results):
+    """Close-ups that are all surface beside the official scenes."""
+    columns = [("closeup", "float", "exact"), ("closeup_fast", "double", "fast"), ("closeup_fast", "float", "fast")]
+    rows = []
+    for fractal in FRACTALS:
+        cells = []
+        for study, precision, mode in columns:
+            pair = [results.row(study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
+            cells.append(f"{pair[0].kernel_ms:.1f} ({pair[1].kernel_ms:.1f})")
+        close = results.row("closeup_fast", fractal, "float", "fast", "scene=close")
+        rows.append([FRACTALS[fractal], *cells, f"{close.off_percent:.1f} %"])
+    head = ["kernel ms (the official scene)", *(f"{mode}, {precision}" for _, precision, mode in columns), "fast float is off"]
+    return table(head, rows)
+
+
+def random(results, study):
+    """Fast pictures of random scenes beside the canonical ones."""
+    rows = []
+    for sums in results.json(study)["sums"]:
+        key = (sums["fractal"], sums["precision"])
+        wrong = [s["hit_or_miss_percent"] for s in sums["sets"].values()]
+        every = sums["all"]
+        rows.append([f"{FRACTALS[key[0]]}, {key[1]}", f"{random_off(results, study, *key)} %",
+                     f"{min(wrong):.3f} to {max(wrong):.3f} %", f"{every['scenes_far_off']} of {every['scenes']}",
+                     str(every["of_these_short_of_digits"]), f"{every['worst_off_percent']:.1f} %"])
+    return table(["", "pixels off, by set", "hit or miss, by set", "scenes over 2 %", "of these short of digits", "worst"], rows)
+
+
+def digits(value):
+    """Four of them."""
+    return f"{value:#.4g}".rstrip(".")
+
+
+def row_cells(row):
+    kernel = row.figures["kernel_seconds"]
+    interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
+    share = row.figures["share_of_peak"]
+    up = row.figures["speed_up"]
+    return [row["fractal"], row["precision"], row["mode"], row["backend"], row["proof"]["text"] or row["proof"]["level"],
+            digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", digits(up) if up else "-"]
+
+
+ROW_HEAD = ["fractal", "number", "mode", "backend", "proof", "kernel ms", "95 % interval", "share of peak", "speed-up"]
+
+
+def study(results, name):
+    """All timed rows of a study."""
+    return table(ROW_HEAD, [row_cells(row) for row in results.rows(name)])
+
+
+def four_rows(results, name):
+    """The slowest and the fastest variant of openmp for each fractal."""
+    chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
+    return table(ROW_HEAD, [row_cells(results.row(name, *key)) for key in chosen])
+
+
+def aloud(results, name):
+    """The last of the four rows in words."""
+    row = results.row(name, "box", "float", "fast")
+    low, high = row.figures["kernel_seconds"]["interval"]
+    count = row.figures["kernel_seconds"]["count"]
+    side = row["setting"]
+    return "\n".join([
+        f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {side['width']} x {side['height']} in",
+        f"{row.kernel_ms:.1f} ms, the median of {count} pictures. The true median lies between {1e3 * low:.1f} and {1e3 * high:.1f} ms "
+        "with 95 %",
+        f"confidence. Of the pixels {row.off_percent:.1f} % differ visibly from the reference's canonical picture. The counted operations",
+        f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The reference takes "
+        f"{row.figures['speed_up']:.0f} times as long.",
+    ])
+
+
+def first_lines(results, file, count):
+    """The beginning of a text that a program printed."""
+    return "```text\n" + "\n".join(results.text(file).splitlines()[: int(count)]) + "\n```"
+
+
+TABLES = {
+    "ablation": ablation,
+    "aloud": aloud,
+    "closeups": closeups,
+    "first-lines": first_lines,
+    "four-rows": four_rows,
+    "growth": growth,
+    "instruction-sets": instruction_sets,
+    "measured": measured,
+    "random": random,
+    "study": study,
+    "targets": targets,
+}

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""figures.py [--check] [--results FOLDER] FILE...: fills the marked places of documents from result files.
+
+A place is `<!-- figures: NAME ARGUMENT... -->`, what stands there, `<!-- end -->`, in a line or around lines.
+figure_tables.py and figure_numbers.py have the names. --check writes nothing and fails with one line for each place that is stale.
+Exit codes: 0 fine, 1 stale places, 2 a place or a result file that is wrong."""
+import argparse
+import inspect
+import os
+import re
+import sys
+
+from figure_data import FigureError, Results
+from figure_numbers import NUMBERS
+from figure_tables import TABLES
+from table_file import put_file
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+BEGIN = re.compile(r"<!-- figures: ([^\n]*?) -->")
+END = "<!-- end -->"
+
+
+def wanted(results, words):
+    """What belongs into the place that is called `words`: a table, with its line breaks, or a number in a line."""
+    name, *arguments = words.split()
+    figure = TABLES.get(name) or NUMBERS.get(name)
+    if figure is None:
+        raise FigureError(f"no figure is called '{name}', expected one of {', '.join(sorted({*TABLES, *NUMBERS}))}")
+    try:
+        inspect.signature(figure).bind(results, *arguments)
+    except TypeError as error:
+        raise FigureError(f"'{words}': {error}") from None
+    return f"\n{figure(results, *arguments)}\n" if name in TABLES else figure(results, *arguments)
+
+
+def places(name, text):
+    """(line, words, first, last) of each place's content."""
+    at = 0
+    while begin := BEGIN.search(text, at):
+        line = text.count("\n", 0, begin.start()) + 1
+        end = text.find(END, begin.end())
+        following = BEGIN.search(text, begin.end())
+        if end < 0 or (following and following.start() < end):
+            raise FigureError(f"{name}:{line}: '{begin[1]}' has no {END}")
+        # Where a comment begins a line Markdown takes the whole line for HTML.
+        if text[: begin.start()].rpartition("\n")[2] == "" and begin[1].split()[0] not in TABLES:
+            raise FigureError(f"{name}:{line}: '{begin[1]}' begins a line, expected words before a number")
+        yield line, begin[1], begin.end(), end
+        at = end
+
+
+def fill(name, text, results):
+    """The text with every place filled, and a line about each that was stale."""
+    parts, stale, at = [], [], 0
+    for line, words, first, last in places(name, text):
+        try:
+            content = wanted(results, words)
+        except FigureError as error:
+            raise FigureError(f"{name}:{line}: {error}") from None
+        if content != text[first:last]:
+            stale.append(f"{name}:{line}: '{words}' is stale: {difference(text[first:last], content)}")
+        parts += [text[at:first], content]
+        at = last
+    return "".join([*parts, text[at:]]), stale
+
+
+def difference(old, new):
+    """The first line that differs, in one line."""
+    lines = zip((old + "\n").split("\n"), (new + "\n").split("\n"))
+    a, b = next(((a, b) for a, b in lines if a != b), ("", ""))
+    return f"'{a.strip()}' stands there, the results say '{b.strip()}'"
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--results", default=os.path.join(ROOT, "report", "results"))
+    parser.add_argument("file", nargs="+")
+    args = parser.parse_args(arguments)
+    results = Results(args.results)
+    stale = []
+    for path in args.file:
+        try:
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            filled, found = fill(path, text, results)
+        except OSError as error:
+            sys.exit(fail(f"{path}: {error.strerror}"))
+        except FigureError as error:
+            sys.exit(fail(str(error)))
+        stale += found
+        if filled != text and not args.check:
+            put_file(filled, path)
+    if args.check:
+        for line in stale:
+            print(f"{line}; `make docs-figures` fills it", file=sys.stderr)
+        sys.exit(1 if stale else 0)
+
+
+def fail(message):
+    print(f"figures: {message}", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
