@@ -10,6 +10,7 @@
 #include "core/base/console.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -87,9 +88,13 @@ private:
     std::map<std::pair<std::string_view, Precision>, Image> exact_;
 };
 
-int body(int argc, char**)
+int body(int argc, char** argv)
 {
-    if (argc > 1) throw InputError("demo: it takes no arguments");
+    if (argc == 2 && std::string_view(argv[1]) == "--version") {
+        print("{}\n", version_line("demo"));
+        return exit_fine;
+    }
+    if (argc > 1) throw InputError("demo: it takes no arguments but --version");
     const Registry registry = all_backends(Drivers::isolated);
     print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
     print("{} x {} pixels; fastest of {} pictures; speed-up over reference, exact; openmp 1: the text as scalar C++\n",

@@ -10,6 +10,7 @@
 
 #include "apps/option_values.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/film/encoder.h"
 
@@ -101,11 +102,12 @@ Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
     CLI::App app("flythrough: plans a flight through a fractal, audits it and makes a film of it.");
     Flythrough options;
     Texts texts;
+    app.set_version_flag("--version", version_line("flythrough"));
     add_options(app, options, texts);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        done = app.exit(help);
+    } catch (const CLI::Success& answer) {  // --help, --version
+        done = app.exit(answer);
         return options;
     } catch (const CLI::ParseError& error) {
         throw InputError(fmt::format("flythrough: {} (--help lists the options)", error.what()));

@@ -10,6 +10,7 @@
 #include "core/base/files.h"
 #include "core/base/output_file.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/image/compare.h"
 #include "core/image/image_file.h"
 
@@ -59,6 +60,7 @@ void print_text(const Image& a, const Image& b, const Comparison& c)
 int body(int argc, char** argv)
 {
     CLI::App app("imgdiff: compares two pictures (BMP, PNG, EXR) pixel by pixel.");
+    app.set_version_flag("--version", version_line("imgdiff"));
     std::string first;
     std::string second;
     std::string map;
@@ -72,8 +74,8 @@ int body(int argc, char** argv)
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     try {
         app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        return app.exit(help);
+    } catch (const CLI::Success& answer) {  // --help, --version
+        return app.exit(answer);
     } catch (const CLI::ParseError& error) {
         throw InputError(fmt::format("imgdiff: {} (--help lists the options)", error.what()));
     }

@@ -17,6 +17,7 @@
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/image/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -44,6 +45,7 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
 {
     CLI::App app(fmt::format("{}: draws a ray-marched {} from a parameter file.", program,
                              fractal != nullptr ? fractal : "fractal"));
+    app.set_version_flag("--version", version_line(program));
     Options options;
     std::string device = "0";
     std::string threads = "0";
@@ -80,14 +82,15 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
         "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
         "16384 pixels take {} "
         "MiB "
-        "as BMP or PNG.\nA file that is there is replaced when the new one is whole.\n"
+        "as BMP or PNG.\nAn EXR has the channels R, G, B (as displayed), depth, steps and iterations.\n"
+        "A file that is there is replaced when the new one is whole.\n"
         "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
         fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
     try {
         app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        done = app.exit(help);
+    } catch (const CLI::Success& answer) {  // --help, --version
+        done = app.exit(answer);
         return options;
     } catch (const CLI::ParseError& error) {
         throw InputError(fmt::format("{}: {} (--help lists the options)", program, error.what()));

@@ -1,4 +1,4 @@
-// How this program was built. Generated: flags when configured, the git revision at every build.
+// How this program was built. Generated when the project is configured. core/base/version.h has its version.
 #pragma once
 
 #include <string>
@@ -7,12 +7,9 @@
 namespace mandelmarch::bench {
 
 struct BuildInfo {
-    std::string version;   // of the project
     std::string type;      // CMAKE_BUILD_TYPE
     std::string compiler;  // name and version
     std::string flags;     // of all sources
-    std::string revision;  // git's, "unknown" outside a repository
-    bool dirty = false;    // tracked files outside report/results differed from the revision
 };
 
 BuildInfo build_info();

@@ -7,6 +7,7 @@
 #include "apps/option_values.h"
 #include "bench/study.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
@@ -122,6 +123,7 @@ CommandLine parse_command_line(int argc, char** argv)
     CLI::App app("bench: proves that all backends draw the same picture, then times them.");
     Texts texts;
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.set_version_flag("--version", version_line("bench"));
     add_options(app, line, texts);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
@@ -156,9 +158,9 @@ CommandLine parse_command_line(int argc, char** argv)
     try {
         std::ranges::reverse(words);
         app.parse(words);
-    } catch (const CLI::CallForHelp& help) {
+    } catch (const CLI::Success& answer) {  // --help, --version
         line.command = Command::help;
-        line.exit_code = app.exit(help);
+        line.exit_code = app.exit(answer);
         return line;
     } catch (const CLI::ParseError& error) {
         throw InputError(fmt::format("bench: {} (--help lists the options)", error.what()));

@@ -18,6 +18,7 @@
 #include "bench/build_info.h"
 #include "core/base/cpu.h"
 #include "core/base/memory.h"
+#include "core/base/version.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -177,20 +178,21 @@ Json environment(const Registry& registry)
     utsname system{};
     uname(&system);
     const BuildInfo build = build_info();
-    return {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
-            {"git", {{"revision", build.revision}, {"dirty", build.dirty}}},
-            {"build",
-             {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", build.version}}},
-            {"cpu", cpu()},
-            {"memory", memory()},
-            {"os",
-             {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
-              {"kernel", fmt::format("{} {}", system.sysname, system.release)},
-              {"architecture", system.machine}}},
-            {"backends", backends(registry)},
-            {"icds", icds()},
-            {"variables", variables()}};
+    return {
+        {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                             fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
+        {"git", {{"revision", source_revision()}, {"dirty", sources_changed()}}},
+        {"build",
+         {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", project_version()}}},
+        {"cpu", cpu()},
+        {"memory", memory()},
+        {"os",
+         {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
+          {"kernel", fmt::format("{} {}", system.sysname, system.release)},
+          {"architecture", system.machine}}},
+        {"backends", backends(registry)},
+        {"icds", icds()},
+        {"variables", variables()}};
 }
 
 }  // namespace mandelmarch::bench

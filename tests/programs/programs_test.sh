@@ -86,6 +86,15 @@ expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fa
 grep -q '"stride": 0\.95' stats.json || fail "statistics without the steps"
 grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 
+# Versions: one line, the version that CITATION.cff names, too. A build under a sanitizer has no bench.
+version=$(sed -n 's/^version: //p' "$source/CITATION.cff")
+for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
+    [ -x "$bin/$program" ] || continue
+    expect 0 "$bin/$program" --version
+    [ "$(wc -l <stdout)" = 1 ] && grep -Eqx "$program $version \(([0-9a-f]{40}|unknown)(, changed)?\)" stdout ||
+        fail "$program --version says $(head -c 300 stdout)"
+done
+
 # Backends and devices.
 for backend in openacc opencl vulkan; do
     "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
