@@ -3,14 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 
 namespace mandelmarch::bench {
+
+void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed)
+{
+    namespace fs = std::filesystem;
+    if (!sources_changed) return;
+    std::error_code error;
+    const fs::path folder = fs::weakly_canonical(results, error);
+    const fs::path file = fs::weakly_canonical(end_of_links(path), error);
+    if (error || std::ranges::mismatch(folder, file).in1 != folder.end()) return;
+    throw InputError(path + ": bench was built of sources that no commit has, expected a file outside report/results");
+}
 
 void Outputs::add(std::string option, std::string path, std::function<std::string()> text)
 {
@@ -26,6 +39,7 @@ void Outputs::check(const std::vector<std::string>& read) const
     for (const Output& output : outputs_) {
         if (!output.is_stdout()) {
             OutputFile::check(output.path);
+            refuse_kept_result(output.path, MANDELMARCH_RESULTS, sources_changed());
             written.push_back({output.option, output.path});
             continue;
         }

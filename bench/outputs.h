@@ -7,6 +7,10 @@
 
 namespace mandelmarch::bench {
 
+// Throws InputError where `path` lies in the folder of the results that the project keeps and the program's sources
+// have changes that no commit has: such a result could not be made again.
+void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
+
 // Files and standard output ("-"), checked before the work and written after it, each whatever becomes of the others.
 class Outputs {
 public:

@@ -41,6 +41,31 @@ TEST(Outputs, AreRefusedBeforeTheWork)
     EXPECT_THROW(outputs_of({{"--json", file}}).check({file}), InputError) << "the result that is read";
 }
 
+TEST(Outputs, KeptResultsAreOfCommittedSources)
+{
+    namespace fs = std::filesystem;
+    const std::string kept = path_of("kept");
+    fs::create_directories(kept + "/machine");
+    EXPECT_THROW(refuse_kept_result(kept + "/a.json", kept, true), InputError);
+    EXPECT_THROW(refuse_kept_result(kept + "/machine/../machine/a.json", kept, true), InputError);
+    EXPECT_NO_THROW(refuse_kept_result(kept + "/a.json", kept, false)) << "nothing has changed";
+    EXPECT_NO_THROW(refuse_kept_result(kept + "_elsewhere/a.json", kept, true)) << "a folder with a longer name";
+    fs::remove_all(kept);
+}
+
+TEST(Outputs, ALinkToAKeptResultIsOne)
+{
+    namespace fs = std::filesystem;
+    const std::string kept = path_of("kept");
+    const std::string link = path_of("link.json");
+    fs::create_directories(kept);
+    fs::remove(link);
+    fs::create_symlink(kept + "/a.json", link);
+    EXPECT_THROW(refuse_kept_result(link, kept, true), InputError);
+    fs::remove(link);
+    fs::remove_all(kept);
+}
+
 TEST(Outputs, OneThatFailsCostsTheOthersNothing)
 {
     const std::string csv = path_of("kept.csv");

@@ -16,6 +16,12 @@ expect() {
 }
 quick=(--backend openmp --size 64x64 --precision float --repetitions 6)
 
+# A result that the project keeps is of committed sources.
+if "$bench" --version | grep -q changed; then
+    expect 2 "${quick[@]}" --json "$source/report/results/of-no-commit.json"
+    [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
+fi
+
 expect 0 "${quick[@]}" --json a.json --csv a.csv --launches 3
 grep -q '^openmp\|^bulb' out || fail "no table"
 grep -q '"launches": 3' a.json || fail "three launches are not in the result"
