@@ -37,7 +37,7 @@ std::vector<View> views_of(std::string_view nickname, int width, int height)
     views[3].scene.detail = -2;
     // All surface, chosen by hand by the iterations of fast mode at 270 x 270: of 300 random places right before the
     // surface and away from the poles the dearest (bulb); of 600 the dearest in which float and double agree (box). Why
-    // not every place will do: docs/design.md, "The canonical hit".
+    // not every place will do: docs/fast-mode.md, "What fast mode misses".
     if (nickname == "bulb")
         look_from(views[4].scene, {-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952});
     if (nickname == "box")

@@ -22,7 +22,7 @@ namespace pools {
 
 #ifndef MANDELMARCH_ONE_WIDTH
 // Four registers hide the arithmetic's latency, at the price of some spilled values. In fast mode an iteration of the
-// Mandelbulb takes long enough for three, which spill less (docs/performance.md).
+// Mandelbulb takes long enough for three, which spill less (docs/notes/experiments.md).
 #if MM_FAST && defined(MM_FRACTAL_mandelbulb) && HWY_TARGET <= HWY_AVX3
 #define MM_REGISTERS 3
 #else

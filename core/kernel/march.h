@@ -55,7 +55,7 @@ FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), r
 // The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
 // slope) is where the spheres of a step's ends just touch (Ban and Valasek, "Automatic step size relaxation in sphere
 // tracing", Eurographics 2023); somewhat less misses less. Where DE is little more than the tolerance a dip below it is
-// most easily stepped over: short steps there (docs/performance.md, "Fewer steps", for both constants).
+// most easily stepped over: short steps there (docs/fast-mode.md, "Steps").
 FN real relaxed(Scene scene, Ray ray)
 {
     real way = ray.last_t - ray.before_t;
@@ -119,7 +119,7 @@ FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end &&
 // Pixels of a lattice can be drawn before those between them, and leave for these where they hit: t, or all_clear()
 // where a ray missed with room on all sides, else 0. `first` and `last` are the least and greatest of four around a
 // pixel: its ray begins before all of their hits, by a tolerance and a quarter of how far they lie apart; beyond the
-// scene where all are clear; else as if it were alone. (Something thin may stand between them: docs/performance.md. For
+// scene where all are clear; else as if it were alone. (Something thin may stand between them: docs/fast-mode.md. For
 // fast mode.)
 FN real all_clear() { return -1; }
 FN real start_between(Scene scene, real first, real last)

@@ -13,7 +13,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double relaxation = 1.7;  // in fast mode: core/kernel/march.h, relaxed(); docs/performance.md
+constexpr double relaxation = 1.7;  // in fast mode: core/kernel/march.h, relaxed(); docs/fast-mode.md
 
 constexpr double any_root = 1e9;  // a share of the tolerance that every sample keeps
 

@@ -9,7 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-// docs/performance.md, "Random scenes", for these constants.
+// docs/notes/experiments.md, "Trials", for these constants.
 constexpr double trial_pixels = 1024;
 constexpr double most_off = 0.015;   // of its pixels, visibly: what is less is 2 % of the picture's at most, mostly
 constexpr double converging = 0.75;  // of the share before

@@ -1,5 +1,6 @@
-// Fast mode's steps pass through the surface where the estimate is too large or jumps (docs/design.md). How often they
-// do in a scene a trial tells: the scene in about a thousand pixels, with those steps and with shorter ones.
+// Fast mode's steps pass through the surface where the estimate is too large or jumps (docs/fast-mode.md). A trial
+// measures how often that happens: it draws the scene in about a thousand pixels, with those steps and with shorter
+// ones.
 #pragma once
 
 #include <functional>

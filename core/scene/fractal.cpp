@@ -85,7 +85,7 @@ double julia_growth(const Scene&) { return 2; }
 
 double any_stride(const Scene&) { return default_stride; }
 
-// At low powers longer steps miss more of what is thin: docs/performance.md.
+// At low powers longer steps miss more of what is thin: docs/notes/experiments.md.
 double bulb_fast_stride(const Scene& scene) { return scene.shape[2] < 4.5 ? bulb_low_power_stride : default_stride; }
 
 double bulb_growth(const Scene& scene) { return scene.shape[2]; }
