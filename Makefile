@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Thin targets over the CMake presets. `make demo`, `make test` and `make setup` install what is missing on Debian 12; all
 # others say what is missing.
 PRESET ?= release

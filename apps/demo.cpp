@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demo: draws both official scenes on every backend, in both precisions and modes, proves that the pictures agree and
 // prints a table of times. Exit code 1 where a picture fails.
 #include <fmt/format.h>

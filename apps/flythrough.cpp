@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // flythrough: plans a flight through a fractal, audits it and makes a film of it.
 #include <sys/stat.h>
 #include <unistd.h>

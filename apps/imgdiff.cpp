@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // imgdiff A B: how much two pictures differ. Exit code 0: same, 1: different.
 #include <fmt/format.h>
 

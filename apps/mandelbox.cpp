@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "apps/renderer_app.h"
 #include "core/base/error.h"
 

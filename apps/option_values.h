@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of command line options. Each throws InputError, which names the option, what was given and what is expected.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What mandelbulb, mandelbox and render share: options, parameter file, picture, statistics.
 #pragma once
 

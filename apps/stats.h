@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // --stats: what really ran, how long it took and what work it did, as JSON.
 #pragma once
 

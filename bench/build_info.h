@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How this program was built. Generated when the project is configured. core/base/version.h has its version.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // bench compare: two results, row by row.
 #pragma once
 

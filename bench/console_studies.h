@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The console's tables of single studies, and how numbers are printed. Internal to the console reporter.
 #pragma once
 

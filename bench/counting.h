@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a picture costs in operations, counted by compiling the kernel text with a number that counts
 // (core/kernel/prelude/counting.h) and drawing pixels with it, apart from anything that is timed.
 #pragma once

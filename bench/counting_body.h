@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pack that counts, over the text in one precision. Included in a namespace of its own; no guard.
 
 // Runs `work` and adds what it cost to a stage.

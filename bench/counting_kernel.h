@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Between counting.cpp and the kernel text that counts. Internal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What differs between the machines, builds and drivers that two results come from.
 #pragma once
 

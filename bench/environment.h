@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a result comes from: the program, the machine, the drivers, the date.
 #pragma once
 

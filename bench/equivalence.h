@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `bench equivalence`: exact pictures of extreme scenes by every backend, device and pack width, bit for bit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Processor time of this program and of the processes that it has started.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several launches: the study run by fresh processes of this program, their samples put together.
 #pragma once
 

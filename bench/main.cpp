@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // bench: proves that every backend draws the same picture, then times them.
 #include "backends/all.h"
 #include "bench/program.h"

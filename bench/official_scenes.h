@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The official parameter files, embedded, so that the program runs anywhere. Generated from params*.dat.
 #pragma once
 

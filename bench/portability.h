@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Performance portability: the metric of Pennycook, Sewall and Lee ("A Metric for Performance Portability", PMBS 2016;
 // "Implications of a metric for performance portability", Future Generation Computer Systems 92, 2019).
 //

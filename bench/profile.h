@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a picture's time goes: openmp's scheduler with a clock between its stages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program `bench`, on whatever backends it is given: tests give it broken ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Proof before timing: what a row draws, compared with what it should draw.
 #pragma once
 

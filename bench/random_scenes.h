@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `bench random`: how near fast mode's pictures of random scenes come to reference's canonical ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reporters: one file for each form that a result takes.
 #pragma once
 

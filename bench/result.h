@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a study found: plain data, as the reporters take it and the JSON file keeps it.
 #pragma once
 

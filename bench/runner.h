@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The timed rounds: what is drawn when, and its times as the backends report them.
 //
 // A round draws every row that still needs samples, in an order that is shuffled anew for each round, so that a

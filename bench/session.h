@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole study: plan, proof, counting, peaks, timed rounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // openmp's scheduler with a clock between its stages. Plain data: it is shared with translation units that are compiled
 // for one instruction set. Internal to the profile.
 #pragma once

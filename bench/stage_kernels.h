@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the stages of a fractal. stage_kernels.cpp is generated.
 #pragma once
 

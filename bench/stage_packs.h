@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body of every stages_*.cpp: included once per instruction set by Highway's foreach_target.h. No include guard.
 
 #include "core/kernel/prelude/vectorless.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The statistics of the harness, each explained where it is computed (statistics.cpp) and in docs/benchmarking.md.
 #pragma once
 

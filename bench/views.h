@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes that are measured: the official ones and others.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The kernel text for languages whose compilers know no files: one string, every #include replaced by what it names.
 # The report's viewer includes this file in a script (cmake -P), where nothing is configured again.
 if(NOT CMAKE_SCRIPT_MODE_FILE)

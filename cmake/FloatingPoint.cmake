@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The floating-point policy, for every backend. docs/floating-point.md explains it.
 #   exact  IEEE operations one by one: no contraction to fused multiply-add, no reassociation.
 #   fast   contraction allowed; still no reassociation and no flush to zero.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The kernel text is compiled once per fractal, precision and mode: this file knows the lists and generates the sources.
 
 # A fractal is a file in core/kernel/fractals.

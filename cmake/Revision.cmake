@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Run at every build (cmake -P): the git revision and whether tracked files differ from it, into OUTPUT, touched only when
 # it changes. Result files (report/results) are no part of the program: measuring again does not make it dirty. Wants
 # SOURCE and OUTPUT.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # MANDELMARCH_SANITIZER=address|thread, for every target.
 if(MANDELMARCH_SANITIZER STREQUAL "address")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

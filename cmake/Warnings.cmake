@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Warnings for the project's own targets.
 add_library(mandelmarch_warnings INTERFACE)
 target_compile_options(mandelmarch_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor

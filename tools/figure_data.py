@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Result files as tools/figures.py reads them: rows of bench by what they measure, random scenes, texts."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Single numbers of the documents, by name. Each takes the results and the words of its place."""
 from figure_data import FRACTALS, FigureError
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """figures.py [--check] [--results FOLDER] FILE...: fills the marked places of documents from result files.
 
 A place is `<!-- figures: NAME ARGUMENT... -->`, what stands there, `<!-- end -->`, in a line or around lines.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """flight_overhead.py FLYTHROUGH FOLDER: what a segment costs beside its drawing. Makes films so small that drawing is
 next to nothing, of 10 and of 40 segments, in one process and, where mpirun is there, on 1, 2 and 4 ranks; the difference
 over 30 is the cost of a segment, the start of the program left out. Writes FOLDER/flight_overhead.txt."""

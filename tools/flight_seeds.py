@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """flight_seeds.py FLYTHROUGH FOLDER [SEEDS]: plans a full film for each seed and fractal and writes FOLDER/flight_seeds.txt,
 a table of every audited row beside its bar, and the audit and map of seed 1. Exit code 1 where a promise is broken."""
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """k40.py PROGRAM [--table FILE]: the OpenACC kernels' PTX in a built program: what it may hold, and what NVIDIA's assembler
 makes of it: registers, spills, and how many threads of the Tesla K40 they leave running."""
 import argparse

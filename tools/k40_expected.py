@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """k40_expected.py PROGRAM ROWS.json LANES.json [--table FILE]: the time that a frame of 1920 x 1080 should take on a Tesla K40,
 from its data sheet, the operations that bench counted for that size (ROWS), the lanes it found active (LANES, of the study
 box-vs-bulb) and the code that NVIDIA's assembler makes of the built program for sm_35."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """loop_mix.py FOLDER [--table FILE]: what the loop of the estimators consists of in AVX-512 packs, fast mode. FOLDER has openmp's object files. Counts the instructions of one iteration by what they do, and how near the
 multiply-add peak they can come: a processor with two 512-bit ports starts two of them a cycle, of any kind."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How the tools here hand over a text: in a file that is whole or not there, and printed."""
 import os
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenACC run-time library's devices and memory.
 #pragma once
 

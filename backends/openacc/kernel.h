@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body of every kernel.cpp: two OpenACC kernels over a job's pixels. No include guard: each includes it once.
 //
 // Registers decide how many threads a GPU can hold, so they are kept low: what a thread needs for a moment only it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels: the text compiled for one fractal, precision and mode. kernels.cpp is generated from those lists.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenACC backend: the kernel text on NVIDIA GPUs, and on one thread of the host where there is none.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenCL C++ bindings as this backend uses them: version 1.2, errors as exceptions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenCL's devices, over all platforms, and what they can do.
 #pragma once
 

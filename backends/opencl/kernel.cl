@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel of the OpenCL backend: a work item draws MM_LANES pixels, a rectangle of pixels as square as they allow.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/text.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenCL backend: the kernel text on any OpenCL 1.2 device, in vectors where the device computes in vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak: every work item runs the chains of core/kernel/peak.h on MM_LANES lanes.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/peak.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak of an OpenCL device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "backends/opencl/pocl_cache.h"
 
 #include <fmt/format.h>

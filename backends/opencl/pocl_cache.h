@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PoCL, the OpenCL driver for CPUs, keeps what it has compiled in a folder, without which it does not work.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws pictures on one OpenCL device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text as OpenCL C. texts.cpp is generated from the list of fractals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays begin: those of some tiles, after the cones of their blocks. Included by pool.h, in its namespace; no guard.
 
 // Where cones of blocks end, to Canvas::starts, for the first call of a picture; and paints the blocks where no ray

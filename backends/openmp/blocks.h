@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks of pixels whose rays begin together. Included by pool.h, in its namespace; no guard.
 
 constexpr int block_pixels = block_side * block_side;

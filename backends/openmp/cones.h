@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cones before rays: how far the rays of a block can go together, Included by pool.h, in its
 // namespace; no guard.
 

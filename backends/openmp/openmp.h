@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The OpenMP backend: the kernel text on all cores of this machine, one pixel or a pack of pixels at once on each.
 #pragma once
 

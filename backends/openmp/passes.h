@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is done to all rays of a pool: marching, refining, shading. Included by pool.h, in its namespace; no guard.
 
 // Empty pools. A look at a hit, and differences, take samples of their own, which want wide packs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak of this machine's cores, in SIMD registers.
 #pragma once
 

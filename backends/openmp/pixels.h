@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finished pixels, from packs to the canvas. Included by samples.h, in its namespace; no guard.
 
 // The lanes that are on, without gaps.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scheduler around the text that keeps lanes busy. Included in a namespace of its own, with MM_REGISTERS 1; no
 // guard.
 //

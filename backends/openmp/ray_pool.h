@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays that wait for a step, structure of arrays. Plain data: code of several pack widths works on it.
 #pragma once
 

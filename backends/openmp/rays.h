@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packs of rays to and from pools. Included by samples.h, in its namespace; no guard.
 
 using Pool = RayPool<MM_REAL>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What pools ask of a pack width: samples, and finished pixels. Included in a namespace of its own, with MM_REGISTERS,
 // the registers of a pack; no guard.
 #include "core/kernel/prelude/pack.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays begin together at the sites of a square. Included by pool.h, in its namespace; no guard.
 
 // Pixels of a square, `across` x `across` of them, `apart` from each other.

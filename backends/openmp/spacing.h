@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far apart the rays of a picture are, and what follows: whether blocks begin with cones, how far around the hull
 // they ask, and in which lattices pixels are drawn.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What threads need to draw tiles: memory of their own, and a queue.
 #pragma once
 

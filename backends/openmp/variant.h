@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A variant: the kernel text compiled for one fractal, precision, mode, instruction set and pack width. Plain data: it
 // is shared with translation units that are compiled for one instruction set.
 #pragma once

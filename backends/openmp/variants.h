@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds variants. variants.cpp is generated from the lists of fractals, precisions and modes.
 #pragma once
 

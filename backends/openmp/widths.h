@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text in packs of one register, with the pools, and in packs of four. Included for each instruction set, in
 // a namespace of its own, with MM_COUNTED, 1 or 0: whether work is counted; no guard.
 namespace hn = hwy::HWY_NAMESPACE;

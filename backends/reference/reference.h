@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reference backend: a plain serial renderer in double, trigonometric Mandelbulb and all, which shares no formula
 // with the kernel text. It is the yardstick of every other picture, and of every speed.
 #pragma once

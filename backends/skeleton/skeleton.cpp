@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "backends/skeleton/skeleton.h"
 
 #include <fmt/format.h>

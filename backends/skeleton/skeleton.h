@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A backend to copy, as small as one can be: the kernel text as scalar C++ on one thread. docs/add-a-backend.md.
 #pragma once
 

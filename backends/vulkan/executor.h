@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schedule's passes on a device: the buffers' layout, the device's limits, and one band's work.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One opened device: its queue, its memory, and waiting for it.
 #pragma once
 

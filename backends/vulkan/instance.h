@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Vulkan loader, its devices, and how its failures are told.
 #pragma once
 

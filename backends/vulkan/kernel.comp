@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text as a compute shader: one invocation a pixel, a pass's stages chosen by a specialization constant.
 #version 460
 #include "core/kernel/prelude/glsl.h"

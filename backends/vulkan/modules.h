@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SPIR-V modules that the build made. Names: FRACTAL_PRECISION_MODE and probe_PRECISION, the float ones of exact
 // mode also with _pinned (core/kernel/prelude/glsl.h says what that is).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak: every invocation runs the chains of core/kernel/peak.h.
 #version 460
 #include "core/kernel/prelude/glsl.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a driver made of a module, kept for the next run in $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words quotient and root by themselves: the host compares them with IEEE's results.
 #version 460
 #include "core/kernel/prelude/glsl.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a device divides and takes roots as IEEE 754 says: Vulkan lets both be off by 2.5 units in the last place.
 #pragma once
 

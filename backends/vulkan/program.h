@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A module on a device: its pipelines, made when first asked for, and the buffers that they work on.
 #pragma once
 

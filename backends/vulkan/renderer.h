@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws scenes on one Vulkan device.
 #pragma once
 

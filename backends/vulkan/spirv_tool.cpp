@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tool of the build, on SPIR-V modules:
 //   decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add, and no algebra
 //                        of an optimiser's own. GLSL's `precise` misses operations in functions that are called.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What programs say: notes on stderr, results on stdout.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The three ways in which a program of this project fails, each with its exit code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What file a name means.
 #pragma once
 

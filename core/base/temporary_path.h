@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that are in the making go with the process that makes them.
 #pragma once
 

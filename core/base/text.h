@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts that come from outside: for messages, and before they are parsed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which version of the project a program is, and of which revision of its sources it was built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rendered picture in memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A square of finished pixels on its way from a backend into an image. Plain data: it is shared with translation units
 // that are compiled for one instruction set and must hold no code of the standard library.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A pair of connected sockets between two processes of one machine: messages, each whole, with a descriptor where one
 // is given.
 #pragma once

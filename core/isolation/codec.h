@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The backend interface's structures as messages. Each is taken apart by a structured binding, so that a new member
 // that is forgotten here does not compile.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Backends whose drivers may crash, hang or end the process.
 #pragma once
 

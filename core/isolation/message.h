@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a program and the processes of its devices tell each other: values one after another, as they stand in memory.
 // Both are the same program, so that layouts and addresses of constants agree.
 #pragma once

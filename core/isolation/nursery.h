@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where processes for devices come from. A nursery is forked off while the program has no threads and no driver; each
 // process for a device is forked off the nursery, so that it begins as clean as that, however long the program runs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory that two processes see: an image's layers, which a device's process draws and the program reads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device's process: does what the program asks for, with the real backend.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 4: hulls. The surface of a fractal lies inside a sphere or a cube around the origin.
 
 // Where a ray is inside: from t = first to t = last; last < first where it never is.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 6: a ray from the camera to its hit. begin -> march (any number of times) -> refine.
 
 // Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 3: elementary functions from + - * and the words quotient, root, nearest, exponent_of and two_to.
 // GLSL has none of them in double, and no two libraries round alike; these give the same bits everywhere.
 // Every polynomial is a Taylor series cut where its remainder falls below 2^-56 of the result (double).

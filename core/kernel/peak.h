@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text of its own, beside the picture's: multiply-adds and nothing else, to measure what a device can reach.
 // Ten chains that do not depend on each other hide the latency of a core's two multiply-add units (4 to 5 cycles each),
 // and fit the 16 registers of AVX2 together with a and b. They begin apart, so that no compiler can see two equal ones.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 1: what a kernel is told about the picture, and what it hands back.
 
 // Everything that is the same for every pixel. core/render/kernel_scene.cpp fills it, once, in double, then rounds.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 7: from a ray's hit to a pixel's colour.
 
 struct Normal {

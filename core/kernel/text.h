@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
 // No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
 #include "core/kernel/scene.h"

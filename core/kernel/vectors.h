@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 2: vectors, component by component: OpenCL C has no operators for a struct of packs.
 
 FN real inner(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

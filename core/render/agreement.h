@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a picture is the one that was expected, and how well: what tests and benchmarks ask before they trust it.
 #pragma once
 

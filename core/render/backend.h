@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The backend interface. A backend knows core/ and nothing of other backends; programs know this page and the registry.
 #pragma once
 

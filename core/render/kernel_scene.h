@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene as the kernel text takes it, in each precision.
 #pragma once
 

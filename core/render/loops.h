@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How often the kernel text loops at most, for devices that survive so many loops only.
 #pragma once
 

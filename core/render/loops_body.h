@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the loops of the text before it. Included in the text's namespace; no guard.
 
 template <class Body>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak of a device: the most that core/kernel/peak.h reaches on it.
 #pragma once
 

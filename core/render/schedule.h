@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schedule of passes, the same for every backend: bands of rows, and the kernel text's entries over each band.
 #pragma once
 

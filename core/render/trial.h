@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fast mode's steps pass through the surface where the estimate is too large or jumps (docs/fast-mode.md). A trial
 // measures how often that happens: it draws the scene in about a thousand pixels, with those steps and with shorter
 // ones.

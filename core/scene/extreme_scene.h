@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes at the edges of what a parameter file may say, for comparing backends.
 #pragma once
 

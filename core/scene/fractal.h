@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row in
 // fractal.cpp.
 #pragma once

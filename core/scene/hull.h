@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hulls: the sphere or cube around the origin outside which no ray can hit a fractal's surface. docs/hulls.md has the
 // proofs.
 #pragma once

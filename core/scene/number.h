@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strict decimal numbers, for files and command lines: no hexadecimal, no infinity, no rest behind the number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads parameter files (.dat): text, one entry a line in a fixed order, `#` begins a comment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes drawn at random, for studies and tests.
 #pragma once
 

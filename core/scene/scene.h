@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene: which fractal, seen from where, drawn how. What a parameter file says, as read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of three doubles for the host: the camera and the reference renderer.
 #pragma once
 

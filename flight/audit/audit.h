@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit of a path: what docs/flight.md promises, measured on every frame and between frames.
 #pragma once
 

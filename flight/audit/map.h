@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a flight looks like, for people who draw it: the free balls, the gates, and the path with what was measured on
 // it.
 #pragma once

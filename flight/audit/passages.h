@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Passages: where a path's clearance narrows at least two times and widens again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit's rows about what is seen: how it moves, where it is dull, where it comes again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a camera sees, in few pixels: the depths of a small picture.
 #pragma once
 

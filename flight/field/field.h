@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances of one scene for planning and auditing, in double, on all cores. The same bits on any number of threads.
 #pragma once
 

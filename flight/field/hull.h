@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body that holds a fractal, its size, and the symmetries under which two places of it look the same.
 #pragma once
 

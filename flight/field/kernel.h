@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text's distances over arrays of points and rays. Plain data: it is shared with translation units that are
 // compiled for one instruction set.
 #pragma once

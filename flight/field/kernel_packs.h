@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body of every kernel_FRACTAL.cpp: included once per instruction set by Highway's foreach_target.h. No include
 // guard.
 #undef MM_REAL

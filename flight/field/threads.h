@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loops over several threads, with results that do not depend on how many there are.
 #pragma once
 

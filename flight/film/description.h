@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a film or a still is made of, so that a finished one is known again.
 #pragma once
 

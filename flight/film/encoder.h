@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Raw frames into a finished piece of film, with ffmpeg.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A path into a film.
 #pragma once
 

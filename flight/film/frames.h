@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pictures of a path, one after another, from one renderer.
 #pragma once
 

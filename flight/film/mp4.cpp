@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "flight/film/mp4.h"
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Notes beside finished files: FILE.made says what the file was made of and keeps a hash of its bytes, so that a file
 // that is damaged, or of something else, is told from one that is finished.
 #pragma once

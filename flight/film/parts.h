@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a film's segments gather.
 #pragma once
 

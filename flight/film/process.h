@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A child process that is fed through a pipe: ffmpeg.
 #pragma once
 

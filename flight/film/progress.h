@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a film is, on stderr: a bar on a terminal, else a line now and then.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several processes that make one film together: the ranks of an MPI program, or one process alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ranks of an MPI program. Rank 0 keeps the counter of work; a thread of it answers the others by polling, as one
 // that waits inside MPI would take a core, and one-sided operations wait for a rank that computes.
 #include <mpi.h>

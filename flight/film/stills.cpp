@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Still frames, for those who stitch by hand.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What making a film took: the figures that are reported of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The title: a few seconds before the flight, over its first frame.
 #pragma once
 

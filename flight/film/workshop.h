@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder in which a film's segments gather: what is finished there is not done again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight: the camera of every frame, and what may change from frame to frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Path files: JSON, readable and made for editing by hand, one line a frame.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The free space as balls that overlap: what tours are searched in.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "flight/plan/band.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Smooths a rough way inside the free space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gates: narrow places that a camera can fly through, with wall most of the way around and free space on both sides.
 #pragma once
 

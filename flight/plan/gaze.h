@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the camera looks on its ride.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Along the smoothed way in time: a smooth curve, and how fast it is flown.
 #pragma once
 

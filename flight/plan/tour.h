@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tour: through which gates, in which order, and a first rough way through the balls between them.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
 
 Exit codes: 0 fine, 1 a failure, of a device too (the page is there, and says which), 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""

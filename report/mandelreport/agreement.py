@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How much pictures agree: bytes, bits where there are EXRs, and FLIP against the canonical picture."""
 
 from __future__ import annotations

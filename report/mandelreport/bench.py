@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A result file of bench: the part of bench/result.schema.json that the report reads, with names and units."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a section is made of: figures, tables, and notes where there is no data. The templates' macro `show` prints each."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A headless Chromium, driven over its debugging protocol: for the PDF and for looking at the page."""
 
 from __future__ import annotations

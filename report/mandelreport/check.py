@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """python -m mandelreport.check PAGE: looks at the page in a headless browser, as a reader would.
 
 Exit codes: 0 fine, 1 something is wrong, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""

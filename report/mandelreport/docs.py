@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Passages of the project's own documentation, so that the report cites and does not repeat it."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Failures that have one clear line, and output files that appear whole."""
 
 import os

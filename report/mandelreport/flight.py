@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What flythrough writes for the report: maps, audits, and summaries of films."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The page: sections and templates into one HTML text."""
 
 from __future__ import annotations

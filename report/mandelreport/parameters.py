@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Parameter files (.dat), as far as the viewer begins with them. The programs' own reader is the one that counts."""
 
 from __future__ import annotations

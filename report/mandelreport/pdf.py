@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The page on paper. Chromium prints it: it knows the page's figures, grids and @page rules, margins and numbers included."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Draws the official scenes on every backend with the programs that are built, once for each program, scene and setting."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The result of `bench random`: how near fast pictures of random scenes come to the canonical ones."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Finds what there is: every file below the results folder is known by its content, not by its name."""
 
 from __future__ import annotations

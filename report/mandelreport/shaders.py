@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The viewer's shaders: the kernel text as GLSL ES 3.00, through glslang and spirv-cross."""
 
 from __future__ import annotations

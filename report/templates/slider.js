@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two pictures over each other with a slider between, and the map of their differences.
 "use strict";
 for (const box of document.querySelectorAll(".compare")) {

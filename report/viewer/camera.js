@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The viewer's camera and scene: what core/render/kernel_scene.cpp does for the programs, and parameter files both ways.
 "use strict";
 const Vec = {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The viewer's side of WebGL 2: targets, the kernel text's programs, and drawing with them.
 "use strict";
 class Painter {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text as a fragment shader: the report's viewer draws with it, in float. glslang makes SPIR-V of it and
 // spirv-cross the GLSL ES 3.00 that browsers read.
 #version 460

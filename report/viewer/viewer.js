@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The live viewer: draws with the kernel text in WebGL 2. While the camera moves it draws a small picture with few steps;
 // when it rests, the whole one tile by tile, so that no draw call keeps the device for long.
 "use strict";

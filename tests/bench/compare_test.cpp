@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // bench compare on made results, whose truth is known.
 #include "bench/compare.h"
 

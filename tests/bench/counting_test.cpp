@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counted operations: against counts by hand, and against the work that a backend's own kernel reports.
 #include "bench/counting.h"
 

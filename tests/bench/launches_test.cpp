@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several launches: their samples together, and what is kept where some leave nothing.
 #include "bench/launches.h"
 

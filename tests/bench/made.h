@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A made result: one row that is timed, and an environment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outputs: refused before the work, written whatever becomes of the others.
 #include "bench/outputs.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multiply-add peak of made devices, whose rate is known and whose runs are disturbed.
 #include "core/render/peak.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a platform is: CPUs that share a name and differ in their design are two.
 #include <gtest/gtest.h>
 

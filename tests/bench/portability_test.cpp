@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pennycook's metric on worked examples.
 #include "bench/portability.h"
 

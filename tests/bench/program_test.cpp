@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program on backends that are broken on purpose: no speed for a wrong picture, and exit code 1. The same backend
 // without a defect passes, so that it is the defect that is found.
 #include "bench/program.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # program_test.sh BIN SOURCE: the program bench from outside: exit codes, files, launches, two runs of one build.
 set -euo pipefail
 bench=$1/bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which rows may share a yardstick's picture.
 #include "bench/proof.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `bench random`: the scenes that tests draw, compared with the canonical pictures, held to what fast mode promises.
 #include "bench/random_scenes.h"
 

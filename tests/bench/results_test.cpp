@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Result files: what is read, what is refused, and what Google Benchmark's reporters make of one.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # revision_test.sh CMAKE SOURCE: what makes a build dirty: changed sources, but no results that were measured again.
 set -euo pipefail
 work=$(mktemp -d)

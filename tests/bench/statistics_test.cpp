@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The statistics on numbers whose answer is known.
 #include "bench/statistics.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of Timings as core/render/backend.h defines them, by every backend: apart from each other, and within the
 // wall time.
 #include <gtest/gtest.h>

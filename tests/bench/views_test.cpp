@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes that are measured must be ones that all schedules draw alike: no speed is worth anything on noise.
 #include "bench/views.h"
 

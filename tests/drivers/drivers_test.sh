@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # drivers_test.sh BIN SOURCE SHIM LAYER: OpenCL and Vulkan drivers that abort, crash, exit, hang or hand out garbage while
 # they are loaded, list devices, build, launch, map or are released. A picture that was asked for is there or the exit
 # code says no; whatever runs elsewhere is not touched.

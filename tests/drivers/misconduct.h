@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a driver under test does instead of its work, as MANDELMARCH_MISCONDUCT says: "STAGE ACTION", `build abort` say.
 // Stages: load, enumeration, build, launch, map, release. Actions: abort, crash, exit, leave (without the handlers of
 // exit), hang, garbage.

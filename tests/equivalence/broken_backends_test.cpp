@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Backends that are broken on purpose: each must fail the checks that real backends pass, on known scenes and on random
 // ones. The same backend without a defect passes, so that it is the defect that is found.
 #include <gtest/gtest.h>

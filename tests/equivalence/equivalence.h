@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equivalence check: what a backend draws against what it should draw.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every backend x device x fractal x precision x mode that is found at run time. In exact mode every bit of colour and
 // depth is that of the text as scalar C++; in fast mode the picture is the canonical one, as far as an eye can see.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances: the same bits on any number of threads and in every instruction set.
 #include "flight/field/field.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # film_test.sh FLYTHROUGH: what a film and stills leave behind and keep, where they go, and what is refused before the work.
 set -uo pipefail
 program=$(realpath "$1")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planning, path files and audits: the same on any number of threads, and every row of an audit can fail.
 #include <gtest/gtest.h>
 

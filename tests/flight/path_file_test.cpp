@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Path files that are refused: each with one line that says where and what.
 #include <gtest/gtest.h>
 

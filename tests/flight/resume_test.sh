@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film killed at random moments and begun again is the undisturbed film, and
 # no finished segment is rendered twice. Also: a full disk, an encoder that is missing or fails, and array jobs.
 set -uo pipefail

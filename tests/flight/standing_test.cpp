@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The longest time that a camera stands still: what a plain search finds, with work that grows with the frames.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer: any bytes as a parameter file give a scene within its ranges, or an InputError in one line.
 #include <cmath>
 #include <cstdlib>

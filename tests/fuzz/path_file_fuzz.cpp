@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer: any bytes as a path file give a path that is read again as it is written, or an InputError in one line.
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a picture file give a whole picture, or an InputError.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer: any bytes as a result file give a result that is written as it was read, is no regression of itself and
 // has efficiencies from 0 to 1, or an InputError in one line.
 #include <algorithm>

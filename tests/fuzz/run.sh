@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # run.sh BIN SOURCE CORPUS SECONDS FUZZER...: fuzzes for so long each, one on each core at a time, from the official
 # parameter files, small pictures, a short path and a small result. Inputs that break one stay in CORPUS/FUZZER.
 set -uo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenACC draws the bits of the scalar text, on a GPU where there is one and else on the host, and says where it runs.
 #include <gtest/gtest.h>
 

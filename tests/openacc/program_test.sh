@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # program_test.sh BIN SOURCE: the programs without a GPU: they say that the host draws, and refuse a GPU that is not there.
 set -uo pipefail
 bin=$1

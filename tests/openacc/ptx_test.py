@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """ptx_test.py text|assemble PROGRAM FRACTAL...: the PTX in a built program keeps the floating-point policy, and ptxas takes
 it without spills. Each check has broken twins that must fail. Exit code 77: no pinned ptxas."""
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The instructions that gcc's nvptx compiler writes for this project's kernels, in C: so that the PTX itself can be run, one
 thread after the other, on a machine without a GPU. Anything unknown is an error."""
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library uses it: GPUs that run the
 // kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
 // host's.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX that
 # stands in the program: its pictures have the bits of the scalar text, several GPUs can be chosen, and a GPU that fails
 # gives a line and the right exit code.

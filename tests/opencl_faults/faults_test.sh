@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # faults_test.sh BIN SHIM ROOT: devices with faults give one clear line and the right exit code, leave no picture, and
 # do not hang; devices that are only poor draw the same picture.
 set -uo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preloaded before libOpenCL: a device with a fault, named by MANDELMARCH_FAULT. It stands between the program and the
 // real driver, so that every other call works as always.
 #include <CL/cl.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # programs_test.sh BIN SOURCE: the programs as a user runs them: exit codes, messages, files left behind.
 set -uo pipefail
 bin=$1

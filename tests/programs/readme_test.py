@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """readme_test.py BIN SOURCE: every command in README's shell blocks works as it stands there, in a folder with the built programs."""
 import glob
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Result files of made numbers, small and whole."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What flythrough writes, of made numbers."""
 
 from __future__ import annotations

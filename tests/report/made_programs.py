@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Programs that stand in for bin/render and bin/imgdiff."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The report from outside: its program on made result files. Each check that matters is tried on something broken, too."""
 
 from __future__ import annotations

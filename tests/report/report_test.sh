@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # report_test.sh SOURCE: the report's tests, where its Python packages are installed (make python); else 77.
 set -euo pipefail
 cd "$1"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # consumer.sh BUILD: installs the build into an empty folder and builds and runs a program against the package there.
 set -euo pipefail
 folder=$(mktemp -d)

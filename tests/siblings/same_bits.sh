@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # same_bits.sh BIN_A BIN_B: exact mode draws the same bytes and the same bits of depth from two compilers' builds, and
 # fast mode shows that the comparison can fail.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # subproject.sh SOURCE: mandelmarch as a subproject leaves its parent's settings alone. The twin changes one.
 set -uo pipefail
 folder=$(mktemp -d)

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """figures_test.py: marked places of documents are filled from result files, and stale ones are found."""
 import copy
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """links_test.py: every link of the documentation leads to a file or a heading that is there, and every page is linked."""
 import os
 import re

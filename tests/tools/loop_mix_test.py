@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """loop_mix_test.py: the way round a loop, and what its instructions are counted as. Each check has a twin that must fail."""
 import os
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """spdx_test.py: the licence's line is put where it breaks nothing, once, and its absence is found."""
 import os
 import subprocess

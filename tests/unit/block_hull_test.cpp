@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // openmp paints blocks that no ray of can meet the hull, and draws the same bytes as where it asks every ray.
 #include <gtest/gtest.h>
 

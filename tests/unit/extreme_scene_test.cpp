@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes at the edges: reproducible, within what a parameter file may say, far apart, and with something to see.
 #include "core/scene/extreme_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What file a name means, and that no file is used for two things.
 #include "core/base/files.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hulls change no bit of an exact picture, whatever the scene, and save work. docs/hulls.md has the proofs.
 #include <gtest/gtest.h>
 

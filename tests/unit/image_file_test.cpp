@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Picture files: what is written can be read, appears whole or not at all, and streams are written into.
 #include <gtest/gtest.h>
 #include <sys/resource.h>

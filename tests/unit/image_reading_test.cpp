@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures that other programs made, or that were damaged on purpose.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

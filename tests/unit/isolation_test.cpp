@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drivers that crash, hang or end their process: what a program sees of them.
 #include "core/isolation/isolated.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernel text as scalar C++: its elementary functions, its gradients, and its entry points over stored rays.
 #include <gtest/gtest.h>
 

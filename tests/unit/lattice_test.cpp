@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // openmp draws fast pictures lattice by lattice: every pixel once, and nearly the picture of rays that begin alone.
 #include <gtest/gtest.h>
 

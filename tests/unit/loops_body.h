@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loops of one picture, of rays as they are. Included in the text's namespace; no guard.
 
 inline Loops made_by(const void* plain_scene, const void* fast_scene)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the schedule believes of the text's loops (core/render/loops.h) against the loops that rays of real scenes make,
 // and the passes that come of it.
 #include "core/render/loops.h"

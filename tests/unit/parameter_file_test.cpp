@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameter files: what is accepted, and that everything else gets one line that says where and what.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pictures themselves: against the original program's, against the reference backend, float against double.
 #include <gtest/gtest.h>
 

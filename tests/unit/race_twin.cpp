@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The twin of the thread sanitizer's run: a loop whose threads write one variable. The test passes if this fails.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact mode draws the same bits whatever the number of threads and pixels at once, and the staged entry points over
 // stored rays draw what the whole pixel draws. Each has a twin that must differ.
 #include <gtest/gtest.h>

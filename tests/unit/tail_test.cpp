@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Mandelbox's tails: an orbit's last iterations without their tests give the same estimates.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts from outside, notes and results on the console, and numbers from the environment.
 #include "core/base/text.h"
 

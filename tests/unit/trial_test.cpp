@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fast mode tries its steps: scenes whose surface they pass through are drawn with shorter ones.
 #include <gtest/gtest.h>
 

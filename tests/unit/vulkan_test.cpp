@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Vulkan backend draws the bits of the same text in scalar C++, on odd scenes too, and counts the same work. One
 // renderer draws all scenes of a test, one after another. Skipped where there is no Vulkan device.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT names the fault, MANDELMARCH_FAULT_AFTER how many
 // calls succeed before it:
 //   memory           vkAllocateMemory returns VK_ERROR_OUT_OF_DEVICE_MEMORY

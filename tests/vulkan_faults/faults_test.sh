@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # faults_test.sh BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, do not answer or lack what is
 # asked; pipeline caches that are broken; and what the shaders must hold. Needs a Vulkan device (lavapipe will do).
 set -uo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Windows bitmaps: a 14-byte file header, a 40-byte BITMAPINFOHEADER, rows from the bottom up, blue first, each row
 // padded to a multiple of four bytes. Numbers are little-endian.
 #include <fmt/format.h>

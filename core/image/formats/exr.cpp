@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenEXR: the colour as displayed, depth, steps and iterations, 32 bits each, as named channels.
 #include <Iex.h>
 #include <ImfChannelList.h>

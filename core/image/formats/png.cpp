@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG through libpng's simplified interface: 8 bits a channel, rows from the top down.
 #include <fmt/format.h>
 #include <png.h>

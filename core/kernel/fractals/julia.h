@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 5: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
 // 3-D", SIGGRAPH 1982), cut at k = 0, with the distance estimate DE = 0.5 ln(r) r / dr, dr -> 2 r dr of Hart, Sandin
 // and Kauffman ("Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).

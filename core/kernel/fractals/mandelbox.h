@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
 // Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1.
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
 // the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
 

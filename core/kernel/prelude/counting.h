@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text as C++ on a number that counts what is done with it, one lane at a time. Define
 // MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for the object whose members `sums`, `products`,
 // `quotients` and `roots` count, and include it inside a namespace, before the text; undefine.h takes the words away

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0), and
 // MM_PINNED (1 or 0): with 1 a float quotient or root is computed in double and rounded once, which is the correctly
 // rounded one even where the device's double division is 2.5 units off, as Vulkan allows.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text as C++ on numbers that nobody knows, to count loops: every lane is always on,
 // so that a loop goes on to its bound. What is the same for all lanes is known, in double. Define MM_LOOPS, an
 // expression for the counter, and MM_REAL_IS_FLOAT 0, and include it inside a namespace, before the text; undefine.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text in OpenCL C 1.2. The compiler is told MM_REAL_IS_FLOAT (1 or 0), MM_LANES
 // (pixels at once: 1, or the length of a vector type), MM_EXACT (1 or 0) and MM_IN_DOUBLE (1: quotients and roots of
 // floats are computed in double, for devices whose own are not correctly rounded).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text as packs of MM_REGISTERS native SIMD registers, on Google Highway. Registers of
 // one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS,
 // MM_COUNTED (1 or 0: whether work is counted) and include it inside a namespace in HWY_NAMESPACE, before the text.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The second half of pack.h: roots, reciprocals and powers of two of packs. Included by it.
 
 FN real root(real a)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text as plain scalar C++. Define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1
 // or 0) and include it inside a namespace of your own, before the text; undefine.h takes the words away again.
 

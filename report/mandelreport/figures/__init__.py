@@ -1,1 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures: each function takes data and returns a block."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The flight in pictures: where it is free, where the path goes, and what was measured on it."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Pennycook's metric as a cascade: efficiency over the platforms, best first."""
 
 from __future__ import annotations

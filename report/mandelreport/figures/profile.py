@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Where a picture's time goes."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """One look for all figures: colours of Okabe and Ito, and for black and white a hatch, a marker and a dash for each."""
 
 from __future__ import annotations

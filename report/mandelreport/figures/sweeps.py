@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures of the sweeps: one setting varies along x."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Figures of the standard study: kernel times, ratios, shares of the peak."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Why one fractal takes longer than the other: the measured factors."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sections: each module's function takes the material and returns what its template prints."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 2: the timings of every machine, and the sweeps."""
 
 from __future__ import annotations

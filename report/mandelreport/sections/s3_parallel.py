@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 3: how it was parallelised: the profile, then each backend, then frames."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 4: how the frames are chosen."""
 
 from __future__ import annotations

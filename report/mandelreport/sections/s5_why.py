@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 5: why the Mandelbox is, or is not, slower than the Mandelbulb."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 6: the summary that the assignment asks for."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 7: how to reproduce everything."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Section 8: the live viewer."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws a small Mandelbulb with the installed package and counts the pixels that hit.
 #include <cmath>
 #include <cstdio>
