@@ -20,7 +20,7 @@ Result of_launch(int launch)
         for (Sample& sample : row.samples) sample.launch = launch;
     }
     result.peaks.push_back({"machine", "openmp", 0, Precision::f64, 100.0 + launch});
-    result.warnings.push_back("noise");
+    result.warnings.emplace_back("noise");
     return result;
 }
 

@@ -27,7 +27,9 @@ std::string text_in(const std::string& path)
 Outputs outputs_of(const std::vector<std::pair<std::string, std::string>>& named)
 {
     Outputs outputs;
-    for (const auto& [option, path] : named) outputs.add(option, path, [option] { return "text of " + option; });
+    for (const auto& [option, path] : named) {
+        outputs.add(option, path, [name = option] { return "text of " + name; });
+    }
     return outputs;
 }
 

@@ -36,8 +36,9 @@ double worst_rate(const std::function<double(const PeakRun&)>& measured)
 double calibrated_on_one_run(const PeakRun& run)
 {
     int rounds = 256;
+    run(rounds);
     double seconds = run(rounds);
-    while ((seconds = run(rounds)) < 0.02) rounds *= 8;
+    for (; seconds < 0.02; seconds = run(rounds)) rounds *= 8;
     for (int i = 0; i < 8; ++i) seconds = std::min(seconds, run(rounds));
     return peak_operations_per_round * rounds * lanes / seconds;
 }
