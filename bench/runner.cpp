@@ -4,19 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 
 #include "bench/figures.h"
 #include "bench/proof.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Pictures faster than this are drawn once, unmeasured, before the measured one: the row before has left its own
 // threads, caches and clock behind. Seconds.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "backends/openacc/peak.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
@@ -23,9 +23,6 @@ namespace mandelmarch {
 namespace {
 
 using openacc::DeviceMemory;
-
-template <class Real>
-using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 // A band of 2^18 pixels fills the largest GPUs and ends well before a display's watchdog (seconds) on the K40; on the
 // host a band only shows progress.
@@ -43,9 +40,9 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Call>
 void timed(double& seconds, const Call& call)
 {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     call();
-    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    seconds += seconds_since(begin);
 }
 
 template <class Real>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/openacc/peak.h"
 
-#include <chrono>
-
 #include "backends/openacc/device.h"
+#include "core/base/stopwatch.h"
 #include "core/render/peak.h"
 
 extern "C" {
@@ -25,14 +24,14 @@ double multiply_add_peak(const Device& device, Precision precision)
     const int threads = device.is_gpu ? gpu_threads : host_threads;
     const DeviceMemory sums(static_cast<std::size_t>(threads) * sizeof(double));
     const PeakRun run = [&](int rounds) {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = Clock::now();
         if (precision == Precision::f32) {
             multiply_adds_float(sums.address(), threads, static_cast<float>(peak_factor),
                                 static_cast<float>(peak_addend), rounds);
         } else {
             multiply_adds_double(sums.address(), threads, peak_factor, peak_addend, rounds);
         }
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return seconds_since(start);
     };
     return highest_rate(run, threads);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/opencl/peak.h"
 
-#include <chrono>
-
 #include "backends/opencl/texts.h"
+#include "core/base/stopwatch.h"
 #include "core/render/peak.h"
 
 namespace mandelmarch::opencl {
@@ -30,10 +29,10 @@ double measured(const cl::Device& device, const Build& build)
     kernel.setArg(2, static_cast<Real>(peak_addend));
     const PeakRun run = [&](int rounds) {
         kernel.setArg(3, rounds);
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = Clock::now();
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), is_cpu ? cl::NDRange(1) : cl::NullRange);
         queue.finish();
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return seconds_since(start);
     };
     return highest_rate(run, static_cast<double>(items) * build.lanes);
 }

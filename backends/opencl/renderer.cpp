@@ -9,19 +9,15 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <type_traits>
 
 #include "backends/opencl/texts.h"
+#include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::opencl {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // One device, opened, with the programs it has compiled so far.
 struct Session {
@@ -61,9 +57,6 @@ void wait_for(cl::Event& event, const char* doing)
     }
     if (mine->status < 0) throw cl::Error(mine->status, "the kernel");
 }
-
-template <class Real>
-using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 // Draws bands through one pair of buffers that are as large as the largest band.
 template <class Real>

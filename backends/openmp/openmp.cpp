@@ -6,12 +6,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <span>
 #include <tuple>
-#include <type_traits>
 #include <vector>
 
 #include "backends/openmp/peak.h"
@@ -21,6 +19,7 @@
 #include "backends/openmp/variants.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
@@ -32,14 +31,7 @@ using openmp::Notes;
 using openmp::ThreadMemory;
 using openmp::TileQueue;
 using openmp::Variant;
-using Clock = std::chrono::steady_clock;
-
 constexpr std::int64_t band_pixels = 1 << 21;  // 28 bytes a pixel in float, 44 in double
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-template <class Real>
-using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 void add_to(Work& to, const Work& from)
 {

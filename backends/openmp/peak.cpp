@@ -3,9 +3,8 @@
 
 #include <omp.h>
 
-#include <chrono>
-
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/render/peak.h"
 
 namespace mandelmarch::openmp {
@@ -15,11 +14,11 @@ double multiply_add_peak(Precision precision, int threads)
     const PeakKernel kernel = precision == Precision::f32 ? peak_kernel_float() : peak_kernel_double();
     const int team = threads == 0 ? omp_get_num_procs() : threads;
     const PeakRun run = [&](int rounds) {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = Clock::now();
         double sum = 0;
 #pragma omp parallel num_threads(team) reduction(+ : sum)
         sum += kernel.run(rounds);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = seconds_since(start);
         if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
         return seconds;
     };

@@ -4,24 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <type_traits>
 
 #include "backends/skeleton/kernel.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-template <class Real>
-using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 // The backend's side of core's schedule: allocates in its constructor, runs the text on a band, reads back.
 template <class Real>

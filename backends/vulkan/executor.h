@@ -5,24 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <type_traits>
 
 #include "backends/vulkan/probe.h"
+#include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 
 namespace mandelmarch::vulkan {
-
-using Clock = std::chrono::steady_clock;
-
-inline double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-template <class Real>
-using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 // As in kernel.comp.
 inline constexpr int group_side = 8;

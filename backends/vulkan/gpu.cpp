@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/vulkan/gpu.h"
+#include "core/base/stopwatch.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +9,6 @@
 
 namespace mandelmarch::vulkan {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr auto look_again = std::chrono::milliseconds(100);
 

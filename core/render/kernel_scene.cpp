@@ -23,16 +23,16 @@ constexpr double end = 1000;                               // largest t of a sam
 constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
 constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
 
-template <class KernelScene>
-constexpr bool is_float = std::is_same_v<decltype(KernelScene::tolerance), float>;
+template <class Layout>
+constexpr bool is_float = std::is_same_v<decltype(Layout::tolerance), float>;
 
 // std430 and OpenCL C see the same bytes: ints, reals, then triples at multiples of four reals.
-template <class KernelScene>
+template <class Layout>
 constexpr bool layout_is_portable()
 {
-    constexpr std::size_t real = sizeof(KernelScene::tolerance);
-    return offsetof(KernelScene, tolerance) == 32 && offsetof(KernelScene, fractal) == 32 + 9 * real &&
-           offsetof(KernelScene, eye) == 32 + 20 * real && sizeof(KernelScene) == 32 + 36 * real;
+    constexpr std::size_t real = sizeof(Layout::tolerance);
+    return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 9 * real &&
+           offsetof(Layout, eye) == 32 + 20 * real && sizeof(Layout) == 32 + 36 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -56,20 +56,20 @@ Camera camera_of(const Scene& scene)
     return {forward, (aspect * tangent) * right, tangent * cross(right, forward)};
 }
 
-template <class KernelScene>
-KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
+template <class Layout>
+Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
 {
-    using Real = decltype(KernelScene::tolerance);
+    using Real = decltype(Layout::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
-    if (is_float<KernelScene> && !techniques.normal) {
+    if (is_float<Layout> && !techniques.normal) {
         throw InputError("technique normal: float has no digits for differences, expected double without it");
     }
     const bool fast = mode == Mode::fast;
     const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<KernelScene> ? 1e37 : 1e300, fast && techniques.tail);
+        scene.fractal->constants(scene, is_float<Layout> ? 1e37 : 1e300, fast && techniques.tail);
     const Camera camera = camera_of(scene);
 
-    KernelScene k{};
+    Layout k{};
     k.width = scene.width;
     k.height = scene.height;
     k.max_iterations = scene.iterations;
@@ -77,7 +77,7 @@ KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techni
     k.fractal_whole = constants.whole;
     k.colouring = scene.colouring;
     k.canonical = fast;
-    k.differences = (!fast || !techniques.normal) && !is_float<KernelScene>;
+    k.differences = (!fast || !techniques.normal) && !is_float<Layout>;
     k.tolerance = real(std::pow(10.0, scene.detail));
     const double stride = fast ? std::min(scene.stride, scene.fractal->fast_stride(scene)) : scene.stride;
     k.stride = real(stride);

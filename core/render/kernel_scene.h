@@ -2,6 +2,8 @@
 // A scene as the kernel text takes it, in each precision.
 #pragma once
 
+#include <type_traits>
+
 #include "core/render/backend.h"
 #include "core/scene/scene.h"
 
@@ -27,13 +29,17 @@ namespace layout_f32 {
 #undef MM_REAL_IS_FLOAT
 }  // namespace layout_f32
 
+// float's layout or double's.
+template <class Real>
+using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
+
 inline constexpr int max_steps = 8000;  // samples on a ray, as in the original program
 
 // Computed in double, then rounded.
 // exact: the plain schedule's hit. fast: the canonical hit.
 // The normal comes from central differences in double and from the analytic gradient in float.
-template <class KernelScene>
-KernelScene kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
+template <class Layout>
+Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
 // The camera's axes: forward is the unit vector of the view; across and upward lead from the picture's middle to its
 // right and top edges at distance 1.

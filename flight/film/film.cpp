@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
+#include "core/base/stopwatch.h"
 #include "core/base/temporary_path.h"
 #include "flight/film/description.h"
 #include "flight/film/encoder.h"
@@ -225,7 +225,7 @@ void check_film(const FilmOptions& options, std::size_t frames)
 
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     if (ranks.rank() == 0) check_film(options, path.frames.size());
     check_ffmpeg();
     const std::string description = description_of(path, backend, options);
@@ -249,7 +249,7 @@ FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions
         if (ranks.rank() == 0 && !options.segments) filming.join();
     }
     report.joined = !options.segments;
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.seconds = seconds_since(start);
     return report;
 }
 

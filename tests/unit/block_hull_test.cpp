@@ -48,8 +48,7 @@ struct Drawn {
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
-    using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
-    const auto kernel = kernel_scene<KernelScene>(scene, mode, {});
+    const auto kernel = kernel_scene<KernelScene<Real>>(scene, mode, {});
     const auto variants = openmp::variants_of<Real>(scene.fractal->name, mode);
     const auto& variant = *std::ranges::find_if(variants.rbegin(), variants.rend(), &openmp::Variant<Real>::counted);
     const std::unique_ptr<void, Freed> memory(::operator new (variant.memory, std::align_val_t{64}));

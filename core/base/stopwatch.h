@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wall time.
+#pragma once
+
+#include <chrono>
+
+namespace mandelmarch {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace mandelmarch
