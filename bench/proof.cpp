@@ -13,16 +13,13 @@ namespace {
 
 constexpr std::size_t most_reference_pixels = 1 << 20;
 
-struct Source {
-    std::string backend;
-    RendererOptions options;
-    std::string name;
-};
+}  // namespace
 
-Source source_for(const Case& one)
+Yardsticks::Source Yardsticks::source_for(const Case& one) const
 {
     const auto pixels = static_cast<std::size_t>(one.scene.width) * static_cast<std::size_t>(one.scene.height);
-    const bool by_reference = one.scene.fractal->name != "julia" && pixels <= most_reference_pixels;
+    const Backend* reference = registry_.find("reference");
+    const bool by_reference = reference != nullptr && reference->draws(one.scene) && pixels <= most_reference_pixels;
     if (one.options.mode == Mode::fast && by_reference) {
         return {"reference", {.mode = Mode::fast}, "reference, double, fast"};
     }
@@ -32,9 +29,7 @@ Source source_for(const Case& one)
             fmt::format("openmp --pack 1, {}, {}", name_of(precision), name_of(one.options.mode))};
 }
 
-}  // namespace
-
-std::string yardstick_key(const Case& one)
+std::string Yardsticks::key(const Case& one) const
 {
     const Scene& s = one.scene;
     const auto triple = [](const Vector& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
@@ -44,7 +39,7 @@ std::string yardstick_key(const Case& one)
                        s.stride, s.root_share, source_for(one).name);
 }
 
-bool Yardsticks::is_yardstick(const Case& one)
+bool Yardsticks::is_yardstick(const Case& one) const
 {
     const Source source = source_for(one);
     return one.row.backend == source.backend && one.options.mode == Mode::fast &&
@@ -54,8 +49,8 @@ bool Yardsticks::is_yardstick(const Case& one)
 const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
 {
     Yardstick& kept = one.options.mode == Mode::exact ? exact_ : fast_;
-    const std::string key = yardstick_key(one);
-    if (kept.key == key) return kept;
+    const std::string wanted = key(one);
+    if (kept.key == wanted) return kept;
     const Source source = source_for(one);
     const Backend* backend = registry_.find(source.backend);
     if (backend == nullptr || backend->unavailable()) {
@@ -64,7 +59,7 @@ const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
     kept = {};
     Image image(one.scene.width, one.scene.height, Image::Layers::all);
     RenderReport report = backend->create(source.options)->render(one.scene, image);
-    kept = {key, source.name, std::move(image), std::move(report)};
+    kept = {wanted, source.name, std::move(image), std::move(report)};
     return kept;
 }
 

@@ -12,7 +12,7 @@ namespace mandelmarch::bench {
 // Draws the pictures that others are compared with, and keeps the last one of each kind.
 //   exact rows: openmp's scalar text (--pack 1), in the row's precision; the same bits are required.
 //   fast rows: reference's canonical picture in double, or openmp's scalar text where reference would take minutes
-//   (more than a million pixels) or does not draw the fractal; at most 2 % of the pixels may be visibly off. reference
+//   (more than a million pixels) or does not draw the scene; at most 2 % of the pixels may be visibly off. reference
 //   itself in exact mode: openmp's scalar text in double; at most 2 % of the pixels visibly off.
 class Yardsticks {
 public:
@@ -29,15 +29,24 @@ public:
     const Yardstick& for_case(const Case& one);
 
     // True if the row is a yardstick itself: it has nothing to be compared with.
-    static bool is_yardstick(const Case& one);
+    bool is_yardstick(const Case& one) const;
+
+    // Rows that share a yardstick have the same key; drawing cases in the order of their keys draws each yardstick
+    // once.
+    std::string key(const Case& one) const;
 
 private:
+    // What draws the yardstick of a row.
+    struct Source {
+        std::string backend;
+        RendererOptions options;
+        std::string name;
+    };
+    Source source_for(const Case& one) const;
+
     const Registry& registry_;
     Yardstick exact_, fast_;
 };
-
-// Rows that share a yardstick have the same key; drawing cases in the order of their keys draws each yardstick once.
-std::string yardstick_key(const Case& one);
 
 // Compares the row's picture and fills the proof in.
 void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "bench/environment.h"
 #include "bench/figures.h"
@@ -14,6 +13,7 @@
 #include "bench/steadiness.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
+#include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
@@ -65,7 +65,7 @@ std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules
         check_memory(one.scene);
         const auto& yardstick = yardsticks.for_case(one);
         live.renderer = one.backend->create(one.options);
-        if (Yardsticks::is_yardstick(one)) {
+        if (yardsticks.is_yardstick(one)) {
             report = yardstick.report;
             row.proof.drawn = row.proof.fine = row.proof.yardstick = true;
             row.proof.text = row.proof.level = "yardstick";
@@ -179,7 +179,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
         throw Unavailable(fmt::format("backend {}: {}", options.backend, one.row.unavailable));
     }
 
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
     std::vector<Live> live;
@@ -188,7 +188,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     for (Case& one : cases) {
         if (one.backend != nullptr) order.push_back(&one);
     }
-    std::ranges::stable_sort(order, {}, [](const Case* one) { return yardstick_key(*one); });
+    std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
     for (std::size_t i = 0; i < order.size(); ++i) {
         phase("proof", static_cast<double>(i) / static_cast<double>(order.size()));
         if (auto row = proven(*order[i], yardsticks, rules)) live.push_back(std::move(*row));
@@ -196,7 +196,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     count_all(live, result, phase);
     if (options.study == "profile") result.stages = profile(options, phase);
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
-    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     run_rounds(live, rules, [&](double share) { phase("timing", share); });
     // Once more: a machine that was slow before must not make the shares look better.

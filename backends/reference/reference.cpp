@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include "backends/reference/estimators.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -184,7 +184,7 @@ private:
     template <class Fractal>
     RenderReport draw(const Scene& scene, Image& image, const Progress& progress) const
     {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = Clock::now();
         Tracer<Fractal> tracer(scene, mode_);
         Tile<double> tile;
         for (int bottom = 0; bottom < scene.height; bottom += tile_side) {
@@ -207,7 +207,7 @@ private:
                             .instruction_set = "baseline",
                             .timings = {},
                             .work = tracer.work()};
-        report.timings.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.timings.wall = seconds_since(start);
         report.timings.kernel = report.timings.wall;
         return report;
     }
@@ -220,6 +220,10 @@ public:
     std::string_view name() const override { return "reference"; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {this_cpu()}; }
+    bool draws(const Scene& scene) const override
+    {
+        return scene.colouring <= 1 && (scene.fractal->name == "mandelbox" || scene.fractal->name == "mandelbulb");
+    }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         if (options.device != 0) {

@@ -145,6 +145,8 @@ public:
 
     std::vector<Device> devices() const override { return listing().devices; }
 
+    bool draws(const Scene& scene) const override { return backend_->draws(scene); }
+
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         return std::make_unique<IsolatedRenderer>(host(options.device), options);

@@ -119,6 +119,13 @@ public:
     // Empty if unavailable.
     virtual std::vector<Device> devices() const = 0;
 
+    // False for scenes that it cannot draw on any device, of a fractal that it does not know, say.
+    virtual bool draws(const Scene& scene) const
+    {
+        static_cast<void>(scene);
+        return true;
+    }
+
     // Throws Unavailable if the device is not there or cannot do what is asked.
     virtual std::unique_ptr<Renderer> create(const RendererOptions& options) const = 0;
 

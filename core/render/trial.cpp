@@ -61,6 +61,7 @@ public:
     std::string_view name() const override { return backend_->name(); }
     std::optional<std::string> unavailable() const override { return backend_->unavailable(); }
     std::vector<Device> devices() const override { return backend_->devices(); }
+    bool draws(const Scene& scene) const override { return backend_->draws(scene); }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         auto renderer = backend_->create(options);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "backends/all.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
 
@@ -15,9 +16,11 @@ namespace {
 
 TEST(YardstickKeys, DifferForScenesThatLookDifferent)
 {
+    const Registry registry = all_backends();
+    const Yardsticks yardsticks(registry);
     Case one;
     one.scene = official_scene("box", 20, 10);
-    EXPECT_EQ(yardstick_key(one), yardstick_key(Case(one)));
+    EXPECT_EQ(yardsticks.key(one), yardsticks.key(Case(one)));
     const std::vector<std::function<void(Scene&)>> changes{
         [](Scene& s) { s.eye.z += 1; },
         [](Scene& s) { s.target.y += 1; },
@@ -42,7 +45,7 @@ TEST(YardstickKeys, DifferForScenesThatLookDifferent)
     for (std::size_t i = 0; i < changes.size(); ++i) {
         Case other = one;
         changes[i](other.scene);
-        EXPECT_NE(yardstick_key(one), yardstick_key(other)) << "change " << i;
+        EXPECT_NE(yardsticks.key(one), yardsticks.key(other)) << "change " << i;
     }
 }
 
