@@ -7,6 +7,7 @@
 #include <exception>
 #include <vector>
 
+#include "apps/backend_option.h"
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
 #include "core/base/console.h"
@@ -104,14 +105,6 @@ int plan_command(const Flythrough& options)
     return show_audit(options, made.path, made.seconds) ? exit_fine : exit_failure;
 }
 
-const Backend& choose_backend(const Registry& registry, const Flythrough& options, bool first)
-{
-    if (options.backend != "auto") return *registry.find(options.backend);
-    const AutomaticChoice choice = registry.automatic();
-    if (first) say("backend {}: {}\n", choice.backend->name(), choice.reason);
-    return *choice.backend;
-}
-
 // Each rank takes its own GPU where there are some, and its share of the machine's cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
@@ -196,19 +189,17 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
     return exit_fine;
 }
 
-int run(const Flythrough& options)
+int run(const Registry& registry, const Flythrough& options)
 {
     if (options.command == Command::plan || options.command == Command::audit) {
         check_outputs(options);
         if (options.command == Command::plan) return plan_command(options);
         return show_audit(options, read_path(options.path), 0) ? exit_fine : exit_failure;
     }
-    // Backends come first: their drivers' processes are made of this one, while it has no threads and no MPI.
-    const Registry registry = all_backends(Drivers::isolated);
     const auto ranks = make_ranks();
     try {
         if (ranks->rank() == 0) check_outputs(options);
-        const Backend& backend = choose_backend(registry, options, ranks->rank() == 0);
+        const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0);
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
         // A device that is not there is known before the work.
         static_cast<void>(backend.create(renderer));
@@ -227,9 +218,11 @@ int run(const Flythrough& options)
 
 int body(int argc, char** argv)
 {
+    // Backends come first: their drivers' processes are made of this one, while it has no threads and no MPI.
+    const Registry registry = all_backends(Drivers::isolated);
     std::optional<int> done;
-    const Flythrough options = parse_flythrough(argc, argv, done);
-    return done ? *done : run(options);
+    const Flythrough options = parse_flythrough(registry, argc, argv, done);
+    return done ? *done : run(registry, options);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <thread>
 #include <tuple>
 
+#include "apps/backend_option.h"
 #include "apps/option_values.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -25,7 +26,7 @@ struct Texts {
                          segments, every = "1", precision = "float", mode = "fast", kind = "png";
 };
 
-void add_options(CLI::App& app, Flythrough& options, Texts& texts)
+void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)
 {
     std::string names;
     for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
@@ -41,9 +42,7 @@ void add_options(CLI::App& app, Flythrough& options, Texts& texts)
         ->capture_default_str();
     app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
     app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
-    app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
-        ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
-        ->capture_default_str();
+    add_backend_option(app, options.backend, registry);
     app.add_option("--device", texts.device, "which of the backend's devices; without it each MPI rank takes its own");
     app.add_option("--precision", texts.precision, "double or float")
         ->check(CLI::IsMember({"double", "float"}))
@@ -98,13 +97,13 @@ std::vector<NamedFile> Flythrough::read() const
     return {{"PATH", path}};
 }
 
-Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done)
+Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)
 {
     CLI::App app("flythrough: plans a flight through a fractal, audits it and makes a film of it.");
     Flythrough options;
     Texts texts;
     app.set_version_flag("--version", version_line("flythrough"));
-    add_options(app, options, texts);
+    add_options(app, registry, options, texts);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {  // --help, --version

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/files.h"
-#include "core/render/backend.h"
+#include "core/render/registry.h"
 #include "flight/film/frames.h"
 
 namespace mandelmarch {
@@ -46,7 +46,7 @@ struct Flythrough {
 };
 
 // `done`: the exit code where there is nothing to do but that (help). Throws InputError.
-Flythrough parse_flythrough(int argc, char** argv, std::optional<int>& done);
+Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
 // Threads for one of `local` processes on this machine: those that it may run on, shared out where it may run on all.
 int threads_for(int local);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "apps/backend_option.h"
 #include "apps/option_values.h"
 #include "apps/progress_bar.h"
 #include "apps/stats.h"
@@ -42,7 +43,8 @@ struct Options {
     bool list_devices = false;
 };
 
-Options parse_options(const char* program, const char* fractal, int argc, char** argv, std::optional<int>& done)
+Options parse_options(const char* program, const char* fractal, const Registry& registry, int argc, char** argv,
+                      std::optional<int>& done)
 {
     CLI::App app(fmt::format("{}: draws a ray-marched {} from a parameter file.", program,
                              fractal != nullptr ? fractal : "fractal"));
@@ -60,9 +62,7 @@ Options parse_options(const char* program, const char* fractal, int argc, char**
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
         app.add_option("--fractal", options.fractal, names);
     }
-    app.add_option("--backend", options.backend, "auto, openacc, openmp, opencl, vulkan or reference")
-        ->check(CLI::IsMember({"auto", "openacc", "openmp", "opencl", "vulkan", "reference"}))
-        ->capture_default_str();
+    add_backend_option(app, options.backend, registry);
     app.add_option("--device", device, "which of the backend's devices, from 0 (see --list-devices)");
     app.add_option("--precision", precision, "double or float")
         ->check(CLI::IsMember({"double", "float"}))
@@ -158,22 +158,14 @@ bool list_devices(const Registry& registry)
     return fine;
 }
 
-const Backend& choose_backend(const Registry& registry, const std::string& name)
-{
-    if (name != "auto") return *registry.find(name);
-    const AutomaticChoice choice = registry.automatic();
-    say("backend {}: {}\n", choice.backend->name(), choice.reason);
-    return *choice.backend;
-}
-
 }  // namespace
 
 int render_program(const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
-    const Options options = parse_options(program, fractal, argc, argv, done);
-    if (done) return *done;
     const Registry registry = all_backends(Drivers::isolated);
+    const Options options = parse_options(program, fractal, registry, argc, argv, done);
+    if (done) return *done;
     if (options.list_devices) {
         return list_devices(registry) ? exit_fine : exit_failure;
     }
@@ -191,7 +183,7 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     if (!options.stats.empty()) OutputFile::check(options.stats);
     check_memory(scene, format, OutputFile::is_stream(output));
 
-    const auto renderer = choose_backend(registry, options.backend).create(options.renderer);
+    const auto renderer = chosen_backend(registry, options.backend, true).create(options.renderer);
     Image image(scene.width, scene.height, layers_of(format));
     ProgressBar bar(program);
     const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });

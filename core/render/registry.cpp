@@ -80,6 +80,13 @@ const Backend* Registry::find(std::string_view name) const
     return found == backends_.end() ? nullptr : found->get();
 }
 
+std::vector<std::string> Registry::names() const
+{
+    std::vector<std::string> names;
+    for (const auto& backend : backends_) names.emplace_back(backend->name());
+    return names;
+}
+
 AutomaticChoice Registry::automatic() const
 {
     std::string reason = "openacc is not in this build";

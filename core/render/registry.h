@@ -36,6 +36,8 @@ public:
     // nullptr if there is no such backend.
     const Backend* find(std::string_view name) const;
 
+    std::vector<std::string> names() const;
+
     // OpenACC where it has a GPU, else OpenMP.
     AutomaticChoice automatic() const;
 

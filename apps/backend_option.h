@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The option --backend: `auto`, or a backend by its name.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "core/render/registry.h"
+
+namespace mandelmarch {
+
+void add_backend_option(CLI::App& app, std::string& name, const Registry& registry);
+
+// The backend of that name. What `auto` chose, and why, is said where `tells`.
+const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells);
+
+}  // namespace mandelmarch
