@@ -19,6 +19,13 @@ namespace {
 
 using namespace mandelmarch;
 
+// The command that shows how the first differing pixel comes about. Pictures do not say what they were drawn from.
+std::string trace_command(const Image& image, const Comparison& c)
+{
+    return fmt::format("bin/render --fractal FRACTAL PARAMS.dat --size {}x{} --pixel {},{} --trace", image.width(),
+                       image.height(), c.first % image.width(), c.first / image.width());
+}
+
 nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
 {
     nlohmann::ordered_json json{
@@ -40,7 +47,10 @@ nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
         json["differing_depths"] = c.differing_depths;
         json["hit_or_miss"] = c.hit_or_miss;
     }
-    if (!c.same()) json["first"] = {c.first % image.width(), c.first / image.width()};
+    if (!c.same()) {
+        json["first"] = {c.first % image.width(), c.first / image.width()};
+        json["trace"] = trace_command(image, c);
+    }
     return json;
 }
 
@@ -55,7 +65,10 @@ void print_text(const Image& a, const Image& b, const Comparison& c)
         print("{} differ in a bit of colour; depths are not compared, as not both pictures have them\n",
               c.differing_colours);
     }
-    if (!c.same()) print("first: {}\n", describe_pixel(a, b, c.first));
+    if (!c.same()) {
+        print("first: {}\n", describe_pixel(a, b, c.first));
+        print("why: {}, with the pictures' --precision and --mode\n", trace_command(a, c));
+    }
 }
 
 int body(int argc, char** argv)

@@ -12,6 +12,7 @@
 #include "apps/option_values.h"
 #include "apps/progress_bar.h"
 #include "apps/stats.h"
+#include "apps/trace/trace.h"
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -21,6 +22,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/image/image_file.h"
+#include "core/render/trial.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
@@ -40,6 +42,8 @@ struct Options {
     std::string size;
     std::string output;
     std::string stats;
+    std::string pixel;
+    bool trace = false;
     bool list_devices = false;
 };
 
@@ -78,6 +82,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal");
     app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
+    auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");
+    auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray and draw no picture");
+    trace->needs(pixel);
+    pixel->needs(trace);
     app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
     app.footer(fmt::format(
         "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
@@ -158,6 +166,32 @@ bool list_devices(const Registry& registry)
     return fine;
 }
 
+// `off`: what a trial could not settle, as a share of the picture.
+void warn_unsettled(const char* program, double off, Precision precision)
+{
+    say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
+        100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
+}
+
+// In fast mode with the stride that the backend's trial chooses.
+void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
+{
+    const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",
+                                             scene.width - 1, scene.height - 1);
+    const auto [x, y] = pair_option("pixel", options.pixel, ',', 0, max_side, expected);
+    if (x >= scene.width || y >= scene.height) {
+        throw InputError(fmt::format("--pixel: '{}' given, expected {}", options.pixel, expected));
+    }
+    if (is_tried(options.renderer)) {
+        const Backend& backend = chosen_backend(registry, options.backend, true);
+        const Trial trial = try_steps(scene, backend, options.renderer);
+        scene.stride = trial.stride;
+        print("a trial on {} chose the stride\n", backend.name());
+        if (!trial.settled()) warn_unsettled(program, trial.off, options.renderer.precision);
+    }
+    print(text_of(trace_pixel(scene, options.renderer, x, y)));
+}
+
 }  // namespace
 
 int render_program(const char* program, const char* fractal, int argc, char** argv)
@@ -173,6 +207,10 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options.size, scene);
+    if (options.trace) {
+        print_trace(program, options, registry, scene);
+        return exit_fine;
+    }
 
     const std::string& output = options.output.empty() ? scene.image_file : options.output;
     const ImageFormat format = format_of(output);
@@ -188,13 +226,7 @@ int render_program(const char* program, const char* fractal, int argc, char** ar
     ProgressBar bar(program);
     const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
     bar.finish();
-    if (report.unsettled > 0) {
-        say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
-            100 * report.unsettled,
-            options.renderer.precision == Precision::f32
-                ? "float's digits are too few (--precision double has more) or "
-                : "");
-    }
+    if (report.unsettled > 0) warn_unsettled(program, report.unsettled, options.renderer.precision);
     write_image(output, format, image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report);
     return exit_fine;

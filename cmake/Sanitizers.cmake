@@ -15,6 +15,7 @@ elseif(MANDELMARCH_SANITIZER STREQUAL "thread")
     # The kernel text touches nothing that threads share but the constant scene.
     set(MANDELMARCH_SANITIZER_packs -fno-sanitize=thread)
     set(MANDELMARCH_SANITIZER_scalar -fno-sanitize=thread)
+    set(MANDELMARCH_SANITIZER_ray -fno-sanitize=thread)
 elseif(MANDELMARCH_SANITIZER)
     message(FATAL_ERROR "MANDELMARCH_SANITIZER is '${MANDELMARCH_SANITIZER}', expected address or thread")
 endif()

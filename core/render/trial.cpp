@@ -65,9 +65,7 @@ public:
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         auto renderer = backend_->create(options);
-        // Where hits are not refined every schedule draws a picture of its own.
-        const bool comparable = options.mode == Mode::fast && options.techniques.root;
-        if (!comparable || !options.techniques.trial) return renderer;
+        if (!is_tried(options)) return renderer;
         return std::make_unique<TrialRenderer>(std::move(renderer));
     }
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
@@ -111,6 +109,19 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
         picture = std::move(again);
     }
     return trial;
+}
+
+bool is_tried(const RendererOptions& options)
+{
+    // Where hits are not refined every schedule draws a picture of its own.
+    return options.mode == Mode::fast && options.techniques.root && options.techniques.trial;
+}
+
+Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions options)
+{
+    options.techniques.trial = false;
+    const auto renderer = backend.create(options);
+    return try_steps(scene, [&](const Scene& small, Image& picture) { renderer->render(small, picture); });
 }
 
 std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend)

@@ -24,6 +24,12 @@ struct Trial {
 // steps bring pictures no nearer to each other, as digits are short. `draw` draws a small picture.
 Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
 
+// Whether a trial goes before a picture that is drawn so.
+bool is_tried(const RendererOptions& options);
+
+// The trial that the backend would make before the picture.
+Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions options);
+
 // The backend, with a trial before each picture of fast mode. Timings include the trial's; Work does not.
 std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend);
 

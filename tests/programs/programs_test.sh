@@ -63,11 +63,31 @@ expect 1 "$bin/imgdiff" a.bmp image.bmp
 expect 1 "$bin/imgdiff" a.bmp odd.bmp
 expect 1 "$bin/imgdiff" a.bmp image.bmp --json --map map.png
 grep -q '"same": false' stdout || fail "imgdiff --json"
+grep -q '"trace": "bin/render .* --size 40x30 --pixel ' stdout || fail "imgdiff --json without a trace"
 [ -s map.png ] || fail "imgdiff --map"
 expect 2 "$bin/imgdiff" a.bmp missing.bmp
 expect 2 "$bin/imgdiff" a.bmp paramsBox.dat
 expect 2 "$bin/imgdiff" a.bmp
 expect 2 "$bin/imgdiff" a.bmp a.bmp --map map.exr
+
+# A ray's trace: no picture, and the command that imgdiff prints is one that runs.
+rm -f traced.png
+expect 1 "$bin/imgdiff" a.bmp image.bmp
+traced=$(sed -n 's/^why: bin\/render --fractal FRACTAL PARAMS.dat \(--size 40x30 --pixel [0-9]*,[0-9]* --trace\),.*/\1/p' stdout)
+[ -n "$traced" ] || fail "imgdiff prints no command: $(cat stdout)"
+expect 0 "$bin/render" --fractal mandelbulb paramsBulb.dat $traced --output traced.png
+grep -q '^colour .*, as bytes [0-9]* [0-9]* [0-9]*$' stdout || fail "no colour in the trace of $traced"
+[ ! -e traced.png ] || fail "a trace draws a picture"
+for options in "" "--precision float" "--mode fast"; do
+    expect 0 "$bin/mandelbox" paramsBox.dat $small $options --pixel 20,15 --trace
+    grep -q 'hit: DE is below the tolerance$' stdout || fail "the ray in the middle does not hit: $options"
+done
+grep -q '^a trial on openmp chose the stride$' stdout || fail "a fast trace says nothing of its stride"
+for options in "--trace" "--pixel 3,4" "--pixel 40,3 --trace" "--pixel 3,30 --trace" "--pixel -1,3 --trace" \
+    "--pixel 3 --trace" "--pixel 3,x --trace"; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small $options
+done
+says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom left to 39,29 at the top right"
 
 # Statistics.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png
