@@ -38,7 +38,7 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
 // In words; `from` is the sample that a step goes on from.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
-    const std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);
+    std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);
     switch (sample.decision) {
         case Decision::step: return step;
         case Decision::taken_back:

@@ -31,7 +31,8 @@ enum class Refined {
     out_of_roots
 };
 
-// Lengths are in the scene's units; `tolerance` is the one that DE was compared with.
+// Lengths are in the scene's units. `tolerance` is the one that decided; where a sample is taken back, that of the
+// sample before.
 struct TracedSample {
     double t, distance, tolerance;
     Decision decision;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 #include "apps/trace/trace.h"
 #include "backends/openmp/openmp.h"
@@ -13,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-bool same_double(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+bool same_double(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 bool same_pixel(const Image& image, std::size_t index, const Trace& trace)
 {
