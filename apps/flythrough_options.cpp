@@ -65,7 +65,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--still-format", texts.kind, "png or jpeg")
         ->check(CLI::IsMember({"png", "jpeg"}))
         ->capture_default_str();
-    app.add_option("--every", texts.every, "stills: only every so manieth frame");
+    app.add_option("--every", texts.every, "stills: every N-th frame only");
     app.add_option("--segments", texts.segments,
                    "A-B: only these segments of 60 frames, from 0; the film is not joined");
     app.add_flag("--force", options.force, "render a path that breaks a promise");

@@ -30,7 +30,7 @@ struct Audit {
 };
 
 // `threads`: 0 for one a core; the result does not depend on it. `planning`: seconds that planning took, a row if > 0.
-// `stride`: the rows about views look at every so manieth frame.
+// `stride`: the rows about views look at every N-th frame.
 Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
 
 // The promises alone, which need no views: seconds less.

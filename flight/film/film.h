@@ -58,7 +58,7 @@ struct StillOptions {
 // As check_film(), for stills.
 void check_stills(const StillOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) for every so manieth frame, each with a note of what it was made of; those that are
+// Writes frame-000123.png (or .jpg) for every N-th frame, each with a note of what it was made of; those that are
 // there already, as their notes say, stay. Returns how many these are.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
