@@ -90,6 +90,8 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
         } else {
             executor.run(Entry::begin, band, 0);
             do {
+                // A sign of life: a band may take many passes.
+                if (progress) progress(static_cast<double>(row) / scene.height);
                 executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));
             for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
