@@ -103,6 +103,8 @@ Json of(const Result& result, const Row& row)
             {"proof", of(row.proof)},
             {"context_seconds", row.context},
             {"build_seconds", row.build},
+            {"stride", row.stride > 0 ? Json(row.stride) : Json()},
+            {"unsettled", row.unsettled},
             {"work", of(row.work)},
             {"operations", row.operations},
             {"samples", samples},

@@ -10,6 +10,7 @@
 #include "core/kernel/hull.h"
 #include MM_FRACTAL_FILE
 #include "core/kernel/march.h"
+#include "core/kernel/refine.h"
 #include "core/kernel/looks.h"
 #include "core/kernel/shade.h"
 #undef Scene

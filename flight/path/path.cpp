@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/render/stepping.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -13,7 +14,6 @@ namespace {
 constexpr double footprint = 1;  // pixel heights
 constexpr double degrees_per_field = 65;
 constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
-constexpr double film_root_share = 0.2;     // a fifth of a pixel's footprint is not seen
 constexpr int spare_iterations = 1;
 
 // Iterations beyond this make features that are smaller than a pixel's footprint from the least clearance: noise, and
@@ -56,8 +56,7 @@ Scene picture_of(const Path& path, const Frame& frame, int width, int height)
     Scene scene = scene_of(path, frame, width, height);
     if (!path.detail_by_size) return scene;
     if (!frame.changes.iterations) scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
-    scene.stride = std::min(scene.stride, scene.fractal->short_stride);
-    scene.root_share = std::max(scene.root_share, film_root_share);
+    scene.limits = film_limits(scene);
     return scene;
 }
 

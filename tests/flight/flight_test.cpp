@@ -194,8 +194,8 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     path.scene.iterations = 100;
     const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
     EXPECT_EQ(asked.iterations, 100);
-    EXPECT_EQ(asked.stride, default_stride);
-    EXPECT_EQ(asked.root_share, 0);
+    EXPECT_EQ(asked.limits.stride, plain_stride);
+    EXPECT_EQ(asked.limits.root_share, 0);
 }
 
 // Pixels of one and a half samples: the sample in the middle counts half in each. Row 0 of an image is its bottom row.
