@@ -66,7 +66,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     }
     const bool fast = mode == Mode::fast;
     const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<Layout> ? 1e37 : 1e300, fast && techniques.tail);
+        scene.fractal->constants(scene, is_float<Layout> ? float_range : 1e300, fast && techniques.tail);
     const Camera camera = camera_of(scene);
 
     Layout k{};
@@ -79,14 +79,14 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.canonical = fast;
     k.differences = (!fast || !techniques.normal) && !is_float<Layout>;
     k.tolerance = real(std::pow(10.0, scene.detail));
-    const double stride = fast ? std::min(scene.stride, scene.fractal->fast_stride(scene)) : scene.stride;
+    const double stride = fast ? std::min(scene.stride, scene.fractal->fast.stride(scene)) : scene.stride;
     k.stride = real(stride);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
     k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
     // A scene that asks for short steps gets no longer ones.
     k.relaxation = real(fast && techniques.relaxation && stride >= default_stride ? relaxation : stride);
-    k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->root_share);
+    k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->fast.root_share);
     if (!techniques.root) k.root_share = real(any_root);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);

@@ -94,7 +94,7 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
         draw(small, image);
         return image;
     };
-    const double own = std::min(scene.stride, scene.fractal->fast_stride(scene));
+    const double own = std::min(scene.stride, scene.fractal->fast.stride(scene));
     Trial trial{scene.stride};
     double last_off = 1;
     Image picture = drawn(scene.stride);

@@ -35,7 +35,7 @@ struct Scene {
     double brightness = 1;
     std::string image_file;
     double stride = default_stride;  // a step's share of the estimate; not in the file
-    double root_share = 0;           // see Fractal::root_share, whose value 0 stands for; not in the file
+    double root_share = 0;           // see FractalFast::root_share, whose value 0 stands for; not in the file
 };
 
 // The entries of a parameter file, in their order.

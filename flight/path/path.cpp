@@ -20,7 +20,7 @@ constexpr int spare_iterations = 1;
 // what is slowest in a close-up.
 int iterations_in_sight(const Scene& scene)
 {
-    const double growth = std::max(scene.fractal->growth(scene), 1.1);
+    const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);
     const double smallest = std::pow(10.0, scene.detail) * least_clearance;
     return static_cast<int>(std::ceil(-std::log(smallest) / std::log(growth))) + spare_iterations;
 }
@@ -56,7 +56,7 @@ Scene picture_of(const Path& path, const Frame& frame, int width, int height)
     Scene scene = scene_of(path, frame, width, height);
     if (!path.detail_by_size) return scene;
     if (!frame.changes.iterations) scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
-    scene.stride = std::min(scene.stride, scene.fractal->short_stride);
+    scene.stride = std::min(scene.stride, scene.fractal->flight.short_stride);
     scene.root_share = std::max(scene.root_share, film_root_share);
     return scene;
 }
