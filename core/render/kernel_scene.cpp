@@ -63,7 +63,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     }
     const bool fast = mode == Mode::fast;
     const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<Layout> ? 1e37 : 1e300, fast && techniques.tail);
+        scene.fractal->constants(scene, is_float<Layout> ? float_range : 1e300, fast && techniques.tail);
     const Camera camera = camera_of(scene);
 
     Layout k{};

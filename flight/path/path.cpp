@@ -20,7 +20,7 @@ constexpr int spare_iterations = 1;
 // what is slowest in a close-up.
 int iterations_in_sight(const Scene& scene)
 {
-    const double growth = std::max(scene.fractal->growth(scene), 1.1);
+    const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);
     const double smallest = std::pow(10.0, scene.detail) * least_clearance;
     return static_cast<int>(std::ceil(-std::log(smallest) / std::log(growth))) + spare_iterations;
 }
