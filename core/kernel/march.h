@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 6: a ray from the camera until it has hit or left the scene. begin -> march (any number of times).
+// Kernel text, part 7: a ray from the camera until it has hit or left the scene. begin -> march (any number of times).
 
 // Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.
 FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
@@ -53,18 +53,6 @@ FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(sce
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
 
-// The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
-// slope) is where the spheres of a step's ends just touch (Ban and Valasek, "Automatic step size relaxation in sphere
-// tracing", Eurographics 2023); somewhat less misses less. Where DE is little more than the tolerance a dip below it is
-// most easily stepped over: short steps there (docs/fast-mode.md, "Steps").
-FN real relaxed(Scene scene, Ray ray)
-{
-    real way = ray.last_t - ray.before_t;
-    real fall = larger(ray.before_distance - ray.last_distance, 0);  // -slope * way
-    real factor = larger(rough_quotient(scene.relaxation * way, way + fall), R(1.2));
-    return pick(ray.last_distance > R(1.3) * scene.tolerance * ray.last_t, factor, R(0.4));
-}
-
 // The ray's next sample. What steps do with a sample are functions of their own, so that a backend can take samples of
 // more rays at once than it handles otherwise.
 FN Estimate probe(Scene scene, Ray ray, mask on) { return estimate(scene, point_at(scene, ray, ray.t), on); }
@@ -114,8 +102,8 @@ FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
     return ray;
 }
 
-// True while the cone has not ended. What a hundred steps do not reach rays go alone.
-FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < 100; }
+// True while the cone has not ended: it has room, and the scene and its steps are not at their end.
+FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
 
 // Pixels of a lattice can be drawn before those between them, and leave for these where they hit: t, or all_clear()
 // where a ray missed with room on all sides, else 0. `first` and `last` are the least and greatest of four around a
