@@ -14,9 +14,14 @@
 namespace mandelmarch {
 
 std::string_view usual::objection(const Scene&) { return {}; }
-double usual::hull(const Scene&, const Sight&) { return 0; }
+double usual::no_hull(const Scene&, const Sight&) { return 0; }
+std::optional<Hull> usual::unknown_body(const Scene&) { return {}; }
 double usual::stride(const Scene&) { return plain_stride; }
 double usual::growth(const Scene&) { return 1; }
+Vector usual::representative(const Scene&, Vector p) { return p; }
+bool usual::worth_searching(const Scene&, const Hull&, Vector) { return true; }
+void usual::same_shape(Scene&, Chance&, bool) {}
+void usual::same_extreme_shape(Scene&, Chance&) {}
 
 std::span<const Fractal> fractals()
 {
@@ -31,6 +36,13 @@ std::span<const Fractal> fractals()
     }();
     return table;
 }
+
+namespace {
+
+// The table is there before main: a process made of this one (core/isolation) takes its rows by their addresses.
+[[maybe_unused]] const bool made = !fractals().empty();
+
+}  // namespace
 
 const Fractal& fractal_named(std::string_view name)
 {

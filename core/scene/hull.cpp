@@ -9,6 +9,12 @@
 
 namespace mandelmarch {
 
+bool Hull::contains(Vector p) const
+{
+    if (shape == Shape::sphere) return length(p) <= size;
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= size;
+}
+
 // A point at distance r is seen at t <= r + |eye|.
 double radius_where(const std::function<double(double)>& bound, double radius, const Sight& view)
 {
