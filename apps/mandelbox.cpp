@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/renderer_app.h"
+#include "backends/all.h"
 #include "core/base/error.h"
 
 int main(int argc, char** argv)
 {
     const auto body = [](int count, char** values) {
-        return mandelmarch::render_program("mandelbox", "mandelbox", count, values);
+        return mandelmarch::render_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), "mandelbox",
+                                           "mandelbox", count, values);
     };
     return mandelmarch::run_program("mandelbox", body, argc, argv);
 }

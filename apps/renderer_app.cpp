@@ -13,7 +13,6 @@
 #include "apps/progress_bar.h"
 #include "apps/stats.h"
 #include "apps/trace/trace.h"
-#include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -194,10 +193,9 @@ void print_trace(const char* program, const Options& options, const Registry& re
 
 }  // namespace
 
-int render_program(const char* program, const char* fractal, int argc, char** argv)
+int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
-    const Registry registry = all_backends(Drivers::isolated);
     const Options options = parse_options(program, fractal, registry, argc, argv, done);
     if (done) return *done;
     if (options.list_devices) {

@@ -2,10 +2,12 @@
 // What mandelbulb, mandelbox and render share: options, parameter file, picture, statistics.
 #pragma once
 
+#include "core/render/registry.h"
+
 namespace mandelmarch {
 
-// The whole program. `fractal` is the fractal's name, or nullptr where --fractal chooses it. Returns an exit code or
-// throws what core/base/error.h turns into one.
-int render_program(const char* program, const char* fractal, int argc, char** argv);
+// The whole program, on whatever backends it is given. `fractal` is the fractal's name, or nullptr where --fractal
+// chooses it. Returns an exit code or throws what core/base/error.h turns into one.
+int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv);
 
 }  // namespace mandelmarch

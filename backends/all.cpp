@@ -1,46 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/all.h"
 
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
 #include "core/isolation/isolated.h"
 #include "core/render/trial.h"
-#ifdef MANDELMARCH_HAS_OPENACC
-#include "backends/openacc/openacc.h"
-#endif
-#ifdef MANDELMARCH_HAS_OPENCL
-#include "backends/opencl/opencl.h"
-#endif
-#ifdef MANDELMARCH_HAS_VULKAN
-#include "backends/vulkan/vulkan.h"
-#endif
+#include "registrations.h"
 
 namespace mandelmarch {
 
 Registry all_backends(Drivers drivers)
 {
-    [[maybe_unused]] const auto with_driver = [&](std::unique_ptr<Backend> backend) {
-        backend = with_trials(std::move(backend));
-        return drivers == Drivers::isolated ? isolated(std::move(backend)) : std::move(backend);
-    };
     std::vector<std::unique_ptr<Backend>> backends;
-    backends.push_back(make_reference_backend());
-    backends.push_back(with_trials(make_openmp_backend()));
-#ifdef MANDELMARCH_HAS_OPENACC
-    backends.push_back(with_driver(make_openacc_backend()));
-#else
-    backends.push_back(not_built("openacc"));
-#endif
-#ifdef MANDELMARCH_HAS_OPENCL
-    backends.push_back(with_driver(make_opencl_backend()));
-#else
-    backends.push_back(not_built("opencl"));
-#endif
-#ifdef MANDELMARCH_HAS_VULKAN
-    backends.push_back(with_driver(make_vulkan_backend()));
-#else
-    backends.push_back(not_built("vulkan"));
-#endif
+    const auto add = [&](std::unique_ptr<Backend> backend) {
+        const Facts facts = backend->facts();
+        // The reference's short steps pass through nothing.
+        if (facts.role != Role::reference) backend = with_trials(std::move(backend));
+        if (facts.has_driver && drivers == Drivers::isolated) backend = isolated(std::move(backend));
+        backends.push_back(std::move(backend));
+    };
+#define MM_BUILT(name) add(make_##name##_backend());
+#define MM_NOT_BUILT(name) backends.push_back(not_built(#name));
+    MM_BACKENDS
+#undef MM_BUILT
+#undef MM_NOT_BUILT
     return Registry(std::move(backends));
 }
 

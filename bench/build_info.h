@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace mandelmarch::bench {
 
@@ -14,12 +13,5 @@ struct BuildInfo {
 };
 
 BuildInfo build_info();
-
-// The compiler of a backend's kernels and its floating-point flags in each mode; empty where unknown.
-struct BackendBuild {
-    std::string compiler, exact, fast;
-};
-
-BackendBuild build_of(std::string_view backend);
 
 }  // namespace mandelmarch::bench

@@ -142,7 +142,8 @@ CommandLine parse_command_line(int argc, char** argv)
     portability->add_option("--csv", line.options.csv,
                             "write the rows behind it to this file, for p3-analysis-library");
     CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
-    random->add_option("--backend", line.random.backend, "the backend that draws them")->capture_default_str();
+    random->add_option("--backend", line.random.backend,
+                       "the backend that draws them (default: the text's on this machine's cores)");
     random->add_option("--fractal", line.random.fractal, "all, as above, or one fractal's name")->capture_default_str();
     random->add_option("--without", line.random.without, "techniques to switch off, `trial` say");
     random->add_option("--scenes", texts.scenes, "scenes of a fractal in each set (default 60)");

@@ -147,27 +147,26 @@ Json backends(const Registry& registry)
                                {"is_gpu", device.is_gpu}});
         }
         const std::string why = listing.unavailable + listing.failure;
-        const BackendBuild build = build_of(backend->name());
+        const Facts facts = backend->facts();
         found.push_back({{"name", backend->name()},
+                         {"role", name_of(facts.role)},
                          {"unavailable", or_null(why)},
-                         {"compiler", build.compiler},
-                         {"flags_exact", build.exact},
-                         {"flags_fast", build.fast},
+                         {"compiler", facts.build.compiler},
+                         {"flags_exact", facts.build.exact},
+                         {"flags_fast", facts.build.fast},
                          {"devices", devices}});
     }
     return found;
 }
 
 // What changes how backends run, where it is set.
-Json variables()
+Json variables(const Registry& registry)
 {
     Json set = Json::object();
-    for (const char* name :
-         {"OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES", "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT",
-          "ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "POCL_MAX_PTHREAD_COUNT",
-          "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS", "VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS",
-          "LP_NATIVE_VECTOR_WIDTH"}) {
-        if (const char* value = std::getenv(name)) set[name] = value;
+    for (const auto& backend : registry.backends()) {
+        for (const std::string_view name : backend->facts().variables) {
+            if (const char* value = std::getenv(std::string(name).c_str())) set[std::string(name)] = value;
+        }
     }
     return set;
 }
@@ -193,7 +192,7 @@ Json environment(const Registry& registry)
           {"architecture", system.machine}}},
         {"backends", backends(registry)},
         {"icds", icds()},
-        {"variables", variables()}};
+        {"variables", variables(registry)}};
 }
 
 }  // namespace mandelmarch::bench

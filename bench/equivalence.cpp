@@ -18,7 +18,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::string_view yardstick = "openmp";
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
@@ -101,13 +100,13 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
     return widths;
 }
 
-std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Scene& any,
-                                 std::vector<std::string>& missing)
+std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& right,
+                                 const Scene& any, std::vector<std::string>& missing)
 {
     std::vector<Subject> subjects;
     for (const auto& backend : registry.backends()) {
         // The reference shares no formula with the text, and no bits.
-        if (backend->name() == "reference") continue;
+        if (backend->facts().role == Role::reference) continue;
         if (options.backend != "all" && options.backend != backend->name()) continue;
         if (const auto why = backend->unavailable()) {
             missing.push_back(fmt::format("{}: {}", backend->name(), *why));
@@ -122,7 +121,7 @@ std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOpti
                                         .device = devices[static_cast<std::size_t>(device)].name});
                 };
                 add(0);
-                if (backend->name() != yardstick) continue;
+                if (backend.get() != &right) continue;
                 for (const int pack : pack_widths(*backend, any, precision)) add(pack);
             }
         }
@@ -181,12 +180,16 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
         throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
     }
     const auto of = fractals_of(options);
-    const Backend& right = *registry.find(yardstick);
-    EquivalenceResult result{
-        .options = options, .environment = environment(registry), .subjects = {}, .missing = {}, .discrepancies = {}};
+    const Backend& right = registry.with(Role::host);
+    EquivalenceResult result{.options = options,
+                             .yardstick = std::string(right.name()),
+                             .environment = environment(registry),
+                             .subjects = {},
+                             .missing = {},
+                             .discrepancies = {}};
     Scene any = extreme_scene(*of.front(), options.seed, 0);
     any.width = any.height = 1;
-    result.subjects = subjects_of(registry, options, any, result.missing);
+    result.subjects = subjects_of(registry, options, right, any, result.missing);
     if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
     std::vector<Contestant> contestants;
     for (Subject& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
@@ -253,7 +256,7 @@ nlohmann::ordered_json to_json(const EquivalenceResult& result)
 std::string to_console(const EquivalenceResult& result)
 {
     std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --pack 1\n",
-                                   result.options.scenes, result.options.seed, yardstick);
+                                   result.options.scenes, result.options.seed, result.yardstick);
     text += fmt::format("{:<8} {:>3} {:<32} {:<6} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device", "number",
                         "pack", "pictures", "unavailable", "wrong");
     for (const Subject& s : result.subjects) {

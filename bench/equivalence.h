@@ -31,7 +31,7 @@ struct Subject {
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that is not that of openmp --pack 1.
+// A picture that is not that of the host's scalar text (--pack 1).
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, number
     std::string parameters;  // the text of its parameter file
@@ -41,15 +41,16 @@ struct Discrepancy {
 
 struct EquivalenceResult {
     EquivalenceOptions options;
+    std::string yardstick;  // the backend with the role of the host
     nlohmann::ordered_json environment;
     std::vector<Subject> subjects;
     std::vector<std::string> missing;  // backends without a device, and why
     std::vector<Discrepancy> discrepancies;
 };
 
-// Draws each scene in both precisions by openmp --pack 1 and by every subject; a scene that is too much work is drawn
-// smaller. `found` is called with each discrepancy at once, `progress` with the finished share. Throws InputError for
-// an unknown backend or fractal, Unavailable where the one backend asked for has no device.
+// Draws each scene in both precisions by the host's scalar text and by every subject; a scene that is too much work is
+// drawn smaller. `found` is called with each discrepancy at once, `progress` with the finished share. Throws InputError
+// for an unknown backend or fractal, Unavailable where the one backend asked for has no device.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);

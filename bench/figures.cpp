@@ -54,6 +54,19 @@ std::string Row::name() const
 
 bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
 
+std::string Result::reference() const
+{
+    const auto backends = environment.find("backends");
+    if (backends != environment.end() && backends->is_array()) {
+        for (const auto& backend : *backends) {
+            if (backend.is_object() && backend.value("role", "") == name_of(Role::reference)) {
+                return backend.value("name", "");
+            }
+        }
+    }
+    return "reference";  // in results without roles, which are older
+}
+
 bool same_picture(const Setting& a, const Setting& b)
 {
     return a.width == b.width && a.height == b.height && a.iterations == b.iterations && a.detail == b.detail &&
@@ -103,8 +116,9 @@ Figures figures_of(const Result& result, const Row& row)
         if (row.operations > 0) f.bound = row.operations / peak->rate;
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
     }
+    const std::string reference = result.reference();
     for (const Row& other : result.rows) {
-        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == "reference" &&
+        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
             f.speed_up = median(wall_times(other)) / f.wall.median;
         }

@@ -173,8 +173,9 @@ std::vector<Portability> portability(std::span<const Result> results)
     std::map<Problem, Field> fields;
     std::set<std::string> applications;
     for (const Result& result : results) {
+        const std::string reference = result.reference();
         for (const Row& row : result.rows) {
-            if (!row.point.empty() || row.backend == "reference") continue;
+            if (!row.point.empty() || row.backend == reference) continue;
             applications.insert(row.backend);
             if (row.platform.empty()) continue;  // a backend without any device
             fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);

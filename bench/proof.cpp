@@ -18,15 +18,16 @@ constexpr std::size_t most_reference_pixels = 1 << 20;
 Yardsticks::Source Yardsticks::source_for(const Case& one) const
 {
     const auto pixels = static_cast<std::size_t>(one.scene.width) * static_cast<std::size_t>(one.scene.height);
-    const Backend* reference = registry_.find("reference");
+    const Backend* reference = registry_.find(Role::reference);
     const bool by_reference = reference != nullptr && reference->draws(one.scene) && pixels <= most_reference_pixels;
     if (one.options.mode == Mode::fast && by_reference) {
-        return {"reference", {.mode = Mode::fast}, "reference, double, fast"};
+        return {reference, {.mode = Mode::fast}, fmt::format("{}, double, fast", reference->name())};
     }
     const Precision precision = one.options.mode == Mode::fast ? Precision::f64 : one.options.precision;
-    return {"openmp",
+    const Backend& host = registry_.with(Role::host);
+    return {&host,
             {.precision = precision, .mode = one.options.mode, .pack = 1},
-            fmt::format("openmp --pack 1, {}, {}", name_of(precision), name_of(one.options.mode))};
+            fmt::format("{} --pack 1, {}, {}", host.name(), name_of(precision), name_of(one.options.mode))};
 }
 
 std::string Yardsticks::key(const Case& one) const
@@ -42,7 +43,7 @@ std::string Yardsticks::key(const Case& one) const
 bool Yardsticks::is_yardstick(const Case& one) const
 {
     const Source source = source_for(one);
-    return one.row.backend == source.backend && one.options.mode == Mode::fast &&
+    return one.backend == source.backend && one.options.mode == Mode::fast &&
            one.options.precision == source.options.precision && one.options.pack == source.options.pack;
 }
 
@@ -52,22 +53,21 @@ const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
     const std::string wanted = key(one);
     if (kept.key == wanted) return kept;
     const Source source = source_for(one);
-    const Backend* backend = registry_.find(source.backend);
-    if (backend == nullptr || backend->unavailable()) {
-        throw Unavailable(fmt::format("nothing to compare with: this build has no backend {}", source.backend));
+    if (source.backend->unavailable()) {
+        throw Unavailable(fmt::format("nothing to compare with: backend {} is not here", source.backend->name()));
     }
     kept = {};
     Image image(one.scene.width, one.scene.height, Image::Layers::all);
-    RenderReport report = backend->create(source.options)->render(one.scene, image);
+    RenderReport report = source.backend->create(source.options)->render(one.scene, image);
     kept = {wanted, source.name, std::move(image), std::move(report)};
     return kept;
 }
 
-void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick)
+void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick& yardstick)
 {
     const Agreement found = agreement(yardstick.image, image, row.precision);
     // The reference is a second program: its exact picture is close to the text's, not the same.
-    const Level required = row.backend == "reference" ? Level::perceptual : level_required(row.mode);
+    const Level required = role == Role::reference ? Level::perceptual : level_required(row.mode);
     Proof& proof = row.proof;
     proof.drawn = true;
     proof.fine = found.level <= required;

@@ -10,10 +10,10 @@
 namespace mandelmarch::bench {
 
 // Draws the pictures that others are compared with, and keeps the last one of each kind.
-//   exact rows: openmp's scalar text (--pack 1), in the row's precision; the same bits are required.
-//   fast rows: reference's canonical picture in double, or openmp's scalar text where reference would take minutes
-//   (more than a million pixels) or does not draw the scene; at most 2 % of the pixels may be visibly off. reference
-//   itself in exact mode: openmp's scalar text in double; at most 2 % of the pixels visibly off.
+//   exact rows: the host's scalar text (--pack 1), in the row's precision; the same bits are required.
+//   fast rows: the reference's canonical picture in double, or the host's scalar text where the reference would take
+//   minutes (more than a million pixels) or does not draw the scene; at most 2 % of the pixels may be visibly off. The
+//   reference itself in exact mode: the host's scalar text in double; at most 2 % of the pixels visibly off.
 class Yardsticks {
 public:
     explicit Yardsticks(const Registry& registry) : registry_(registry) {}
@@ -38,7 +38,7 @@ public:
 private:
     // What draws the yardstick of a row.
     struct Source {
-        std::string backend;
+        const Backend* backend;
         RendererOptions options;
         std::string name;
     };
@@ -48,8 +48,8 @@ private:
     Yardstick exact_, fast_;
 };
 
-// Compares the row's picture and fills the proof in.
-void prove(Row& row, const Image& image, const Yardsticks::Yardstick& yardstick);
+// Compares the picture of a row, which a backend of this role drew, and fills the proof in.
+void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick& yardstick);
 
 // A number of the picture's bytes that tells it from others (FNV-1a, 64 bits).
 std::uint64_t fingerprint(const Image& image);

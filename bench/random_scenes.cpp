@@ -152,15 +152,16 @@ bool RandomResult::held() const
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress)
 {
-    const Backend* backend = registry.find(options.backend);
+    const Backend* backend = options.backend.empty() ? &registry.with(Role::host) : registry.find(options.backend);
     if (backend == nullptr) {
         throw InputError(fmt::format("--backend: '{}' given, expected the name of a backend", options.backend));
     }
     if (const auto why = backend->unavailable()) {
-        throw Unavailable(fmt::format("backend {}: {}", options.backend, *why));
+        throw Unavailable(fmt::format("backend {}: {}", backend->name(), *why));
     }
     const Techniques techniques = techniques_without(options.without);
     RandomResult result{.options = options, .environment = environment(registry), .rows = {}};
+    result.options.backend = backend->name();
     std::vector<Drawn> scenes = scenes_of(options);
     draw_canonical(registry, scenes, progress);
     std::unique_ptr<Renderer> renderers[2][2];

@@ -14,7 +14,7 @@
 namespace mandelmarch::bench {
 
 struct RandomOptions {
-    std::string backend = "openmp";
+    std::string backend = {};                                        // empty: the host's
     std::string fractal = "all";                                     // all: those that are studied; or one's name
     int scenes = 60;                                                 // of a fractal in each set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds

@@ -115,6 +115,8 @@ struct Result {
     std::vector<Row> rows;
 
     bool failed() const;
+    // The name of the backend that has the role of the reference.
+    std::string reference() const;
 };
 
 }  // namespace mandelmarch::bench

@@ -75,7 +75,7 @@ std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules
         } else {
             Image image(one.scene.width, one.scene.height, Image::Layers::all);
             report = live.renderer->render(one.scene, image);
-            prove(row, image, yardstick);
+            prove(row, one.backend->facts().role, image, yardstick);
             live.fingerprint = fingerprint(image);
         }
         describe(row, report);
@@ -110,7 +110,7 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
         phase("counting operations", static_cast<double>(done++) / static_cast<double>(rows.size()));
         Row& row = live.one->row;
         // The reference shares no formula with the text: what the text does says nothing of it.
-        if (row.backend == "reference") continue;
+        if (live.one->backend->facts().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return same_text(c, row); });
         if (found == result.counts.end()) {
             Counted counted{.fractal = row.fractal,

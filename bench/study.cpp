@@ -27,9 +27,9 @@ constexpr std::array<Study, 11> all_studies{{
     {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
     {"iterations", "iterations", "the distance estimator's limit of iterations"},
     {"detail", "detail", "the detail level D"},
-    {"tiles", "chunk", "tiles that a thread takes at once (openmp)"},
-    {"threads", "threads", "threads on the host (openmp)"},
-    {"packs", "pack", "pixels at once on a core (openmp, opencl)"},
+    {"tiles", "chunk", "tiles that a thread takes at once"},
+    {"threads", "threads", "threads on the host"},
+    {"packs", "pack", "pixels at once on a core"},
     {"ablation", "without", "what makes a picture cheaper or better, switched off one by one"},
     {"profile", "", "where a picture's time goes: begin, march, refine, normal, shade, output"},
     {"box-vs-bulb", "scene",
@@ -109,13 +109,16 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     return {{"", {}}};
 }
 
-// Only these backends have what the study varies.
-bool takes_part(std::string_view study, std::string_view backend)
+// Only backends that have what the study varies.
+bool takes_part(std::string_view study, const Facts& facts)
 {
-    if (study == "tiles" || study == "threads" || study == "profile") return backend == "openmp";
-    if (study == "packs") return backend == "openmp" || backend == "opencl";
+    if (study == "tiles") return facts.chunk;
+    if (study == "threads") return facts.threads;
+    if (study == "packs") return facts.pack;
+    // Its stages are openmp's (profile.h).
+    if (study == "profile") return facts.role == Role::host;
     // Sweeps ask how a row changes, not how it compares with the reference, which would take minutes.
-    if (study != "standard") return backend != "reference";
+    if (study != "standard") return facts.role != Role::reference;
     return true;
 }
 
@@ -226,10 +229,11 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
         throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
     }
     for (const auto& backend : registry.backends()) {
+        const Facts facts = backend->facts();
         // Speed-ups need the reference.
-        const bool yardstick = options.study == "standard" && backend->name() == "reference";
+        const bool yardstick = options.study == "standard" && facts.role == Role::reference;
         const bool asked = options.backend == "all" || options.backend == backend->name();
-        if ((!asked && !yardstick) || !takes_part(options.study, backend->name())) continue;
+        if ((!asked && !yardstick) || !takes_part(options.study, facts)) continue;
         Listing listing = listing_of(*backend);
         if (listing.devices.empty()) {
             if (asked) cases.push_back(missing(*backend, std::move(listing)));

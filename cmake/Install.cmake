@@ -11,6 +11,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/backends
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mandelmarch FILES_MATCHING PATTERN "*.h")
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mandelmarch)
 install(EXPORT mandelmarch NAMESPACE mandelmarch:: FILE mandelmarchTargets.cmake DESTINATION ${package_folder})
+get_property(dependencies GLOBAL PROPERTY MANDELMARCH_DEPENDENCIES)
+list(REMOVE_DUPLICATES dependencies)
+list(JOIN dependencies "\n" dependencies)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarchConfig.cmake.in mandelmarchConfig.cmake
     INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(mandelmarchConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -174,6 +174,13 @@ private:
 class OpenaccBackend : public Backend {
 public:
     std::string_view name() const override { return "openacc"; }
+    Facts facts() const override
+    {
+        return {.role = Role::accelerator,
+                .has_driver = true,
+                .variables = {"ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override
     {

@@ -12,6 +12,13 @@ namespace {
 class OpenclBackend : public Backend {
 public:
     std::string_view name() const override { return "opencl"; }
+    Facts facts() const override
+    {
+        return {.has_driver = true,
+                .pack = true,
+                .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
 
     std::optional<std::string> unavailable() const override
     {

@@ -238,6 +238,16 @@ private:
 class OpenmpBackend : public Backend {
 public:
     std::string_view name() const override { return "openmp"; }
+    Facts facts() const override
+    {
+        return {.role = Role::host,
+                .threads = true,
+                .pack = true,
+                .chunk = true,
+                .variables = {"OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES", "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY",
+                              "GOMP_SPINCOUNT"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {host_device()}; }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override

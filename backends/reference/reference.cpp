@@ -235,6 +235,11 @@ private:
 class ReferenceBackend : public Backend {
 public:
     std::string_view name() const override { return "reference"; }
+    Facts facts() const override
+    {
+        return {.role = Role::reference,
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {this_cpu()}; }
     bool draws(const Scene& scene) const override

@@ -103,6 +103,10 @@ private:
 class SkeletonBackend : public Backend {
 public:
     std::string_view name() const override { return "skeleton"; }
+    Facts facts() const override
+    {
+        return {.build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {only_device()}; }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override

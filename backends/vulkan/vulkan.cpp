@@ -11,6 +11,12 @@ namespace {
 class VulkanBackend : public Backend {
 public:
     std::string_view name() const override { return "vulkan"; }
+    Facts facts() const override
+    {
+        return {.has_driver = true,
+                .variables = {"VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
 
     std::optional<std::string> unavailable() const override
     {

@@ -136,6 +136,7 @@ public:
     }
 
     std::string_view name() const override { return backend_->name(); }
+    Facts facts() const override { return backend_->facts(); }
 
     std::optional<std::string> unavailable() const override
     {

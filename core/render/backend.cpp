@@ -28,6 +28,12 @@ std::string_view name_of(Precision precision) { return precision == Precision::f
 
 std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }
 
+std::string_view name_of(Role role)
+{
+    constexpr std::array<std::string_view, 4> names{"", "reference", "host", "accelerator"};
+    return names.at(static_cast<std::size_t>(role));
+}
+
 Techniques techniques_without(std::string_view names)
 {
     Techniques techniques;

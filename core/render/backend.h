@@ -111,11 +111,43 @@ public:
     virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };
 
+// What a backend is to the programs, which ask for a role where they need one backend.
+enum class Role {
+    none,
+    reference,  // shares no formula with the kernel text: the yardstick of pictures and of speed, drawn without a trial
+    host,       // the text on this machine's cores; with pack 1 it draws the exact bits that all others must have
+    accelerator  // `auto` takes it where it has a GPU
+};
+
+std::string_view name_of(Role role);  // "reference", "host", "accelerator", or "" for none
+
+// How a backend's kernels are compiled. Its CMakeLists.txt says so: mandelmarch_build_facts (cmake/Backend.cmake).
+struct BuildFacts {
+    std::string compiler = {};
+    std::string exact = {};  // flags in each mode
+    std::string fast = {};
+};
+
+// What is true of a backend on every machine.
+struct Facts {
+    Role role = Role::none;
+    bool has_driver = false;  // code from outside works for it, which may crash: programs run it in its own process
+    // Which of RendererOptions' members it heeds.
+    bool threads = false;
+    bool pack = false;
+    bool chunk = false;
+    std::vector<std::string_view> variables = {};  // of the environment, which change how it runs
+    BuildFacts build = {};
+};
+
 class Backend {
 public:
     virtual ~Backend() = default;
 
     virtual std::string_view name() const = 0;
+
+    // Asks no device.
+    virtual Facts facts() const { return {}; }
 
     // Why there is nothing to run on; nullopt if there is.
     virtual std::optional<std::string> unavailable() const = 0;

@@ -51,20 +51,37 @@ std::vector<std::string> Registry::names() const
     return names;
 }
 
+const Backend* Registry::find(Role role) const
+{
+    const auto found = std::ranges::find(backends_, role, [](const auto& backend) { return backend->facts().role; });
+    return found == backends_.end() ? nullptr : found->get();
+}
+
+const Backend& Registry::with(Role role) const
+{
+    const Backend* found = find(role);
+    if (found == nullptr) {
+        throw Unavailable(fmt::format("no backend of this build has the role '{}'", name_of(role)));
+    }
+    return *found;
+}
+
 AutomaticChoice Registry::automatic() const
 {
-    std::string reason = "openacc is not in this build";
-    if (const Backend* openacc = find("openacc")) {
-        const Listing listing = listing_of(*openacc);
+    std::string reason;
+    for (const auto& backend : backends_) {
+        if (backend->facts().role != Role::accelerator) continue;
+        const Listing listing = listing_of(*backend);
         const auto gpu = std::ranges::find_if(listing.devices, &Device::is_gpu);
-        if (gpu != listing.devices.end()) return {openacc, "openacc has the GPU " + gpu->name};
-        reason = "openacc has no GPU: " + (!listing.failure.empty()       ? listing.failure
-                                           : !listing.unavailable.empty() ? listing.unavailable
-                                                                          : "only the host");
+        if (gpu != listing.devices.end()) {
+            return {backend.get(), fmt::format("{} has the GPU {}", backend->name(), gpu->name)};
+        }
+        reason += fmt::format("{}{} has no GPU: {}", reason.empty() ? "" : "; ", backend->name(),
+                              !listing.failure.empty()       ? listing.failure
+                              : !listing.unavailable.empty() ? listing.unavailable
+                                                             : "only the host");
     }
-    const Backend* openmp = find("openmp");
-    if (openmp == nullptr) throw Unavailable(reason + ", and openmp is not in this build");
-    return {openmp, reason};
+    return {&with(Role::host), reason.empty() ? "this build has no accelerator" : reason};
 }
 
 std::unique_ptr<Backend> not_built(std::string_view name) { return std::make_unique<NotBuilt>(name); }

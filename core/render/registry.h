@@ -36,9 +36,15 @@ public:
     // nullptr if there is no such backend.
     const Backend* find(std::string_view name) const;
 
+    // The first one with the role; nullptr if there is none.
+    const Backend* find(Role role) const;
+
+    // As find(Role), but throws Unavailable where this program has none.
+    const Backend& with(Role role) const;
+
     std::vector<std::string> names() const;
 
-    // OpenACC where it has a GPU, else OpenMP.
+    // An accelerator that has a GPU, else the host.
     AutomaticChoice automatic() const;
 
 private:

@@ -49,6 +49,7 @@ public:
     explicit TrialBackend(std::unique_ptr<Backend> backend) : backend_(std::move(backend)) {}
 
     std::string_view name() const override { return backend_->name(); }
+    Facts facts() const override { return backend_->facts(); }
     std::optional<std::string> unavailable() const override { return backend_->unavailable(); }
     std::vector<Device> devices() const override { return backend_->devices(); }
     bool draws(const Scene& scene) const override { return backend_->draws(scene); }

@@ -43,12 +43,12 @@ def compare(studio: Studio, a: Picture, b: Picture) -> Difference:
     return Difference(worst.size, differing, int((worst > VISIBLE).sum()), int(worst.max()), psnr, bits)
 
 
-def yardstick(pictures: dict[Key, Picture], picture: Picture) -> Picture | None:
+def yardstick(pictures: dict[Key, Picture], picture: Picture, reference: str) -> Picture | None:
     """What a picture is measured by: the reference's of its mode, in double."""
     key = picture.key
-    if key.backend == "reference":
+    if key.backend == reference:
         return None
-    return pictures.get(Key(key.fractal, "double", key.mode, "reference"))
+    return pictures.get(Key(key.fractal, "double", key.mode, reference))
 
 
 def difference_map(a: Picture, b: Picture) -> bytes:

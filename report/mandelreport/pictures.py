@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,7 +18,6 @@ import numpy
 from PIL import Image
 
 from .errors import InputError, write_whole
-from .figures.style import BACKENDS
 
 SIDE = 540  # pixels: the size that bench proves and times
 ROOT = Path(__file__).parents[2]
@@ -83,6 +84,14 @@ class Studio:
     def there(self) -> bool:
         return self.render.exists() and self.imgdiff.exists()
 
+    @functools.cached_property
+    def backends(self) -> list[str]:
+        """The backends of bin/render, in its order."""
+        if not self.there:
+            return []
+        run = subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False)
+        return list(dict.fromkeys(line.split()[0] for line in run.stdout.splitlines()))
+
     def _draw(self, key: Key, ending: str) -> Path | None:
         """A file that bin/render wrote; None where the backend cannot draw it."""
         scene = SCENES[key.fractal]
@@ -135,8 +144,8 @@ class Studio:
         with Image.open(drawn) as image:
             return Picture(key, stats["device"]["name"], numpy.asarray(image.convert("RGB")), values)
 
-    def all(self) -> list[Picture]:
-        """Every picture that can be drawn here, in the order of the report."""
+    def all(self, backends: Iterable[str]) -> list[Picture]:
+        """Every picture of these backends that can be drawn here, in the order of the report."""
         if not self.there:
             return []
         keys = [
@@ -144,7 +153,7 @@ class Studio:
             for fractal in SCENES
             for mode in ("exact", "fast")
             for precision in ("double", "float")
-            for backend in BACKENDS
+            for backend in backends
         ]
         return [picture for key in keys if (picture := self.picture(key)) is not None]
 

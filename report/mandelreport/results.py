@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from .backends import Backends
 from .bench import SCHEMA, Bench, read_bench, read_portability
 from .errors import InputError
 from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
@@ -33,6 +35,13 @@ class Results:
 
     def study(self, name: str) -> list[Bench]:
         return [bench for bench in self.benches if bench.study == name]
+
+    def backends(self, others: Iterable[str] = ()) -> Backends:
+        """All that any result or `others` name: in the order of the result that knows most, then as they come."""
+        lists = sorted((bench.environment["backends"] for bench in self.benches), key=len, reverse=True)
+        rows = [row.backend for bench in self.benches for row in bench.rows]
+        applications = [entry["application"] for entry in self.portability or []]
+        return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
     def machines(self) -> list[Bench]:
         """One standard study a machine, that with the most launches: machines are compared, not picture sizes."""

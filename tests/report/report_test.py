@@ -22,6 +22,7 @@ import made  # noqa: E402
 import made_programs  # noqa: E402
 from mandelreport import flight, shaders  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
+from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.bench import read_bench  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
 
@@ -152,9 +153,45 @@ class ReportTest(unittest.TestCase):
 
     def test_figures_without_the_salt_differ(self) -> None:
         bench = read_bench("made", Path("made"), made.bench())
-        self.assertEqual(timings.kernel_bars(bench), timings.kernel_bars(bench))
+        backends = Backends.of(bench.environment["backends"])
+        self.assertEqual(timings.kernel_bars(bench, backends), timings.kernel_bars(bench, backends))
         with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
-            self.assertNotEqual(timings.kernel_bars(bench), timings.kernel_bars(bench))
+            self.assertNotEqual(timings.kernel_bars(bench, backends), timings.kernel_bars(bench, backends))
+
+    def test_colours_follow_the_registration(self) -> None:
+        registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
+        colours = {"openmp": style.BLUE, "openacc": style.ORANGE, "opencl": style.GREEN, "vulkan": style.RED}
+
+        def of(names: list[str], **roles: str) -> Backends:
+            return Backends.of([{"name": name} | ({"role": roles[name]} if name in roles else {}) for name in names])
+
+        def looks(backends: Backends) -> dict[str, str]:
+            return {name: style.look(backends.number_of(name))["facecolor"] for name in backends.names}
+
+        self.assertEqual(looks(of(registered)), colours | {"reference": style.SKY})
+        # One more line in the registry: a colour of its own, and the others keep theirs.
+        more = of([*registered, "skeleton"])
+        self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
+        self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
+        # A backend that is not in the registry has none.
+        self.assertEqual(of(registered).number_of("skeleton"), len(registered))
+        # More than there are colours: still distinguishable, by bars as by lines.
+        many = [f"backend{number}" for number in range(40)]
+        for kind in style.look, style.line:
+            self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
+        # Roles, where a result states them, not names.
+        renamed = of(["oracle", "cores"], oracle="reference", cores="host")
+        self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
+
+    def test_a_registered_backend_is_in_the_figures(self) -> None:
+        data = made.bench()
+        data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
+        data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
+        bench = read_bench("made", Path("made"), data)
+        registered = bench.environment["backends"]
+        figure = timings.kernel_bars(bench, Backends.of(registered))
+        self.assertIn("skeleton", str(figure.alt))
+        self.assertNotEqual(figure, timings.kernel_bars(bench, Backends.of(registered[::-1])))
 
     def test_nothing_there(self) -> None:
         (self.folder / "results").mkdir()

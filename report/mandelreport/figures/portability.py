@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..backends import Backends
 from ..blocks import Figure
 from ..text import digits
 from . import style
 
 
-def cascade(entries: list[dict[str, Any]]) -> Figure | None:
+def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
     """A panel for each fractal and mode, a line for each backend and precision: efficiency on the first 1, 2, ...
     platforms as points, the metric over them as the line."""
     if not entries:
@@ -25,7 +26,7 @@ def cascade(entries: list[dict[str, Any]]) -> Figure | None:
             axis = axes[i][j]
             here = [e for e in entries if e["fractal"] == fractal and e["mode"] == mode]
             for entry in here:
-                look = style.line(style.number_of(entry["application"]))
+                look = style.line(backends.number_of(entry["application"]))
                 x = [k + 1 + (0.04 if entry["precision"] == "float" else -0.04) for k in range(len(entry["cascade"]))]
                 fill = "full" if entry["precision"] == "double" else "none"
                 name = f"{entry['application']} {entry['precision']}"

@@ -31,7 +31,6 @@ COLOURS = [BLUE, ORANGE, GREEN, RED, SKY, PURPLE, YELLOW, BLACK]
 HATCHES = ["", "///", "..", "xx", "\\\\\\", "++", "--", "||"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2)), (0, (3, 3))]
-BACKENDS = ["openmp", "openacc", "opencl", "vulkan", "reference"]
 
 SETTINGS: Any = {
     "svg.hashsalt": "mandelmarch",
@@ -53,24 +52,19 @@ SETTINGS: Any = {
 }
 
 
+def _turn(number: int) -> int:
+    """Series beyond the eighth have the colours again, with another hatch, marker and dash."""
+    return (number + number // 8) % 8
+
+
 def look(number: int) -> dict[str, Any]:
     """Colour, hatch and edge of the bars of series `number`."""
-    return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[number % 8], "edgecolor": "black", "linewidth": 0.6}
+    return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[_turn(number)], "edgecolor": "black", "linewidth": 0.6}
 
 
 def line(number: int) -> dict[str, Any]:
     """Colour, marker and dash of the line of series `number`."""
-    return {"color": COLOURS[number % 8], "marker": MARKERS[number % 8], "linestyle": DASHES[number % 8]}
-
-
-def order(backends: list[str]) -> list[str]:
-    """Backends in an order that is the same in every figure."""
-    return sorted(dict.fromkeys(backends), key=lambda b: (BACKENDS.index(b) if b in BACKENDS else 99, b))
-
-
-def number_of(backend: str) -> int:
-    """The series number of a backend, the same in every figure."""
-    return BACKENDS.index(backend) if backend in BACKENDS else len(BACKENDS)
+    return {"color": COLOURS[number % 8], "marker": MARKERS[_turn(number)], "linestyle": DASHES[_turn(number)]}
 
 
 def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Plot, list[list[Axes]]]:

@@ -5,31 +5,32 @@ from __future__ import annotations
 
 from matplotlib.patches import Patch
 
+from ..backends import Backends
 from ..bench import Bench, Row, Times
 from ..blocks import Figure
 from ..text import digits, ms, percent, plain, where
 from . import style
 
 
-def _rows(bench: Bench, fractal: str, mode: str) -> list[Row]:
+def _rows(bench: Bench, backends: Backends, fractal: str, mode: str) -> list[Row]:
     """The text's backends: the reference, on one thread, would hide the others."""
-    return [row for row in bench.timed(fractal=fractal, mode=mode) if row.backend != "reference"]
+    return [row for row in bench.timed(fractal=fractal, mode=mode) if row.backend != backends.reference]
 
 
-def kernel_bars(bench: Bench) -> Figure:
+def kernel_bars(bench: Bench, backends: Backends) -> Figure:
     """Kernel time of every backend, a panel for each fractal and mode, with 95 % intervals."""
     fractals, modes = bench.values("fractal"), bench.values("mode")
     figure, axes = style.panels(len(modes), len(fractals), 8, 2.6 * len(modes))
     said = []
     for i, mode in enumerate(modes):
         for j, fractal in enumerate(fractals):
-            rows = _rows(bench, fractal, mode)
-            names = style.order([where(row) for row in rows])
+            rows = _rows(bench, backends, fractal, mode)
+            names = backends.order([where(row) for row in rows])
             axis = axes[i][j]
             top = max((1e3 * (row.kernel.high or row.kernel.median) for row in rows), default=1)
             for row in rows:
                 x = names.index(where(row)) + (-0.2 if row.precision == "double" else 0.2)
-                look = style.look(style.number_of(row.backend))
+                look = style.look(backends.number_of(row.backend))
                 if row.precision == "float":
                     look["alpha"] = 0.55
                 low, high = row.kernel.errors()
@@ -58,7 +59,7 @@ def kernel_bars(bench: Bench) -> Figure:
     )
 
 
-def ratios(bench: Bench, question: str, title: str, caption: str) -> Figure | None:
+def ratios(bench: Bench, backends: Backends, question: str, title: str, caption: str) -> Figure | None:
     """The ratios that bench took round by round, as points with intervals, a line for each backend."""
     found = bench.data["questions"][question]
     if not found:
@@ -70,13 +71,13 @@ def ratios(bench: Bench, question: str, title: str, caption: str) -> Figure | No
         kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
         entries.append((kind, backend if device == "0" else f"{backend} {device}", backend, Times.of(ratio["ratio"])))
     kinds = list(dict.fromkeys(kind for kind, *_ in entries))
-    names = style.order([name for _, name, _, _ in entries])
+    names = backends.order([name for _, name, _, _ in entries])
     figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
     said = []
     for kind, name, backend, times in entries:
         at = kinds.index(kind) * (len(names) + 1) + names.index(name)
         low, high = times.errors()
-        look = style.line(style.number_of(backend)) | {"linestyle": ""}
+        look = style.line(backends.number_of(backend)) | {"linestyle": ""}
         axis.errorbar(times.median, at, xerr=[[low], [high]], **look)
         axis.text(1.01, at, digits(times.median), transform=axis.get_yaxis_transform(), va="center", fontsize=7)
         said.append(f"{kind}, {name}: {digits(times.median)}")
@@ -89,7 +90,7 @@ def ratios(bench: Bench, question: str, title: str, caption: str) -> Figure | No
     return style.block(figure, f"Points with intervals: {title}. " + "; ".join(said) + ".", caption)
 
 
-def share_of_peak(bench: Bench) -> Figure | None:
+def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
     """Counted operations a second as a share of the platform's measured multiply-add peak."""
     rows = [row for row in bench.rows if row.timed and row.figures["share_of_peak"] is not None]
     if not rows:
@@ -101,12 +102,12 @@ def share_of_peak(bench: Bench) -> Figure | None:
     for j, fractal in enumerate(fractals):
         axis = axes[0][j]
         of_fractal = [row for row in rows if row.fractal == fractal]
-        names = style.order([where(row) for row in of_fractal])
+        names = backends.order([where(row) for row in of_fractal])
         width = 0.8 / len(names)
         for row in of_fractal:
             x = groups.index((row.precision, row.mode)) + (names.index(where(row)) - (len(names) - 1) / 2) * width
             share = 100 * row.figures["share_of_peak"]
-            axis.bar(x, share, width, **style.look(style.number_of(row.backend)))
+            axis.bar(x, share, width, **style.look(backends.number_of(row.backend)))
         best = max(of_fractal, key=lambda row: row.figures["share_of_peak"])
         said.append(
             f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {where(best)}, {best.precision}, {best.mode}"
@@ -116,7 +117,7 @@ def share_of_peak(bench: Bench) -> Figure | None:
         axis.grid(axis="x", visible=False)
         if j == 0:
             axis.set_ylabel("share of the peak [%]")
-            handles = [Patch(label=name, **style.look(style.number_of(name.split()[0]))) for name in names]
+            handles = [Patch(label=name, **style.look(backends.number_of(name.split()[0]))) for name in names]
             figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
     return style.block(
         figure,

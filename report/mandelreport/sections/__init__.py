@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..backends import Backends
 from ..pictures import Studio
 from ..results import Results
 
@@ -17,3 +19,7 @@ class Material:
     results: Results
     studio: Studio
     work: Path
+
+    @functools.cached_property
+    def backends(self) -> Backends:
+        return self.results.backends(self.studio.backends)

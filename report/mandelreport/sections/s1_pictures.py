@@ -8,7 +8,6 @@ from typing import Any
 
 from ..agreement import Difference, compare, difference_map, encode, flip_mean, yardstick
 from ..blocks import Block, Figure, Missing, Table, data_uri
-from ..figures.style import order
 from ..pictures import SCENES, SIDE, Key, Picture
 from ..random_scenes import random_table
 from ..text import digits, join
@@ -46,7 +45,7 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         keys = [picture.key for picture in same]
         names = _names(keys)
         figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, drawn by {names}.", names)
-        canonical = yardstick(pictures, first)
+        canonical = yardstick(pictures, first, material.backends.reference)
         against, drawn, difference = "", None, None
         if canonical is not None:
             difference = compare(material.studio, canonical, first)
@@ -63,7 +62,7 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
 
 def _agreement(material: Material, pictures: dict[Key, Picture], fractal: str, precision: str, mode: str) -> Table | None:
     here = [p for p in pictures.values() if (p.key.fractal, p.key.precision, p.key.mode) == (fractal, precision, mode)]
-    names = order([picture.key.backend for picture in here])
+    names = material.backends.order([picture.key.backend for picture in here])
     if len(here) < 2:
         return None
     by_name = {picture.key.backend: picture for picture in here}
@@ -108,8 +107,8 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
     rows = []
     for picture in pictures.values():
         key = picture.key
-        canonical = pictures.get(Key(key.fractal, "double", "fast", "reference"))
-        if key.mode != "fast" or key.backend == "reference" or canonical is None:
+        canonical = pictures.get(Key(key.fractal, "double", "fast", material.backends.reference))
+        if key.mode != "fast" or key.backend == material.backends.reference or canonical is None:
             continue
         mean = flip_mean(material.studio, canonical, picture)
         if mean is None:
@@ -137,7 +136,7 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
 
 
 def section(material: Material) -> dict[str, Any]:
-    pictures = {picture.key: picture for picture in material.studio.all()}
+    pictures = {picture.key: picture for picture in material.studio.all(material.backends.names)}
     if not pictures:
         return {"missing": Missing("The pictures, as no bin/render is there", "make build report")}
     tables = [

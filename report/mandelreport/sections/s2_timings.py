@@ -7,6 +7,7 @@ import json
 import subprocess
 from typing import Any
 
+from ..backends import Backends
 from ..bench import Bench, read_portability
 from ..blocks import Block, Missing, Table
 from ..errors import InputError
@@ -132,7 +133,7 @@ def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
     )
 
 
-def _machine(bench: Bench) -> dict[str, Any]:
+def _machine(bench: Bench, backends: Backends) -> dict[str, Any]:
     """Everything of one result file of the standard study."""
     fractals = [fractal for fractal in dict.fromkeys(row.fractal for row in bench.rows) if fractal != "all"]
     settings = [row.setting for row in bench.rows if row.timed]
@@ -151,24 +152,26 @@ def _machine(bench: Bench) -> dict[str, Any]:
         "sizes": ", ".join(dict.fromkeys(f"{s['width']} x {s['height']} pixels" for s in settings)),
         "launches": bench.data["launches"],
         "instructions": ", ".join(
-            dict.fromkeys(row["instruction_set"] for row in bench.data["rows"] if row["backend"] == "openmp" and row["figures"])
+            dict.fromkeys(row["instruction_set"] for row in bench.data["rows"] if row["backend"] == backends.host and row["figures"])
         ),
         "warnings": bench.data["warnings"],
         "tables": [_bench_table(bench, fractal) for fractal in fractals],
-        "bars": timings.kernel_bars(bench),
+        "bars": timings.kernel_bars(bench, backends),
         "double": timings.ratios(
             bench,
+            backends,
             "double_to_float",
             "double / float, kernel time",
             "Float against double: how many times longer double takes, round by round, with 95 % intervals.",
         ),
         "box": timings.ratios(
             bench,
+            backends,
             "mandelbox_to_mandelbulb",
             "Mandelbox / Mandelbulb, kernel time",
             "Box against bulb: how many times longer the Mandelbox's official scene takes, round by round.",
         ),
-        "peak": timings.share_of_peak(bench),
+        "peak": timings.share_of_peak(bench, backends),
         "peaks": peaks,
     }
 
@@ -189,14 +192,15 @@ def _sweeps(material: Material) -> list[tuple[str, list[Block]]]:
 
 def section(material: Material) -> dict[str, Any]:
     metric = _portability(material)
-    machines = [_machine(bench) for bench in material.results.study("standard")]
+    backends = material.backends
+    machines = [_machine(bench, backends) for bench in material.results.study("standard")]
     ablations = [figure for bench in material.results.study("ablation") if (figure := sweeps.ablation(bench))]
     return {
         "machines": machines,
         "missing": Missing("The timings", "make bench"),
         "together": timings.machines(material.results.machines()),
         "portability": _portability_table(metric),
-        "cascade": portability.cascade(metric),
+        "cascade": portability.cascade(metric, backends),
         "loop_mix": material.results.loop_mix,
         "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
         "sweeps": _sweeps(material),

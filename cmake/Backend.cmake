@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+# What a backend's folder says of itself, and the registry that is made of such folders. docs/add-a-backend.md.
+
+# The C++ compiler and its flags for all sources, as results name them.
+set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MANDELMARCH_CXX_FLAGS)
+
+# mandelmarch_build_facts(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): what compiles the kernels, and its flags in
+# each mode. SOURCE sees them as MANDELMARCH_BUILD_COMPILER, _EXACT and _FAST, for Facts::build.
+function(mandelmarch_build_facts source)
+    cmake_parse_arguments(PARSE_ARGV 1 build "" "" "COMPILER;EXACT;FAST")
+    foreach(fact COMPILER EXACT FAST)
+        if(NOT build_${fact})
+            message(FATAL_ERROR "${source}: mandelmarch_build_facts wants ${fact}")
+        endif()
+        list(JOIN build_${fact} " " words)
+        set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS "MANDELMARCH_BUILD_${fact}=\"${words}\"")
+    endforeach()
+    if(build_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "${source}: mandelmarch_build_facts knows no ${build_UNPARSED_ARGUMENTS}")
+    endif()
+endfunction()
+
+# mandelmarch_find_dependency(ARGUMENT...): what programs that use the installed library must find, for a backend's sake.
+function(mandelmarch_find_dependency)
+    list(JOIN ARGN " " words)
+    set_property(GLOBAL APPEND PROPERTY MANDELMARCH_DEPENDENCIES "find_dependency(${words})")
+endfunction()
+
+# mandelmarch_registry(TARGET NAME...): a library with all_backends() (backends/all.h), which are these, in this order. A
+# folder backends/NAME without the target mandelmarch_NAME lacks its tools: its backend is there, and "not built".
+function(mandelmarch_registry target)
+    set(headers "")
+    set(entries "")
+    add_library(${target} STATIC ${PROJECT_SOURCE_DIR}/backends/all.cpp)
+    foreach(name ${ARGN})
+        if(TARGET mandelmarch_${name})
+            string(APPEND headers "#include \"backends/${name}/${name}.h\"\n")
+            string(APPEND entries " MM_BUILT(${name})")
+            target_link_libraries(${target} PRIVATE mandelmarch_${name})
+        else()
+            string(APPEND entries " MM_NOT_BUILT(${name})")
+        endif()
+    endforeach()
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target})
+    configure_file(${PROJECT_SOURCE_DIR}/backends/registrations.h.in ${folder}/registrations.h @ONLY)
+    target_include_directories(${target} PRIVATE ${folder})
+    target_link_libraries(${target} PUBLIC mandelmarch_core PRIVATE mandelmarch_warnings)
+endfunction()

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What programs ask of backends instead of their names: facts, which every wrapper passes on, and roles.
+#include "core/render/registry.h"
+
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/isolation/isolated.h"
+#include "core/render/trial.h"
+
+namespace mandelmarch {
+namespace {
+
+class Made : public Backend {
+public:
+    Made(std::string name, Facts facts, bool has_gpu = false)
+        : name_(std::move(name)), facts_(std::move(facts)), has_gpu_(has_gpu)
+    {
+    }
+
+    std::string_view name() const override { return name_; }
+    Facts facts() const override { return facts_; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return {{"made", "", "", has_gpu_}}; }
+    std::unique_ptr<Renderer> create(const RendererOptions&) const override { throw Unavailable("it draws nothing"); }
+
+private:
+    std::string name_;
+    Facts facts_;
+    bool has_gpu_;
+};
+
+// Whose driver ends the process at once.
+class Crashing : public Made {
+public:
+    using Made::Made;
+    std::optional<std::string> unavailable() const override { std::abort(); }
+    std::vector<Device> devices() const override { std::abort(); }
+};
+
+Facts all_facts()
+{
+    return {.role = Role::accelerator,
+            .has_driver = true,
+            .threads = true,
+            .pack = true,
+            .chunk = true,
+            .variables = {"MADE"},
+            .build = {"a compiler", "-exact", "-fast"}};
+}
+
+void expect_all(const Facts& facts)
+{
+    EXPECT_EQ(facts.role, Role::accelerator);
+    EXPECT_TRUE(facts.has_driver && facts.threads && facts.pack && facts.chunk);
+    EXPECT_EQ(facts.variables, std::vector<std::string_view>{"MADE"});
+    EXPECT_EQ(facts.build.compiler, "a compiler");
+    EXPECT_EQ(facts.build.exact, "-exact");
+    EXPECT_EQ(facts.build.fast, "-fast");
+}
+
+template <class... Backends>
+Registry registry_of(Backends... backends)
+{
+    std::vector<std::unique_ptr<Backend>> all;
+    (all.push_back(std::make_unique<Backends>(std::move(backends))), ...);
+    return Registry(std::move(all));
+}
+
+TEST(Facts, PassThroughTrialsAndIsolationWithoutADevice)
+{
+    expect_all(with_trials(std::make_unique<Made>("made", all_facts()))->facts());
+    const auto isolated_one = isolated(with_trials(std::make_unique<Crashing>("made", all_facts())));
+    expect_all(isolated_one->facts());
+    EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not asked for the facts";
+    EXPECT_EQ(not_built("made")->facts().build.compiler, "");
+}
+
+TEST(Facts, EveryBackendThatIsBuiltSaysHow)
+{
+    const Registry registry = all_backends();
+    EXPECT_EQ(registry.with(Role::reference).name(), "reference");
+    EXPECT_EQ(registry.with(Role::host).name(), "openmp");
+    for (const auto& backend : registry.backends()) {
+        const BuildFacts build = backend->facts().build;
+        if (backend->unavailable() == "not built") continue;
+        EXPECT_FALSE(build.compiler.empty() || build.exact.empty() || build.fast.empty()) << backend->name();
+    }
+}
+
+TEST(Automatic, TakesTheFirstAcceleratorWithAGpuElseTheHost)
+{
+    const Made host("cores", {.role = Role::host});
+    const Made idle("first", {.role = Role::accelerator});
+    const Made ready("second", {.role = Role::accelerator}, true);
+    const Made plain("third", {}, true);
+    const Registry with_gpu = registry_of(plain, host, idle, ready);
+    EXPECT_EQ(with_gpu.automatic().backend->name(), "second");
+    EXPECT_EQ(with_gpu.automatic().reason, "second has the GPU made");
+    const Registry without = registry_of(plain, idle, host);
+    EXPECT_EQ(without.automatic().backend->name(), "cores") << "a GPU counts only for an accelerator";
+    EXPECT_EQ(without.automatic().reason, "first has no GPU: only the host");
+    EXPECT_EQ(registry_of(host).automatic().reason, "this build has no accelerator");
+    EXPECT_THROW(registry_of(idle).automatic(), Unavailable);
+}
+
+}  // namespace
+}  // namespace mandelmarch
