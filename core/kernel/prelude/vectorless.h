@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Highway's fallback for machines without vectors, its name with g++ and with clang++. Packs are not compiled for it.
+// Targets of Highway for which packs are not compiled: its fallback for machines without vectors, by its name with g++ and
+// with clang++, and SSE2, which newer versions of Highway have below SSE4.
 #pragma once
 
+#ifdef HWY_SSE2
+#define MM_VECTORLESS (HWY_TARGET & (HWY_SCALAR | HWY_EMU128 | HWY_SSE2))
+#else
 #define MM_VECTORLESS (HWY_TARGET & (HWY_SCALAR | HWY_EMU128))
+#endif

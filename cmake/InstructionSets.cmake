@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# mandelmarch_instruction_sets(TARGET): the instruction sets for which Highway compiles a target's packs.
+set(MANDELMARCH_INSTRUCTIONS all CACHE STRING
+    "Instruction sets of the packs: all (SSE4, AVX2 and AVX-512; the machine's best is taken at run time), or native")
+set_property(CACHE MANDELMARCH_INSTRUCTIONS PROPERTY STRINGS all native)
+
+if(MANDELMARCH_SANITIZER)
+    # One of them and one pack width check the code around the text, which is the same in all.
+    set(instruction_sets HWY_AVX2)
+elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "native")
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/instruction_set.cpp @ONLY CONTENT [[
+#include <cstdio>
+int main()
+{
+    const bool avx3 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+    std::fputs(avx3 ? "HWY_AVX3" : avx2 ? "HWY_AVX2" : "HWY_SSE4", stdout);
+}
+]])
+    try_run(ran compiled ${PROJECT_BINARY_DIR}/instruction_set SOURCES ${PROJECT_BINARY_DIR}/instruction_set.cpp
+        RUN_OUTPUT_VARIABLE instruction_sets)
+    if(NOT compiled OR NOT ran EQUAL 0)
+        message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS=native: this machine does not tell its instruction set, expected all")
+    endif()
+elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "all")
+    set(instruction_sets "HWY_SSE4|HWY_AVX2|HWY_AVX3")
+else()
+    message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS: '${MANDELMARCH_INSTRUCTIONS}' given, expected all or native")
+endif()
+
+# Highway has a bit for every target; those of x86 beyond SSE2 are the lowest fourteen.
+function(mandelmarch_instruction_sets target)
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
+    if(MANDELMARCH_SANITIZER)
+        target_compile_definitions(${target} PRIVATE MANDELMARCH_ONE_WIDTH)
+    endif()
+endfunction()
