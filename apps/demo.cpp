@@ -106,7 +106,7 @@ int body(int argc, char** argv)
     bool fine = true;
     for (const Fractal& fractal : fractals()) {
         const Scene scene = official_scene(fractal, side, side);
-        if (!registry.find("reference")->draws(scene)) continue;
+        if (!registry.with(Role::reference).draws(scene)) continue;
         for (const auto& backend : registry.backends()) {
             const Role role = backend->facts().role;
             const Listing listing = listing_of(*backend);

@@ -42,16 +42,16 @@ std::vector<Drawn> scenes_of(const RandomOptions& options)
             for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
         }
     }
-    std::ranges::stable_sort(scenes, {}, [](const Drawn& one) { return one.scene.fractal; });
+    std::ranges::stable_sort(scenes, {}, [](const Drawn& one) { return one.scene.fractal->rank; });
     return scenes;
 }
 
-// What draws the canonical pictures: reference, or openmp's scalar text with every shortcut off.
+// What draws the canonical pictures: the reference, or the host's scalar text with every shortcut off.
 std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
 {
-    const Backend& reference = *registry.find("reference");
+    const Backend& reference = registry.with(Role::reference);
     if (reference.draws(scene)) return reference.create({.mode = Mode::fast});
-    return registry.find("openmp")->create(
+    return registry.with(Role::host).create(
         {.mode = Mode::fast,
          .threads = 1,
          .pack = 1,
