@@ -101,18 +101,19 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
 }
 
 std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& right,
-                                 const Scene& any, std::vector<std::string>& missing)
+                                 const Scene& any, EquivalenceResult& result)
 {
     std::vector<Subject> subjects;
     for (const auto& backend : registry.backends()) {
         // The reference shares no formula with the text, and no bits.
         if (backend->facts().role == Role::reference) continue;
         if (options.backend != "all" && options.backend != backend->name()) continue;
-        if (const auto why = backend->unavailable()) {
-            missing.push_back(fmt::format("{}: {}", backend->name(), *why));
-            continue;
+        const Listing listing = listing_of(*backend);
+        if (!listing.unavailable.empty()) {
+            result.missing.push_back(fmt::format("{}: {}", backend->name(), listing.unavailable));
         }
-        const auto devices = backend->devices();
+        if (!listing.failure.empty()) result.failures.push_back(listing.failure);
+        const auto& devices = listing.devices;
         for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
             for (const Precision precision : precisions) {
                 const auto add = [&](int pack) {
@@ -186,10 +187,12 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
                              .environment = environment(registry),
                              .subjects = {},
                              .missing = {},
+                             .failures = {},
                              .discrepancies = {}};
     Scene any = extreme_scene(*of.front(), options.seed, 0);
     any.width = any.height = 1;
-    result.subjects = subjects_of(registry, options, right, any, result.missing);
+    result.subjects = subjects_of(registry, options, right, any, result);
+    if (result.subjects.empty() && !result.failures.empty()) throw Error(result.failures.front());
     if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
     std::vector<Contestant> contestants;
     for (Subject& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
@@ -249,6 +252,7 @@ nlohmann::ordered_json to_json(const EquivalenceResult& result)
             {"fractal", result.options.fractal},
             {"environment", result.environment},
             {"missing", result.missing},
+            {"failures", result.failures},
             {"subjects", subjects},
             {"discrepancies", discrepancies}};
 }
@@ -269,6 +273,7 @@ std::string to_console(const EquivalenceResult& result)
         if (s.unavailable > 0) text += fmt::format("{}: unavailable, the first: {}\n", s.name(), s.refusal);
     }
     for (const std::string& why : result.missing) text += why + "\n";
+    for (const std::string& why : result.failures) text += "FAILED: " + why + "\n";
     return text;
 }
 

@@ -44,13 +44,14 @@ struct EquivalenceResult {
     std::string yardstick;  // the backend with the role of the host
     nlohmann::ordered_json environment;
     std::vector<Subject> subjects;
-    std::vector<std::string> missing;  // backends without a device, and why
+    std::vector<std::string> missing;   // backends without a device, and why
+    std::vector<std::string> failures;  // of backends that could not list their devices
     std::vector<Discrepancy> discrepancies;
 };
 
 // Draws each scene in both precisions by the host's scalar text and by every subject; a scene that is too much work is
 // drawn smaller. `found` is called with each discrepancy at once, `progress` with the finished share. Throws InputError
-// for an unknown backend or fractal, Unavailable where the one backend asked for has no device.
+// for an unknown backend or fractal; where nothing is left to compare Error, or Unavailable without a device.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);

@@ -187,7 +187,7 @@ int equivalence(const Registry& registry, const CommandLine& line)
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
     outputs.write_stdout();
-    return written && result.discrepancies.empty() ? exit_fine : exit_failure;
+    return written && result.failures.empty() && result.discrepancies.empty() ? exit_fine : exit_failure;
 }
 
 }  // namespace

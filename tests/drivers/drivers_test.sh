@@ -130,6 +130,15 @@ for api in $apis; do
     [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
 done
 
+# bench equivalence goes on with the others, too.
+for api in $apis; do
+    code=0
+    with $api enumeration exit "$bin/bench" equivalence --fractal box --scenes 2 >table 2>err || code=$?
+    [ $code = 1 ] || fail "$api: equivalence, exit at enumeration: exit code $code: $(cat err)"
+    grep -q "^FAILED: backend $api: " table || fail "$api: equivalence: $(cat table)"
+    grep -q '^openmp .* 0$' table || fail "$api: equivalence: openmp is missing: $(cat table)"
+done
+
 # The libraries' own ways to end a program, by its environment.
 if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
     ACC_DEVICE_NUM=1 "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend openacc \
