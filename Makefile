@@ -5,10 +5,10 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
+.PHONY: build check mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
 build:
-	@tools/build $(PRESET) all
+	@tools/build $(PRESET) programs
 	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/flythrough bin/
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
@@ -75,8 +75,14 @@ kill-test: flythrough
 
 # Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
 test: setup
+	@tools/build $(PRESET) all
 	@$(MAKE) --no-print-directory build python
 	ctest --preset $(PRESET)
+
+# The quick tests, in two minutes on a built tree.
+check:
+	@tools/build $(PRESET) all
+	ctest --preset $(PRESET) -L quick
 
 # A longer search for inputs that break the readers: make fuzz SECONDS=3600
 SECONDS ?= 600
