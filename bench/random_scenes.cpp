@@ -226,7 +226,7 @@ std::string to_console(const RandomResult& result)
 {
     const RandomOptions& options = result.options;
     std::string text = fmt::format(
-        "Fast mode by {}{} against reference's canonical pictures: {} random scenes a fractal in each of {} sets, "
+        "Fast mode by {}{} against canonical pictures: {} random scenes a fractal in each of {} sets, "
         "{} x {} pixels\n",
         options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
         options.sets.size(), width, height);

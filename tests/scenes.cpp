@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include "core/scene/fractal.h"
@@ -12,61 +10,79 @@
 
 namespace mandelmarch {
 
-std::string official_text(const std::string& nickname)
-{
-    const std::string name = nickname == "bulb"  ? "paramsBulb.dat"
-                             : nickname == "box" ? "paramsBox.dat"
-                                                 : "paramsJulia.dat";
-    std::ifstream file(std::string(MANDELMARCH_SOURCE_DIR) + "/" + name);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Scene official_scene(const std::string& nickname, int width, int height)
 {
-    Scene scene = parse_parameters(official_text(nickname), nickname, fractal_named(nickname)).scene;
-    scene.width = width;
-    scene.height = height;
-    return scene;
+    return mandelmarch::official_scene(fractal_named(nickname), width, height);
 }
+
+namespace {
+
+class Scenes {
+public:
+    Scene& add(std::string name, const Scene& scene)
+    {
+        return scenes_.emplace_back(NamedScene{std::move(name), scene}).scene;
+    }
+
+    void add_bulbs(const Scene& bulb)
+    {
+        add("bulb, power 2", bulb).shape[2] = 2;
+        add("bulb, power 9", bulb).shape[2] = 9;
+        add("bulb, power 7.5", bulb).shape[2] = 7.5;
+        add("bulb, power 1", bulb).shape[2] = 1;
+        add("bulb, colouring 0", bulb).colouring = 0;
+        add("bulb, few iterations", bulb).iterations = 1;
+        add("bulb, camera inside", bulb).eye = {0.1, 0.2, 0.1};
+        add("bulb, on the axis", bulb).eye = {0, 0, 2.5};
+        scenes_.back().scene.up = {1, 0, 0};
+        add("bulb, up along z", bulb).up = {0, 0, 1};
+    }
+
+    void add_boxes(const Scene& box)
+    {
+        add("box, scale -1.5", box).shape[0] = -1.5;
+        add("box, scale 3", box).shape[0] = 3;
+        add("box, other radii", box).shape = {2, 0.25, 1.5};
+        add("box, oblique up", box).up = {0.3, -1, 0.7};
+        add("box, camera inside", box).eye = {0.5, 0.5, 0.5};
+        add("box, four iterations", box).iterations = 4;
+        add("box, one column", box).width = 1;
+    }
+
+    void add_julias(const Scene& julia)
+    {
+        add("julia", julia);
+        add("julia, c = 0", julia).shape = {0, 0, 0};
+        scenes_.back().scene.escape = 0;
+        add("julia, camera inside", julia).eye = {0.05, 0.02, 0.03};
+        add("julia, hundreds of iterations", julia).iterations = 300;
+    }
+
+    std::vector<NamedScene> take() { return std::move(scenes_); }
+
+private:
+    std::vector<NamedScene> scenes_;
+};
+
+}  // namespace
 
 std::vector<NamedScene> odd_scenes()
 {
-    const Scene bulb = official_scene("bulb", 47, 33);
-    const Scene box = official_scene("box", 47, 33);
-    std::vector<NamedScene> scenes;
-    const auto add = [&](std::string name, const Scene& scene) -> Scene& {
-        return scenes.emplace_back(NamedScene{std::move(name), scene}).scene;
-    };
-    add("bulb, power 2", bulb).shape[2] = 2;
-    add("bulb, power 9", bulb).shape[2] = 9;
-    add("bulb, power 7.5", bulb).shape[2] = 7.5;
-    add("bulb, power 1", bulb).shape[2] = 1;
-    add("bulb, colouring 0", bulb).colouring = 0;
-    add("bulb, few iterations", bulb).iterations = 1;
-    add("bulb, camera inside", bulb).eye = {0.1, 0.2, 0.1};
-    add("bulb, on the axis", bulb).eye = {0, 0, 2.5};
-    scenes.back().scene.up = {1, 0, 0};
-    add("bulb, up along z", bulb).up = {0, 0, 1};
-    add("box, scale -1.5", box).shape[0] = -1.5;
-    add("box, scale 3", box).shape[0] = 3;
-    add("box, other radii", box).shape = {2, 0.25, 1.5};
-    add("box, oblique up", box).up = {0.3, -1, 0.7};
-    add("box, camera inside", box).eye = {0.5, 0.5, 0.5};
-    add("box, four iterations", box).iterations = 4;
-    add("box, one column", box).width = 1;
-    const Scene julia = official_scene("julia", 47, 33);
-    add("julia", julia);
-    add("julia, c = 0", julia).shape = {0, 0, 0};
-    scenes.back().scene.escape = 0;
-    add("julia, camera inside", julia).eye = {0.05, 0.02, 0.03};
-    add("julia, hundreds of iterations", julia).iterations = 300;
+    Scenes scenes;
+    for (const Fractal& fractal : fractals()) {
+        const Scene scene = official_scene(fractal, 47, 33);
+        if (fractal.nickname == "bulb") scenes.add_bulbs(scene);
+        if (fractal.nickname == "box") scenes.add_boxes(scene);
+        if (fractal.nickname == "julia") scenes.add_julias(scene);
+    }
     // Our own looks, on every fractal.
     for (int look = 2; look < colouring_types; ++look) {
-        add(fmt::format("bulb, look {}", look), bulb).colouring = look;
-        add(fmt::format("box, look {}", look), box).colouring = look;
-        add(fmt::format("julia, look {}", look), julia).colouring = look;
+        for (const Fractal& fractal : fractals()) {
+            const std::string name = fmt::format("{}, look {}", fractal.nickname, look);
+            scenes.add(name, official_scene(fractal, 47, 33)).colouring = look;
+        }
     }
-    return scenes;
+    return scenes.take();
 }
 
 std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed)
@@ -74,7 +90,7 @@ std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed)
     std::mt19937 random(seed);
     std::vector<NamedScene> scenes;
     for (const Fractal& fractal : fractals()) {
-        const Scene like = official_scene(std::string(fractal.nickname), 61, 45);
+        const Scene like = official_scene(fractal, 61, 45);
         for (int i = 0; i < per_fractal; ++i) {
             scenes.push_back({fmt::format("{}, random {}", fractal.nickname, i), random_scene(like, i, random)});
         }

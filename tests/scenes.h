@@ -9,9 +9,6 @@
 
 namespace mandelmarch {
 
-// The text of an official scene's parameter file, as in the repository.
-std::string official_text(const std::string& nickname);
-
 // An official scene at another size, in pixels.
 Scene official_scene(const std::string& nickname, int width, int height);
 

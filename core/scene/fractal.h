@@ -32,7 +32,7 @@ struct FractalConstants {
     int whole = 0;
 };
 
-// What core/scene/hull.cpp needs to know of a picture.
+// What a hull needs to know of a picture.
 struct Sight {
     double slope;     // the least DE / t that no surface has: DE > slope t means no hit
     double distance;  // of the eye from the origin

@@ -19,8 +19,8 @@ std::vector<NamedScene> exact_scenes()
 {
     std::vector<NamedScene> scenes = odd_scenes();
     for (NamedScene& scene : random_scenes(4, 20260)) scenes.push_back(std::move(scene));
-    for (const char* name : {"bulb", "box", "julia"}) {
-        scenes.push_back({fmt::format("{}, official", name), official_scene(name, 161, 107)});
+    for (const Fractal& fractal : fractals()) {
+        scenes.push_back({fmt::format("{}, official", fractal.nickname), official_scene(fractal, 161, 107)});
     }
     return scenes;
 }
@@ -28,8 +28,8 @@ std::vector<NamedScene> exact_scenes()
 std::vector<NamedScene> fast_scenes()
 {
     std::vector<NamedScene> scenes;
-    for (const char* name : {"bulb", "box", "julia"}) {
-        scenes.push_back({fmt::format("{}, fast", name), official_scene(name, 240, 240)});
+    for (const Fractal& fractal : fractals()) {
+        scenes.push_back({fmt::format("{}, fast", fractal.nickname), official_scene(fractal, 240, 240)});
     }
     return scenes;
 }

@@ -42,7 +42,7 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
 
-// Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
+// Where a ray can meet the surface: its row proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)

@@ -33,7 +33,7 @@ FN real box_growth(Scene scene, real r2)
     return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
 
-// Where a ray can meet the surface: core/scene/hull.cpp proves the cube.
+// Where a ray can meet the surface: its row proves the cube.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
 struct BoxOrbit {
@@ -80,7 +80,7 @@ FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
 // An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
-// look for but in the last (core/scene/fractal.cpp chooses the radius).
+// look for but in the last (its row chooses the radius).
 FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;

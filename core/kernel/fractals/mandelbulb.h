@@ -59,7 +59,7 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
     return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
 
-// Where a ray can meet the surface: core/scene/hull.cpp proves the sphere.
+// Where a ray can meet the surface: its row proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 // The eighth power takes lengths in units of 2^(-1/7): then the new point is z^8 / 2 + p, and the derivative's factor

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds of every fractal there is: that its kernel text and its row say the same. A build of its own has these
+// tests with the tests' fractal.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "backends/all.h"
+#include "core/image/compare.h"
+#include "core/scene/extreme_scene.h"
+#include "core/scene/fractal.h"
+#include "flight/field/field.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class EveryFractal : public testing::TestWithParam<const Fractal*> {
+protected:
+    const Fractal& fractal() const { return *GetParam(); }
+
+    Image drawn(const Scene& scene, Mode mode, std::string_view without) const
+    {
+        return render(*registry_.find("openmp"), scene, {.mode = mode, .techniques = techniques_without(without)});
+    }
+
+    std::vector<Scene> scenes() const
+    {
+        std::vector<Scene> all{official_scene(fractal(), 96, 72)};
+        for (const NamedScene& named : random_scenes(8, 77)) {
+            if (named.scene.fractal == &fractal()) all.push_back(named.scene);
+        }
+        return all;
+    }
+
+private:
+    Registry registry_ = all_backends();
+};
+
+constexpr double most_off = 0.02;
+
+double share_off(const Image& a, const Image& b)
+{
+    const Comparison c = compare(a, b);
+    return static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
+}
+
+TEST_P(EveryFractal, IsFoundByItsNames)
+{
+    EXPECT_EQ(&fractal_named(fractal().name), &fractal());
+    EXPECT_EQ(&fractal_named(fractal().nickname), &fractal());
+}
+
+// Random scenes are what a parameter file may say.
+TEST_P(EveryFractal, DrawsScenesInItsRanges)
+{
+    for (const Scene& scene : scenes()) {
+        const std::string text = to_parameters(scene);
+        EXPECT_EQ(to_parameters(parse_parameters(text, "x.dat", fractal()).scene), text);
+    }
+    EXPECT_NE(to_parameters(extreme_scene(fractal(), 1, 0)), to_parameters(extreme_scene(fractal(), 1, 1)));
+}
+
+// Its gradient is that of its estimate: normals from differences give nearly the same picture.
+TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
+{
+    const Scene scene = official_scene(fractal(), 96, 72);
+    EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "normal")), most_off);
+}
+
+// The twin: slightly other light is found out.
+TEST_P(EveryFractal, OtherLightIsFoundOut)
+{
+    const Scene scene = official_scene(fractal(), 96, 72);
+    Scene other = scene;
+    other.brightness *= 1.1;
+    EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "normal")), most_off);
+}
+
+// Its hull cuts no surface off.
+TEST_P(EveryFractal, HullChangesNoPicture)
+{
+    for (const Scene& scene : scenes()) {
+        EXPECT_TRUE(compare(drawn(scene, Mode::exact, ""), drawn(scene, Mode::exact, "hull")).same());
+    }
+}
+
+// Far outside the body that a flight is planned in there is no surface, and the estimate is no larger than the way
+// there.
+TEST_P(EveryFractal, BodyHoldsTheFractal)
+{
+    const Field field(official_scene(fractal(), 16, 9), 1);
+    const double size = field.hull().size;
+    for (const Vector direction : {Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{0.6, 0, 0.8}, Vector{-0.48, 0.6, -0.64}}) {
+        const Vector p = 3 * size * direction;
+        EXPECT_FALSE(field.hull().contains(p));
+        EXPECT_GT(field.distance(p), 0);
+        EXPECT_LT(field.safety() * field.distance(p), 3 * size);
+    }
+}
+
+// Places that are one by its symmetry are as far from the surface.
+TEST_P(EveryFractal, SymmetricPlacesAreAsFar)
+{
+    const Field field(official_scene(fractal(), 16, 9), 1);
+    const double size = field.hull().size;
+    for (const Vector direction : {Vector{0.9, 0.1, 0.3}, Vector{-0.2, 0.8, -0.5}, Vector{0.4, -0.7, 0.6}}) {
+        const Vector p = 1.5 * size * direction;
+        const double distance = field.distance(p);
+        EXPECT_NEAR(field.distance(field.representative(p)), distance, 1e-6 * distance);
+        EXPECT_TRUE(field.worth_searching(field.representative(p)));
+    }
+}
+
+std::vector<const Fractal*> all_fractals()
+{
+    std::vector<const Fractal*> all;
+    for (const Fractal& fractal : fractals()) all.push_back(&fractal);
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryFractal, testing::ValuesIn(all_fractals()),
+                         [](const auto& one) { return std::string(one.param->nickname); });
+
+}  // namespace
+}  // namespace mandelmarch

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/chance.h"
+#include "core/scene/fractals/row.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::string_view official = R"dat(# Sierpinski's tetrahedron
+1.9 1.3 2.6
+0 0 0
+0 1 0
+1
+400 300
+-3
+# scale; two numbers that are ignored
+2 0 0
+# iterations, escape radius
+12 8
+1
+1.2
+sierpinski.bmp
+)dat";
+
+constexpr double radius = 1.7320508075688772;  // sqrt(3), of the sphere through the corners (1, 1, 1), (1, -1, -1), ...
+
+FractalConstants constants(const Scene& scene, double, bool)
+{
+    const double scale = scene.shape[0];
+    return {.values = {scale, scale - 1, scene.escape * scene.escape, radius}};
+}
+
+// An iteration takes |z| to s |z| - (s - 1) radius at least, so that DE >= |p| - radius.
+double hull(const Scene&, const Sight& view)
+{
+    return view.slope < 1 ? (radius + view.slope * view.distance) / (1 - view.slope) : 0;
+}
+
+std::optional<Hull> body(const Scene&) { return Hull{Hull::Shape::sphere, radius}; }
+
+double growth(const Scene& scene) { return scene.shape[0]; }
+
+// Larger scales leave dust, which other steps hit elsewhere.
+void random_shape(Scene& scene, Chance& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
+
+void extreme_shape(Scene& scene, Chance& chance)
+{
+    scene.shape[0] = chance.one_in(4) ? chance.magnitude(1.001, 4) : chance.between(1.5, 2.5);
+    scene.escape = chance.one_in(3) ? chance.magnitude(2, 1e6) : 8;
+}
+
+}  // namespace
+
+constexpr Fractal rows::sierpinski{
+    .name = "sierpinski",
+    .nickname = "tetra",
+    .official = official,
+    .shape = {Meaning{"scale", 1, 4, true}, ignored_number, ignored_number},
+    .escape = {"escape radius", 2, 1e6},
+    .constants = constants,
+    .hull = {.size = hull, .corner = sphere_corner},
+    .flight = {.growth = growth, .safety = 1, .short_stride = default_stride, .body = body},
+    .random = {.extent = 1.7, .nearest = 2, .farthest = 4, .shape = random_shape, .extreme_shape = extreme_shape},
+};
+
+}  // namespace mandelmarch

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""No code decides by a fractal's name: a name as a string stands in its files, in tests, and where it is listed here."""
+
+from __future__ import annotations
+
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("apps", "backends", "bench", "core", "flight")
+ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp"}
+ALLOWED = {
+    "apps/mandelbox.cpp": "the program of that name",
+    "apps/mandelbulb.cpp": "the program of that name",
+    "backends/openmp/widths.h": "registers of a pack",
+    "backends/reference/reference.cpp": "which estimators it has",
+    "bench/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
+}
+
+
+def names() -> set[str]:
+    """Names and nicknames, as rows have them."""
+    found = set()
+    for row in (ROOT / "core" / "scene" / "fractals").glob("*.cpp"):
+        found |= set(re.findall(r'\.(?:nick)?name = "(\w+)"', row.read_text(encoding="utf-8")))
+    return found
+
+
+def strings(text: str) -> set[str]:
+    """What stands in quotes, comments left out, and behind MM_FRACTAL_."""
+    code = re.sub(r"//.*", "", text)
+    return set(re.findall(r'"(\w+)"', code)) | set(re.findall(r"\bMM_FRACTAL_(\w+)", code))
+
+
+def files_with_names() -> dict[str, set[str]]:
+    known = names()
+    found = {}
+    for folder in FOLDERS:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix not in ENDINGS or path.parent.name == "fractals":
+                continue
+            if here := strings(path.read_text(encoding="utf-8")) & known:
+                found[path.relative_to(ROOT).as_posix()] = here
+    return found
+
+
+class FractalNames(unittest.TestCase):
+    def test_rows_have_names(self) -> None:
+        texts = {path.stem for path in (ROOT / "core" / "kernel" / "fractals").glob("*.h")}
+        self.assertTrue(texts)
+        self.assertLessEqual(texts, names())
+
+    def test_only_listed_files_name_fractals(self) -> None:
+        self.assertEqual({file: here for file, here in files_with_names().items() if file not in ALLOWED}, {})
+
+    def test_the_check_finds_names(self) -> None:
+        """Its twin: what is allowed is found."""
+        self.assertIn("backends/reference/reference.cpp", files_with_names())
+        self.assertEqual(strings('if (name == "julia") return;  // not "bulb"'), {"julia"})
+        self.assertEqual(strings("#if defined(MM_FRACTAL_julia)"), {"julia"})
+
+
+if __name__ == "__main__":
+    unittest.main()
