@@ -11,6 +11,7 @@
 #include "apps/backend_option.h"
 #include "apps/option_values.h"
 #include "apps/progress_bar.h"
+#include "apps/scene_json.h"
 #include "apps/stats.h"
 #include "apps/trace/trace.h"
 #include "core/base/console.h"
@@ -44,6 +45,12 @@ struct Options {
     std::string pixel;
     bool trace = false;
     bool list_devices = false;
+    bool list_fractals = false;
+    bool json = false;
+    bool print_scene = false;
+
+    // It draws nothing and needs no scene.
+    bool lists() const { return list_devices || list_fractals; }
 };
 
 Options parse_options(const char* program, const char* fractal, const Registry& registry, int argc, char** argv,
@@ -86,6 +93,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     trace->needs(pixel);
     pixel->needs(trace);
     app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
+    auto* list = app.add_flag("--list-fractals", options.list_fractals, "list fractals and their parameters, then end");
+    app.add_flag("--json", options.json, "--list-fractals as JSON, with the formulas of their constants")->needs(list);
+    app.add_flag("--print-scene", options.print_scene,
+                 "print the scene as kernels take it, as JSON and without a trial, and draw no picture");
     app.footer(fmt::format(
         "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
         "16384 pixels take {} "
@@ -111,10 +122,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.techniques = techniques_without(without);
     options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
-    if (options.fractal.empty() && !options.list_devices) {
+    if (options.fractal.empty() && !options.lists()) {
         throw InputError(fmt::format("{}: no fractal given, expected --fractal NAME (--help lists them)", program));
     }
-    if (options.parameters.empty() && !options.list_devices) {
+    if (options.parameters.empty() && !options.lists()) {
         throw InputError(fmt::format("{}: no parameter file given, expected {} PARAMS.dat", program, program));
     }
     return options;
@@ -201,10 +212,18 @@ int render_program(const Registry& registry, const char* program, const char* fr
     if (options.list_devices) {
         return list_devices(registry) ? exit_fine : exit_failure;
     }
+    if (options.list_fractals) {
+        print(std::string_view(options.json ? fractals_json() : fractals_text()));
+        return exit_fine;
+    }
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options.size, scene);
+    if (options.print_scene) {
+        print(std::string_view(scene_json(scene, options.renderer)));
+        return exit_fine;
+    }
     if (options.trace) {
         print_trace(program, options, registry, scene);
         return exit_fine;

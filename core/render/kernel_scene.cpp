@@ -15,10 +15,8 @@
 namespace mandelmarch {
 namespace {
 
-// Constants of the original program.
-constexpr double end = 1000;                               // largest t of a sample
-constexpr double degrees_per_field = 65;                   // of vertical angle, per unit of the field of view
-constexpr double difference_step = 1.4901161193847656e-8;  // 2^-26, the square root of double's epsilon
+// Of the original program: 2^-26, the square root of double's epsilon.
+constexpr double difference_step = 1.4901161193847656e-8;
 
 template <class Layout>
 constexpr bool is_float = std::is_same_v<decltype(Layout::tolerance), float>;
@@ -62,8 +60,9 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
         throw InputError("technique normal: float has no digits for differences, expected double without it");
     }
     const bool fast = mode == Mode::fast;
-    const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<Layout> ? float_range : 1e300, fast && techniques.tail);
+    FractalConstants<double> constants =
+        scene.fractal->constants.value(inputs_of(scene, is_float<Layout> ? float_range : 1e300));
+    if (fast && techniques.tail) scene.fractal->add_tail(scene, constants);
     const Camera camera = camera_of(scene);
 
     Layout k{};
@@ -71,7 +70,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.height = scene.height;
     k.max_iterations = scene.iterations;
     k.max_steps = max_steps;
-    k.fractal_whole = constants.whole;
+    k.fractal_whole = static_cast<int>(constants.whole);
     k.colouring = scene.colouring;
     k.canonical = fast;
     k.differences = (!fast || !techniques.normal) && !is_float<Layout>;
@@ -80,7 +79,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.stride = real(steps.stride);
     k.relaxation = real(steps.relaxation);
     k.root_share = real(steps.root_share);
-    k.end = real(end);
+    k.end = real(farthest_sample);
     k.miss = std::numeric_limits<Real>::infinity();
     k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
     k.brightness = real(scene.brightness);

@@ -33,7 +33,9 @@ namespace layout_f32 {
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
-inline constexpr int max_steps = 8000;  // samples on a ray, as in the original program
+// Of the original program.
+inline constexpr int max_steps = 8000;           // samples on a ray
+inline constexpr double farthest_sample = 1000;  // the largest t of a sample
 
 // Computed in double, then rounded.
 // exact: the plain schedule's hit. fast: the canonical hit.

@@ -16,12 +16,27 @@ namespace mandelmarch {
 std::string_view usual::objection(const Scene&) { return {}; }
 double usual::no_hull(const Scene&, const Sight&) { return 0; }
 std::optional<Hull> usual::unknown_body(const Scene&) { return {}; }
-double usual::stride(const Scene&) { return plain_stride; }
+template <class Number>
+Number usual::stride(const FractalInputs<Number>&)
+{
+    return plain_stride;
+}
+template double usual::stride(const FractalInputs<double>&);
+template Formula usual::stride(const FractalInputs<Formula>&);
 double usual::growth(const Scene&) { return 1; }
 Vector usual::representative(const Scene&, Vector p) { return p; }
 bool usual::worth_searching(const Scene&, const Hull&, Vector) { return true; }
+void usual::no_tail(const Scene&, FractalConstants<double>&) {}
 void usual::same_shape(Scene&, Chance&, bool) {}
 void usual::same_extreme_shape(Scene&, Chance&) {}
+
+FractalInputs<double> inputs_of(const Scene& scene, double largest)
+{
+    return {.shape = scene.shape,
+            .escape = scene.escape,
+            .iterations = static_cast<double>(scene.iterations),
+            .largest = largest};
+}
 
 std::span<const Fractal> fractals()
 {

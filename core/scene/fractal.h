@@ -14,6 +14,7 @@ namespace mandelmarch {
 
 struct Scene;
 class Chance;
+class Formula;
 
 // What one number of a parameter file means, and its range. `low` and `high` are allowed themselves unless `open_low`.
 struct Meaning {
@@ -21,16 +22,42 @@ struct Meaning {
     double low;
     double high;
     bool open_low = false;
+    // Where pictures are worth looking at: the least and greatest value of a slider, and its step.
+    struct Slider {
+        double low, high, step;
+    };
+    std::optional<Slider> slider = std::nullopt;
 };
 
 inline constexpr Meaning ignored_number{"a number (ignored)", -1e300, 1e300};
 inline constexpr double float_range = 1e37;  // the largest finite power of ten of a float, with room
 
-// What the kernel text of a fractal needs that is the same for all pixels, computed in double.
-struct FractalConstants {
-    std::array<double, 11> values{};
-    int whole = 0;
+// What a row's formulas are computed from. Number is double or Formula (core/scene/formula.h).
+template <class Number>
+struct FractalInputs {
+    std::array<Number, 3> shape;
+    Number escape;
+    Number iterations;
+    Number largest;  // the largest finite power of ten of the picture's number type
 };
+
+FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
+
+// What the kernel text of a fractal needs that is the same for all pixels.
+template <class Number>
+struct FractalConstants {
+    std::array<Number, 11> values{};
+    Number whole = 0;
+};
+
+// The two instances of one function template: its value, and its text for who computes it elsewhere.
+template <template <class> class Result>
+struct RowFormula {
+    Result<double> (*value)(const FractalInputs<double>& of);
+    Result<Formula> (*text)(const FractalInputs<Formula>& of);
+};
+template <class Number>
+using Plain = Number;
 
 // What a hull needs to know of a picture.
 struct Sight {
@@ -52,12 +79,14 @@ namespace usual {
 std::string_view objection(const Scene& scene);         // none
 double no_hull(const Scene& scene, const Sight& view);  // 0
 std::optional<Hull> unknown_body(const Scene& scene);   // nullopt
-double stride(const Scene& scene);                      // plain_stride
-double growth(const Scene& scene);                      // 1: no iteration is known to be too fine to be seen
-Vector representative(const Scene& scene, Vector p);    // p
-bool worth_searching(const Scene& scene, const Hull& body, Vector p);  // true
-void same_shape(Scene& scene, Chance& chance, bool even);              // leaves the scene as it is
-void same_extreme_shape(Scene& scene, Chance& chance);                 // leaves the scene as it is
+template <class Number>
+Number stride(const FractalInputs<Number>& of);       // plain_stride
+double growth(const Scene& scene);                    // 1: no iteration is known to be too fine to be seen
+Vector representative(const Scene& scene, Vector p);  // p
+bool worth_searching(const Scene& scene, const Hull& body, Vector p);   // true
+void no_tail(const Scene& scene, FractalConstants<double>& constants);  // leaves them as they are
+void same_shape(Scene& scene, Chance& chance, bool even);               // leaves the scene as it is
+void same_extreme_shape(Scene& scene, Chance& chance);                  // leaves the scene as it is
 inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
 }  // namespace usual
 
@@ -74,7 +103,7 @@ struct FractalHull {
 struct FractalFast {
     // The share of an estimate that a step takes; less than plain_stride, and none is over-relaxed: for scenes whose
     // rays would pass what is thin.
-    double (*stride)(const Scene& scene) = usual::stride;
+    RowFormula<Plain> stride{usual::stride<double>, usual::stride<Formula>};
     // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
     // change.
     double root_share = 0.001;
@@ -160,9 +189,9 @@ struct Fractal {
     Meaning escape;
     // What is wrong with the three values of line 7 together, or nothing.
     std::string_view (*objection)(const Scene& scene) = usual::objection;
-    // `largest` is the largest finite power of ten of the number type, as a double. tails: an orbit's last iterations
-    // may be made without their tests.
-    FractalConstants (*constants)(const Scene& scene, double largest, bool tails);
+    RowFormula<FractalConstants> constants;
+    // Changes them where an orbit's last iterations may be made without their tests: a technique of fast mode.
+    void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = usual::no_tail;
     FractalHull hull{};
     FractalFast fast{};
     FractalFlight flight{};

@@ -28,7 +28,7 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     if (const std::string_view objection = scene.fractal->objection(scene); !objection.empty()) {
         throw InputError(fmt::format("{}: {}", where(Item::shape), objection));
     }
-    for (const double value : scene.fractal->constants(scene, float_range, false).values) {
+    for (const double value : scene.fractal->constants.value(inputs_of(scene)).values) {
         if (!(std::abs(value) < float_range)) {
             throw InputError(where(Item::iterations) +
                              ": the fractal's constants overflow, expected smaller values (a "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: which fractal, seen from where, drawn how. What a parameter file says, as read, and what whoever draws it asks
-// of the steps.
+// A scene: which fractal, seen from where, drawn how. What a parameter file says, as read, and what whoever draws it
+// asks of the steps.
 #pragma once
 
 #include <array>
@@ -13,9 +13,10 @@ namespace mandelmarch {
 
 struct Fractal;
 
-inline constexpr int max_side = 65535;         // pixels
-inline constexpr int max_iterations = 10'000;  // of the distance estimator
-inline constexpr double max_field_of_view = 180.0 / 65.0;
+inline constexpr int max_side = 65535;           // pixels
+inline constexpr int max_iterations = 10'000;    // of the distance estimator
+inline constexpr double degrees_per_field = 65;  // of vertical angle, in a unit of the field of view
+inline constexpr double max_field_of_view = 180 / degrees_per_field;
 inline constexpr int colouring_types = 5;  // 0 and 1: the original's; from 2: core/kernel/looks.h
 
 // A step of the original program, in distance estimates.
@@ -32,7 +33,7 @@ struct Scene {
     Vector eye{7, 7, 7};
     Vector target{0, 0, 0};
     Vector up{0, 1, 0};
-    double field_of_view = 1;                // in units of 65 degrees of vertical angle; 0 < f < max_field_of_view
+    double field_of_view = 1;                // in units of degrees_per_field; 0 < f < max_field_of_view
     int width = 0, height = 0;               // pixels, 1 to max_side
     double detail = -3;                      // a surface is hit where DE < 10^detail * t
     std::array<double, 3> shape{2, 0.5, 1};  // line 7; the fractal says what the three mean

@@ -12,7 +12,6 @@ namespace mandelmarch {
 namespace {
 
 constexpr double footprint = 1;  // pixel heights
-constexpr double degrees_per_field = 65;
 constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
 constexpr int spare_iterations = 1;
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 import argparse
 import base64
 import io
+import json
 import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy
 from PIL import Image
@@ -23,6 +25,26 @@ DESKTOP, NARROW = (1200, 900), (400, 800)  # pixels
 VIEWER_SECONDS = 300  # for a picture on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
+CLOSE = 1e-6  # relative: the fields of the scene, which are rounded to float once
+# The picture is the same without the hull, and float takes no differences.
+VIEWERS_OWN = ("hull", "difference_step")
+# Parameters beside the official ones: by fractal, the values of sliders.
+ODD: dict[str, list[dict[str, float]]] = {
+    "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
+    "mandelbox": [{"shape.0": -1.5}],
+    "julia": [{"shape.0": 0.1, "shape.1": -0.5, "shape.2": 0.3, "escape": -0.2}],
+}
+
+
+def differing_fields(mine: dict[str, Any], printed: dict[str, Any]) -> list[str]:
+    """The fields that the viewer has another value for than bin/render --print-scene."""
+
+    def same(a: Any, b: Any) -> bool:
+        if isinstance(a, list):
+            return len(a) == len(b) and all(map(same, a, b))
+        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= CLOSE * max(abs(b), 1e-3))
+
+    return [name for name, value in mine.items() if name not in VIEWERS_OWN and not same(value, printed[name])]
 
 
 class Checker:
@@ -85,30 +107,36 @@ class Checker:
         self.expect(run("document.getElementById('viewer-none').hidden"), "the viewer runs in WebGL 2")
         run("document.getElementById('viewer-canvas').scrollIntoView()")
         for fractal in run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)"):
-            for mode in ("exact", "fast"):
-                self._choose("viewer-fractal", fractal)
-                self._choose("viewer-size", "x".join(map(str, SIZE)))
-                self._choose("viewer-mode", mode)
-                begin = time.monotonic()
-                whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-                self.expect(
-                    whole,
-                    f"viewer, {fractal}, {mode}: whole after {time.monotonic() - begin:.0f} s "
-                    f"({run('document.getElementById(`viewer-says`).textContent')})",
-                )
-                if whole:
-                    self._against_render(fractal, mode)
+            for number, odd in enumerate([{}, *ODD.get(fractal, [])]):
+                for mode in ("exact", "fast"):
+                    self._choose("viewer-fractal", fractal)
+                    self._choose("viewer-size", "x".join(map(str, SIZE)))
+                    self._choose("viewer-mode", mode)
+                    for parameter, value in odd.items():
+                        self._slide(parameter, value)
+                    begin = time.monotonic()
+                    whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+                    self.expect(
+                        whole,
+                        f"viewer, {fractal}, {odd or 'official'}, {mode}: whole after {time.monotonic() - begin:.0f} s "
+                        f"({run('document.getElementById(`viewer-says`).textContent')})",
+                    )
+                    if whole:
+                        self._against_render(fractal, mode, f"viewer-{fractal}-{mode}{f'-{number}' if odd else ''}")
         self._fly()
+
+    def _slide(self, parameter: str, value: float) -> None:
+        self.browser.run(f"""(() => {{ const s = document.querySelector('[data-parameter="{parameter}"]');
+            s.value = {value}; s.dispatchEvent(new Event('input')); }})()""")
 
     def _choose(self, select: str, value: str) -> None:
         self.browser.run(f"""(() => {{ const s = document.getElementById('{select}');
             if (![...s.options].some((o) => o.value === '{value}')) s.add(new Option('{value}'));
             s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
 
-    def _against_render(self, fractal: str, mode: str) -> None:
-        """The viewer's picture beside what bin/render draws from the parameter file that the viewer hands out."""
+    def _against_render(self, fractal: str, mode: str, name: str) -> None:
+        """The viewer's picture, and its scene, beside what bin/render draws from the parameter file that it hands out."""
         seen = base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2])
-        name = f"viewer-{fractal}-{mode}"
         write_whole(self.pictures / f"{name}.png", seen)
         dat = self.pictures / f"{name}.dat"
         write_whole(dat, self.browser.run("Viewer.dat()").encode())
@@ -117,25 +145,16 @@ class Checker:
             print(f"no {render}: the viewer's picture is not compared")
             return
         drawn = self.pictures / f"{name}-render.png"
-        done = subprocess.run(
-            [
-                render,
-                "--fractal",
-                fractal,
-                dat,
-                "--precision",
-                "float",
-                "--mode",
-                mode,
-                "--backend",
-                "openmp",
-                "--output",
-                drawn,
-            ],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        # The viewer makes no trial.
+        command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
+        printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
+        if printed.returncode == 0:
+            mine = self.browser.run("({ ...Viewer.fields(), miss: 'Infinity' })")
+            other = differing_fields(mine, json.loads(printed.stdout))
+            self.expect(not other, f"{name}: the scene's fields are bin/render's{': not ' + ', '.join(other) if other else ''}")
+            twin = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
+            self.expect("root_share" in twin, f"{name}: another root share is seen")
+        done = subprocess.run([*command, "--output", drawn], capture_output=True, text=True, check=False)
         self.expect(done.returncode == 0, f"bin/render draws the viewer's parameter file {done.stderr.strip()}")
         if done.returncode == 0:
             a, b = (numpy.asarray(Image.open(source).convert("RGB")).astype(int) for source in (io.BytesIO(seen), drawn))

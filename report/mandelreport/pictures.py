@@ -92,6 +92,16 @@ class Studio:
         run = subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False)
         return list(dict.fromkeys(line.split()[0] for line in run.stdout.splitlines()))
 
+    @functools.cached_property
+    def fractals(self) -> dict[str, Any] | None:
+        """The programs' table of fractals, with the formulas of their constants; None without programs."""
+        if not self.there:
+            return None
+        run = subprocess.run([self.render, "--list-fractals", "--json"], capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            raise InputError(f"{self.render}: {run.stderr.strip()}: an older program? make build")
+        return json.loads(run.stdout)
+
     def _draw(self, key: Key, ending: str) -> Path | None:
         """A file that bin/render wrote; None where the backend cannot draw it."""
         scene = SCENES[key.fractal]

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -18,7 +17,6 @@ KERNEL = ROOT / "core" / "kernel"
 # The kernel text of each fractal. The environment names further folders as the build's option of that name does.
 FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
 TEXTS = {path.stem: path.resolve() for folder in FOLDERS for path in sorted(folder.glob("*.h"))}
-FRACTALS = sorted(TEXTS)
 
 
 def missing_tools() -> list[str]:
@@ -41,18 +39,3 @@ def shader(fractal: str, work: Path) -> str:
     _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
     # Indentation is a fifth of the text and says nothing to a browser.
     return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
-
-
-def constants(fractal: str) -> dict[str, int]:
-    """Where the kernel text has a fractal's own constants: by their accessors' names, or by number where it has none."""
-    text = TEXTS[fractal].read_text(encoding="utf-8")
-    named = {
-        name: int(at)
-        for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)
-    }
-    numbers = {int(at) for at in re.findall(r"scene\.fractal\[(\d+)\]", text)} - set(named.values())
-    return named | {str(at): at for at in sorted(numbers)}
-
-
-def shaders(work: Path) -> dict[str, str]:
-    return {fractal: shader(fractal, work) for fractal in FRACTALS}

@@ -39,54 +39,42 @@ class Camera {
     }
 }
 
-// The fractal's own constants by the names of the kernel text's accessors, as core/scene/fractal.cpp computes them; the
-// page's data says which name stands where. power: P. 0 to 3: those that the Julia set's text takes without a name.
-const FRACTALS = {
-    mandelbulb: {
-        sliders: { "shape.2": ["power", 2, 16, 0.1], "shape.1": ["bailout", 1.5, 16, 0.5] },
-        power: (s) => s.shape[2],
-        constants: (s) => ({ bulb_bailout: Math.min(s.shape[1], Math.pow(1e37, 1 / (3 * s.shape[2]))), bulb_power: s.shape[2] }),
-    },
-    mandelbox: {
-        sliders: { "shape.0": ["scale", -3, 4, 0.05], "shape.1": ["rMin", 0.05, 1, 0.05], "shape.2": ["rFixed", 0.2, 2, 0.05] },
-        power: () => 0,
-        constants: (s) => {
-            const [scale, inner, fixed] = s.shape;
-            const magnitude = Math.abs(scale);
-            const unit = Math.sqrt(magnitude) * fixed;
-            const square = (length) => (length / unit) ** 2;
-            return { box_scale: magnitude, box_sign: Math.sign(scale), box_inner_radius2: square(inner),
-                box_outer_radius2: square(Math.max(inner, fixed)), box_one: 1 / unit, box_unit: unit,
-                box_escape2: square(s.escape), box_tail2: 0, box_offset: Math.abs(scale - 1) / unit,
-                box_remainder: Math.pow(magnitude, 1 - s.iterations) };
-        },
-    },
-    julia: {
-        sliders: { "shape.0": ["c, real part", -1, 1, 0.005], "shape.1": ["c, i", -1, 1, 0.005], "shape.2": ["c, j", -1, 1, 0.005],
-            "escape": ["c, k", -1, 1, 0.005] },
-        power: () => 0,
-        constants: (s) => ({ 0: s.shape[0], 1: s.shape[1], 2: s.shape[2], 3: s.escape, julia_escape2: 1e6 }),
-    },
-};
+// The functions of the programs' formulas, which are expressions of shape, escape, iterations and largest
+// (core/scene/formula.h).
+const FORMULA_FUNCTIONS = { min: Math.min, max: Math.max, pow: Math.pow, sqrt: Math.sqrt, abs: Math.abs, floor: Math.floor,
+    sign: Math.sign, pick: (on, a, b) => (on ? a : b) };
+const FORMULA_INPUTS = ["shape", "escape", "iterations", "largest"];
 
-// The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them. places: where the text has
-// each of the fractal's constants.
-function sceneFields(fractal, places, s, camera, width, height, fast, maxSteps) {
-    const power = FRACTALS[fractal].power(s);
-    const values = FRACTALS[fractal].constants(s);
-    const constants = [];
-    for (const [name, at] of Object.entries(places)) {
-        if (!(name in values)) throw new Error(`the viewer does not know the constant ${name} of the ${fractal}`);
-        constants[at] = values[name];
+function compiledFormula(text) {
+    const made = new Function(...Object.keys(FORMULA_FUNCTIONS), ...FORMULA_INPUTS, `return ${text};`);
+    return (s, largest) => made(...Object.values(FORMULA_FUNCTIONS), s.shape, s.escape, s.iterations, largest);
+}
+
+// The programs' table (bin/render --list-fractals --json): `rules` hold of every scene, `rows` are fractals by name, with
+// their formulas as functions.
+function fractalTable(json) {
+    const rows = {};
+    for (const row of json.fractals) {
+        rows[row.name] = { ...row, constants: row.constants.map(compiledFormula), whole: compiledFormula(row.whole),
+            stride: compiledFormula(row.stride) };
     }
-    const stride = fast && fractal === "mandelbulb" && power < 4.5 ? 0.6 : 0.95;
-    const tangent = Math.tan(camera.field * 65 / 2 * Math.PI / 180);
-    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: Number.isInteger(power) ? power : 0,
+    return { rules: json.scene, rows };
+}
+
+// The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them in float (bin/render
+// --print-scene).
+function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
+    const row = rows[fractal];
+    const stride = fast ? Math.min(rules.plain_stride, row.stride(s, rules.largest)) : rules.plain_stride;
+    const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
+    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(s, rules.largest),
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float has no digits for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
-        tolerance: Math.pow(10, Math.fround(s.detail)), stride, relaxation: fast && stride === 0.95 ? 1.7 : stride, end: 1000, miss: Infinity,
-        brightness: s.brightness, root_share: fractal === "mandelbox" ? 0.001 : 0.01, fractal: constants, eye: camera.eye, forward: camera.forward,
+        tolerance: Math.pow(10, Math.fround(s.detail)), stride,
+        relaxation: fast && stride >= rules.plain_stride ? rules.longest_relaxed : stride, end: rules.end, miss: Infinity,
+        brightness: s.brightness, root_share: row.root_share, fractal: row.constants.map((constant) => constant(s, rules.largest)),
+        eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }
 
@@ -105,8 +93,7 @@ function packed(fields, layout, size) {
 // A parameter file that the programs draw to the same view.
 function toParameters(fractal, s, camera, width, height) {
     const line = (numbers) => numbers.map((n) => String(Number(n.toPrecision(12)))).join(" ");
-    const program = fractal === "julia" ? "bin/render --fractal julia" : `./${fractal}`;
-    return [`# ${program} FILE.dat --precision float`, "# location x, y, z", line(camera.eye), "# look at",
+    return [`# bin/render --fractal ${fractal} FILE.dat --precision float`, "# location x, y, z", line(camera.eye), "# look at",
         line(Vec.add(camera.eye, camera.forward)), "# up", line(camera.up), "# field of view", line([camera.field]),
         "# width height", `${width} ${height}`, "# detail level", line([s.detail]), "# the fractal's constants", line(s.shape),
         "# iterations, escape", line([s.iterations, s.escape]), "# colouring", line([s.colouring]), "# brightness",

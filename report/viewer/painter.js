@@ -5,7 +5,7 @@ class Painter {
     static VERTEX = `#version 300 es
         void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-    // null where there is no WebGL 2. data: shaders and places of constants, by fractal.
+    // null where there is no WebGL 2. data: shaders by fractal, and the table (camera.js).
     static on(canvas, data) {
         const gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
         return gl ? new Painter(gl, canvas, data) : null;
@@ -73,8 +73,7 @@ class Painter {
     // view: fractal, scene, camera, fast. area: x, y, width and height of the part that is drawn, or all.
     draw(to, view, steps, area, probing) {
         const gl = this.gl, compiled = this.program(view.fractal);
-        const fields = sceneFields(view.fractal, this.data.constants[view.fractal], view.scene, view.camera, to.width, to.height,
-            view.fast, steps);
+        const fields = sceneFields(this.data.table, view.fractal, view.scene, view.camera, to.width, to.height, view.fast, steps);
         gl.useProgram(compiled.program);
         gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.sceneBuffer);
         gl.bufferData(gl.UNIFORM_BUFFER, packed(fields, compiled.layout, compiled.size), gl.DYNAMIC_DRAW);

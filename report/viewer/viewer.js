@@ -3,12 +3,12 @@
 // when it rests, the whole one tile by tile, so that no draw call keeps the device for long.
 "use strict";
 const Viewer = (() => {
-    const MOVING_STEPS = 300, RESTING_STEPS = 8000;     // samples on a ray
+    const MOVING_STEPS = 300;                           // samples on a ray
     const MOVING_MS = 40, TILE_MS = 30;                 // what a small picture, and one tile, may take
     const SCALES = [1, 2, 3, 4, 6, 8, 12];              // pixels of the canvas to one of the small picture
     const find = (id) => document.getElementById(id);
 
-    let data, canvas, painter, camera, scene, fractal = "mandelbulb", fast = false;
+    let data, canvas, painter, camera, scene, fractal, fast = false;
     let low, full;
     const pressed = new Set();
     let scaleNumber = 3, moving = false, dirty = true, tile = null, speed = 1, last = 0, running = false, tileSide = 32;
@@ -39,7 +39,7 @@ const Viewer = (() => {
         while (tile && performance.now() - begin < 2 * TILE_MS) {
             const one = performance.now();
             const side = tile.height;
-            painter.draw(full, view(), RESTING_STEPS,
+            painter.draw(full, view(), data.table.rules.max_steps,
                 [tile.x, tile.y, Math.min(4 * side, canvas.width - tile.x), Math.min(side, canvas.height - tile.y)]);
             painter.pixel(full);
             const took = performance.now() - one;
@@ -112,7 +112,7 @@ const Viewer = (() => {
     }
     function choose(name) {
         fractal = name;
-        scene = structuredClone(data.scenes[name]);
+        scene = structuredClone(data.table.rows[name].official);
         camera = new Camera(scene);
         sliders();
         change();
@@ -121,8 +121,12 @@ const Viewer = (() => {
     function sliders() {
         const place = find("viewer-parameters");
         place.replaceChildren();
-        const all = { ...FRACTALS[fractal].sliders, iterations: ["iterations", 1, 200, 1], detail: ["detail level", -6, -1, 0.1],
-            field: ["field of view", 0.2, 2.5, 0.05], colouring: ["colouring type", 0, 4, 1], brightness: ["brightness", 0.2, 3, 0.1] };
+        const row = data.table.rows[fractal], own = {};
+        row.shape.forEach(({ name, slider }, i) => { if (slider) own[`shape.${i}`] = [name, ...slider]; });
+        if (row.escape.slider) own.escape = [row.escape.name, ...row.escape.slider];
+        const all = { ...own, iterations: ["iterations", 1, 200, 1], detail: ["detail level", -6, -1, 0.1],
+            field: ["field of view", 0.2, 2.5, 0.05], colouring: ["colouring type", 0, data.table.rules.colouring_types - 1, 1],
+            brightness: ["brightness", 0.2, 3, 0.1] };
         for (const [key, [name, low_, high, by]] of Object.entries(all)) {
             const [field, at] = key.split(".");
             const read = () => (at === undefined ? (field === "field" ? camera.field : scene[field]) : scene[field][at]);
@@ -166,7 +170,7 @@ const Viewer = (() => {
         });
         canvas.addEventListener("pointermove", (event) => {
             if (!dragging) return;
-            const angle = camera.field * 65 * Math.PI / 180 / canvas.clientHeight;
+            const angle = camera.field * data.table.rules.degrees_per_field * Math.PI / 180 / canvas.clientHeight;
             camera.turn(angle * (event.clientX - dragging[0]), -angle * (event.clientY - dragging[1]), 0);
             dragging = [event.clientX, event.clientY];
             change();
@@ -223,6 +227,7 @@ const Viewer = (() => {
     function start() {
         canvas = find("viewer-canvas");
         data = JSON.parse(find("viewer-data").textContent);
+        data.table = fractalTable(data.table);
         painter = Painter.on(canvas, data);
         if (!painter) {
             find("viewer-none").hidden = false;
@@ -242,6 +247,8 @@ const Viewer = (() => {
         }).observe(canvas);
     }
     if (document.getElementById("viewer-canvas")) start();
-    return { idle: () => !dirty && tile === null, picture, camera: () => camera,
+    // The scene as it is drawn, for checks beside bin/render --print-scene.
+    const fields = () => sceneFields(data.table, fractal, scene, camera, canvas.width, canvas.height, fast, data.table.rules.max_steps);
+    return { idle: () => !dirty && tile === null, picture, fields, camera: () => camera,
         dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };
 })();

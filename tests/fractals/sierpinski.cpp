@@ -24,10 +24,11 @@ sierpinski.bmp
 
 constexpr double radius = 1.7320508075688772;  // sqrt(3), of the sphere through the corners (1, 1, 1), (1, -1, -1), ...
 
-FractalConstants constants(const Scene& scene, double, bool)
+template <class Number>
+FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
-    const double scale = scene.shape[0];
-    return {.values = {scale, scale - 1, scene.escape * scene.escape, radius}};
+    const Number& scale = of.shape[0];
+    return {.values = {scale, scale - 1, of.escape * of.escape, radius}};
 }
 
 // An iteration takes |z| to s |z| - (s - 1) radius at least, so that DE >= |p| - radius.
@@ -57,7 +58,7 @@ constexpr Fractal rows::sierpinski{
     .official = official,
     .shape = {Meaning{"scale", 1, 4, true}, ignored_number, ignored_number},
     .escape = {"escape radius", 2, 1e6},
-    .constants = constants,
+    .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
     .flight = {.growth = growth, .safety = 1, .short_stride = plain_stride, .body = body},
     .random = {.extent = 1.7, .nearest = 2, .farthest = 4, .shape = random_shape, .extreme_shape = extreme_shape},

@@ -10,6 +10,9 @@ from pathlib import Path
 RENDER = f"""#!{sys.executable}
 import json, os, sys
 from PIL import Image
+if "--list-fractals" in sys.argv:
+    print(json.dumps({{"scene": {{}}, "fractals": []}}))
+    sys.exit(0)
 if "--list-devices" in sys.argv:
     for line in ("reference  0: CPU", "openmp     0: CPU", "opencl     unavailable: not here", "vulkan     0: GPU"):
         print(line)

@@ -13,20 +13,24 @@ constexpr std::string_view official =
 #include "official/paramsJulia.dat"
     ;
 
-// c = shape + escape k. Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.
-FractalConstants constants(const Scene& scene, double, bool)
+constexpr Meaning::Slider part{-1, 1, 0.005};
+
+// Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.
+constexpr double escape_radius = 1000;
+
+// c = shape + escape k.
+template <class Number>
+FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
-    constexpr double escape_radius = 1000;
-    const auto [a, i, j] = scene.shape;
-    return {.values = {a, i, j, scene.escape, escape_radius * escape_radius}};
+    const auto& [a, i, j] = of.shape;
+    return {.values = {a, i, j, of.escape, escape_radius * escape_radius}};
 }
 
 double hull(const Scene& scene, const Sight& view)
 {
     const auto [a, i, j] = scene.shape;
     const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
-    const double escape = std::sqrt(constants(scene, float_range, false).values[4]);
-    const auto bound = [&](double r) { return least_estimate(r, 2, c, 0, escape, scene.iterations); };
+    const auto bound = [&](double r) { return least_estimate(r, 2, c, 0, escape_radius, scene.iterations); };
     return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
 }
 
@@ -55,9 +59,11 @@ constexpr Fractal rows::julia{
     .nickname = "julia",
     .rank = 3,
     .official = official,
-    .shape = {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
-    .escape = {"c's k part", -4, 4},
-    .constants = constants,
+    .shape = {Meaning{"c's real part", -4, 4, false, part},
+              {"c's i part", -4, 4, false, part},
+              {"c's j part", -4, 4, false, part}},
+    .escape = {"c's k part", -4, 4, false, part},
+    .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
     .fast = {.root_share = 0.01, .cone_pitch = 40, .neighbour_pitch = 48},
     .flight = {.growth = growth, .safety = 1, .short_stride = plain_stride},

@@ -46,17 +46,24 @@ double tail_radius(const Scene& scene)
     return radius > std::max({1.9 * edge, 2 * inner, 2 * fixed}) ? radius : 0;
 }
 
-FractalConstants constants(const Scene& scene, double, bool tails)
+constexpr std::size_t tail2 = 7;  // the constant of the kernel text
+
+template <class Number>
+FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
-    const auto [scale, inner, fixed] = scene.shape;
-    const double s = std::abs(scale);
-    const double unit = unit_of(scene);
-    const auto square = [unit](double length) { return length / unit * (length / unit); };
-    const double tail = tails ? tail_radius(scene) : 0;
-    return {
-        .values = {s, std::copysign(1, scale), square(inner), square(std::max(inner, fixed)), 1 / unit, unit,
-                   square(scene.escape), square(tail), std::abs(scale - 1) / unit, std::pow(s, 1 - scene.iterations)},
-        .whole = tail > 0 ? scene.iterations - 4 : 0};
+    const auto& [scale, inner, fixed] = of.shape;
+    const Number s = abs(scale);
+    const Number unit = sqrt(s) * fixed;
+    const auto square = [&](const Number& length) { return length / unit * (length / unit); };
+    return {.values = {s, sign(scale), square(inner), square(max(inner, fixed)), 1 / unit, unit, square(of.escape), 0,
+                       abs(scale - 1) / unit, pow(s, 1 - of.iterations)}};
+}
+
+void add_tail(const Scene& scene, FractalConstants<double>& to)
+{
+    const double tail = tail_radius(scene) / unit_of(scene);
+    to.values[tail2] = tail * tail;
+    to.whole = tail > 0 ? scene.iterations - 4 : 0;
 }
 
 double hull(const Scene& scene, const Sight& view)
@@ -133,10 +140,13 @@ constexpr Fractal rows::mandelbox{
     .rank = 2,
     .studied = true,
     .official = official,
-    .shape = {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
+    .shape = {Meaning{"scale", -huge, huge, false, Meaning::Slider{-3, 4, 0.05}},
+              {"rMin", 0, huge, true, Meaning::Slider{0.05, 1, 0.05}},
+              {"rFixed", 0, huge, true, Meaning::Slider{0.2, 2, 0.05}}},
     .escape = {"escape time", 0, 1e15, true},
     .objection = objection,
-    .constants = constants,
+    .constants = {constants<double>, constants<Formula>},
+    .add_tail = add_tail,
     .hull = {.size = hull, .corner = cube_corner},
     .fast = {.root_share = 0.003, .cone_pitch = 8, .neighbour_pitch = 35},
     .flight = {.growth = growth,

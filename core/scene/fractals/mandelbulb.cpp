@@ -17,11 +17,12 @@ constexpr std::string_view official =
 constexpr double low_power_stride = 0.4;
 
 // The bailout radius is cut so that r^3P stays finite: gradients have products of r^P and its slope.
-FractalConstants constants(const Scene& scene, double most, bool)
+template <class Number>
+FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
-    const double power = scene.shape[2];
-    const double bailout = std::min(scene.shape[1], std::pow(most, 1 / (3 * power)));
-    return {.values = {bailout, power}, .whole = power == std::floor(power) ? static_cast<int>(power) : 0};
+    const Number& power = of.shape[2];
+    return {.values = {min(of.shape[1], pow(of.largest, 1 / (3 * power))), power},
+            .whole = pick(power == floor(power), power, 0)};
 }
 
 double hull(const Scene& scene, const Sight& view)
@@ -35,7 +36,11 @@ double hull(const Scene& scene, const Sight& view)
 }
 
 // At low powers longer steps miss more of what is thin: docs/notes/experiments.md.
-double stride(const Scene& scene) { return scene.shape[2] < 4.5 ? low_power_stride : plain_stride; }
+template <class Number>
+Number stride(const FractalInputs<Number>& of)
+{
+    return pick(of.shape[2] < 4.5, low_power_stride, plain_stride);
+}
 
 double growth(const Scene& scene) { return scene.shape[2]; }
 
@@ -103,11 +108,13 @@ constexpr Fractal rows::mandelbulb{
     .rank = 1,
     .studied = true,
     .official = official,
-    .shape = {ignored_number, {"bailout", 0, 1e6, true}, {"power", 0, 1000, true}},
+    .shape = {ignored_number,
+              {"bailout", 0, 1e6, true, Meaning::Slider{1.5, 16, 0.5}},
+              {"power", 0, 1000, true, Meaning::Slider{2, 16, 0.1}}},
     .escape = ignored_number,
-    .constants = constants,
+    .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
-    .fast = {.stride = stride, .root_share = 0.02, .cone_pitch = 40, .neighbour_pitch = 48},
+    .fast = {.stride = {stride<double>, stride<Formula>}, .root_share = 0.02, .cone_pitch = 40, .neighbour_pitch = 48},
     .flight = {.growth = growth,
                .safety = 0.8,
                .short_stride = 0.6,

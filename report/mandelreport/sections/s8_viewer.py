@@ -9,12 +9,8 @@ from typing import Any
 from markupsafe import Markup
 
 from ..blocks import Missing
-from ..parameters import read_parameters
-from ..pictures import ROOT
-from ..shaders import FRACTALS, constants, missing_tools, shaders
+from ..shaders import TEXTS, missing_tools, shader
 from . import Material
-
-SCENES = {"mandelbulb": "paramsBulb.dat", "mandelbox": "paramsBox.dat", "julia": "paramsJulia.dat"}
 
 
 def _embedded(data: Any) -> Markup:
@@ -26,15 +22,9 @@ def section(material: Material) -> dict[str, Any]:
     absent = missing_tools()
     if absent:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "report/setup")}
-    known = [fractal for fractal in FRACTALS if fractal in SCENES]
-    texts = shaders(material.work / "shaders")
-    return {
-        "data": _embedded(
-            {
-                "shaders": {fractal: texts[fractal] for fractal in known},
-                "constants": {fractal: constants(fractal) for fractal in known},
-                "scenes": {fractal: read_parameters(ROOT / SCENES[fractal]) for fractal in known},
-            }
-        ),
-        "fractals": sorted(known, key=list(SCENES).index),
-    }
+    table = material.studio.fractals
+    if table is None:
+        return {"missing": Missing("The viewer's table of fractals, which bin/render prints", "make build")}
+    names = [row["name"] for row in table["fractals"] if row["name"] in TEXTS]
+    texts = {fractal: shader(fractal, material.work / "shaders") for fractal in names}
+    return {"data": _embedded({"shaders": texts, "table": table}), "fractals": names}

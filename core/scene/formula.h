@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A number that writes down how it was computed. What a fractal's row computes as a function template over the number
+// type, the programs compute with double and hand out as text: an expression that JavaScript and Python both read, so
+// that the viewer computes the same (docs/report.md).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace mandelmarch {
+
+class Formula {
+public:
+    Formula(double value = 0);  // NOLINT(google-explicit-constructor): literals are formulas
+
+    // An input: `shape[0]`, say.
+    static Formula input(std::string_view name);
+
+    // With min, max, pow, sqrt, abs, floor, sign and pick(condition, a, b), and parentheses around every operation.
+    const std::string& text() const { return text_; }
+
+    // What pick() decides by.
+    struct Condition {
+        std::string text;
+    };
+
+    friend Formula operator+(const Formula& a, const Formula& b) { return infix(a, "+", b); }
+    friend Formula operator-(const Formula& a, const Formula& b) { return infix(a, "-", b); }
+    friend Formula operator*(const Formula& a, const Formula& b) { return infix(a, "*", b); }
+    friend Formula operator/(const Formula& a, const Formula& b) { return infix(a, "/", b); }
+    friend Condition operator<(const Formula& a, const Formula& b) { return {infix(a, "<", b).text_}; }
+    friend Condition operator==(const Formula& a, const Formula& b) { return {infix(a, "==", b).text_}; }
+
+    static Formula call(std::string_view function, const Formula& a);
+    static Formula call(std::string_view function, const Formula& a, const Formula& b);
+    static Formula call(std::string_view function, const Condition& on, const Formula& a, const Formula& b);
+
+private:
+    static Formula infix(const Formula& a, std::string_view symbol, const Formula& b);
+
+    std::string text_;
+};
+
+// The functions of a row's templates, for both number types.
+namespace formula {
+
+inline double min(double a, double b) { return std::min(a, b); }
+inline double max(double a, double b) { return std::max(a, b); }
+inline double pow(double a, double b) { return std::pow(a, b); }
+inline double sqrt(double a) { return std::sqrt(a); }
+inline double abs(double a) { return std::abs(a); }
+inline double floor(double a) { return std::floor(a); }
+inline double sign(double a) { return std::copysign(1, a); }  // of numbers that are not 0
+inline double pick(bool on, double a, double b) { return on ? a : b; }
+
+inline Formula min(const Formula& a, const Formula& b) { return Formula::call("min", a, b); }
+inline Formula max(const Formula& a, const Formula& b) { return Formula::call("max", a, b); }
+inline Formula pow(const Formula& a, const Formula& b) { return Formula::call("pow", a, b); }
+inline Formula sqrt(const Formula& a) { return Formula::call("sqrt", a); }
+inline Formula abs(const Formula& a) { return Formula::call("abs", a); }
+inline Formula floor(const Formula& a) { return Formula::call("floor", a); }
+inline Formula sign(const Formula& a) { return Formula::call("sign", a); }
+inline Formula pick(const Formula::Condition& on, const Formula& a, const Formula& b)
+{
+    return Formula::call("pick", on, a, b);
+}
+
+}  // namespace formula
+}  // namespace mandelmarch

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""viewer_test.py RENDER: what the report's viewer computes is what RENDER's programs draw, at odd parameters, too.
+
+The formulas that --list-fractals --json hands out give the values that --print-scene prints. So does camera.js as a whole,
+where node is there to run it. A value that is changed on one side only is seen."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CAMERA = Path(__file__).resolve().parents[2] / "report" / "viewer" / "camera.js"
+CLOSE = {"float": 1e-6, "double": 1e-14}  # relative: a rounding or two
+LARGEST = {"float": 1e37, "double": 1e300}
+# Beside the official scene: the numbers of line 7, and the last one of line 8.
+ODD = {
+    "mandelbulb": [[0, 4, 3, 0], [0, 4, 2.5, 0], [0, 6, 8.5, 0], [0, 1e6, 40, 0]],
+    "mandelbox": [[-1.5, 0.5, 1, 100], [3.1, 0.7, 0.6, 30], [2, 0.25, 1.5, 1e6]],
+    "julia": [[0.1, -0.5, 0.3, -0.2]],
+}
+FUNCTIONS = {
+    "min": min,
+    "max": max,
+    "pow": pow,
+    "sqrt": math.sqrt,
+    "abs": abs,
+    "floor": math.floor,
+    "sign": lambda a: math.copysign(1, a),
+    "pick": lambda on, a, b: a if on else b,
+}
+
+
+def render(program: str, *arguments: object) -> str:
+    return subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+def parameters(scene: dict) -> str:
+    lines = [scene[name] for name in ("eye", "target", "up")]
+    lines += [[scene["field"]], scene["size"], [scene["detail"]], scene["shape"], [scene["iterations"], scene["escape"]]]
+    lines += [[scene["colouring"]], [scene["brightness"]]]
+    return "\n".join(" ".join(map(str, line)) for line in lines) + "\npicture.bmp\n"
+
+
+def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) -> dict:
+    """What follows from the formulas."""
+    inputs = {name: scene[name] for name in ("shape", "escape", "iterations")} | {"largest": LARGEST[precision]}
+    value = lambda text: float(eval(text, {"__builtins__": {}}, FUNCTIONS | inputs))  # pylint: disable=eval-used
+    plain = rules["plain_stride"]
+    stride = min(plain, value(row["stride"])) if fast else plain
+    return {
+        "fractal": [value(text) for text in row["constants"]],
+        "fractal_whole": value(row["whole"]),
+        "stride": stride,
+        "relaxation": rules["longest_relaxed"] if fast and stride >= plain else stride,
+        "root_share": row["root_share"],
+        "end": rules["end"],
+        "max_steps": rules["max_steps"],
+    }
+
+
+def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
+    """camera.js's own fields."""
+    script = CAMERA.read_text(encoding="utf-8") + f"""
+        const table = fractalTable({json.dumps(table)}), scene = fromParameters({json.dumps(text)});
+        const fields = sceneFields(table, {json.dumps(name)}, scene, new Camera(scene), ...scene.size, {json.dumps(fast)},
+            table.rules.max_steps);
+        process.stdout.write(JSON.stringify({{ ...fields, miss: "Infinity" }}));"""
+    return json.loads(subprocess.run(["node", "-e", script], check=True, capture_output=True, text=True).stdout)
+
+
+def differing(mine: dict, printed: dict, close: float) -> list[str]:
+    def same(a: object, b: object) -> bool:
+        if isinstance(a, list):
+            return len(a) == len(b) and all(map(same, a, b))
+        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= close * max(abs(b), 1e-3))
+
+    return [name for name, value in mine.items() if not same(value, printed[name])]
+
+
+def main() -> int:
+    program = sys.argv[1]
+    table = json.loads(render(program, "--list-fractals", "--json"))
+    node = shutil.which("node") is not None
+    wrong: list[str] = []
+    compared = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for row in table["fractals"]:
+            official = row["official"]
+            odd = [[*official["shape"], official["escape"]], *ODD.get(row["name"], [])]
+            for numbers in odd:
+                # Parameter files are read in single precision.
+                *shape, escape = (struct.unpack("f", struct.pack("f", number))[0] for number in numbers)
+                scene = official | {"shape": shape, "escape": escape, "size": [320, 180]}
+                file = Path(folder) / "scene.dat"
+                file.write_text(parameters(scene), encoding="utf-8")
+                for mode in ("exact", "fast"):
+                    fast = mode == "fast"
+                    for precision, close in CLOSE.items():
+                        printed = json.loads(
+                            render(program, "--fractal", row["name"], file, "--precision", precision, "--mode", mode, "--print-scene")
+                        )
+                        where = f"{row['name']} {shape} {escape}, {precision}, {mode}"
+                        got = differing(computed(table["scene"], row, scene, precision, fast), printed, close)
+                        wrong += [f"{where}: {name}" for name in got]
+                        compared += 1
+                        if precision == "float" and node:
+                            ours = by_camera(table, row["name"], parameters(scene), fast)
+                            # Not the viewer's: the picture is the same without the hull, and float takes no differences.
+                            for name in ("hull", "difference_step"):
+                                del ours[name]
+                            wrong += [f"{where}: camera.js: {name}" for name in differing(ours, printed, close)]
+                    # Twins: one constant, the stride, the root share of another program.
+                    twins = [
+                        ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
+                        ("root_share", row | {"root_share": 1.5 * row["root_share"]}),
+                    ]
+                    if fast:
+                        twins.append(("stride", row | {"stride": "0.6"}))
+                    for name, twin in twins:
+                        if name not in differing(computed(table["scene"], twin, scene, "double", fast), printed, 1e-14):
+                            wrong.append(f"{row['name']} {shape}, {mode}: another {name} is not seen")
+    for line in wrong:
+        print("WRONG", line)
+    print(f"{compared} scenes compared, camera.js {'too' if node else 'not: node is not there'}; {len(wrong)} wrong")
+    return 1 if wrong or compared == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
