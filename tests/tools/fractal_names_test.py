@@ -9,14 +9,17 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("apps", "backends", "bench", "core", "flight")
-ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp"}
+FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
+ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {
     "apps/mandelbox.cpp": "the program of that name",
     "apps/mandelbulb.cpp": "the program of that name",
     "backends/openmp/widths.h": "registers of a pack",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
+    "report/mandelreport/check.py": "odd parameters, which the viewer is tried at",
+    "report/mandelreport/pictures.py": "the two scenes that the report shows",
+    "report/mandelreport/sections/s5_why.py": "the two fractals of that question",
 }
 
 
