@@ -28,16 +28,11 @@ using namespace mandelmarch;
 
 constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
 
-// The scene whose fractal is flown through: a parameter file, or the fractal's usual one.
+// The scene whose fractal is flown through: a parameter file's, or the official one. Each frame has its own camera.
 Scene scene_of(const Flythrough& options)
 {
     const Fractal& fractal = fractal_named(options.fractal);
-    const auto usual = [&] {
-        if (fractal.nickname == "bulb") return "7 7 7\n0 0 0\n0 1 0\n1\n16 9\n-3\n0 4 8\n100 0\n0\n1.2\nfilm.bmp\n";
-        if (fractal.nickname == "box") return "14 8 10\n0 0 0\n0 1 0\n1\n16 9\n-3\n2 0.5 1\n18 100\n0\n1.2\nfilm.bmp\n";
-        return "2 2 2\n0 0 0\n0 1 0\n1\n16 9\n-3\n-0.291 -0.399 0.339\n60 0.437\n0\n1.2\nfilm.bmp\n";
-    };
-    Scene scene = options.parameters.empty() ? parse_parameters(usual(), fractal.name.data(), fractal).scene
+    Scene scene = options.parameters.empty() ? official_scene(fractal, 16, 9)
                                              : read_parameters(options.parameters, fractal).scene;
     scene.colouring = options.look.value_or(film_look);
     return scene;

@@ -10,6 +10,7 @@
 
 #include "core/base/files.h"
 #include "core/render/registry.h"
+#include "core/scene/fractal.h"
 #include "flight/film/frames.h"
 
 namespace mandelmarch {
@@ -23,7 +24,7 @@ struct Flythrough {
     Command command = Command::film;
     std::string path;        // a path file: read by render and audit, written by film
     std::string parameters;  // a parameter file whose fractal is flown through
-    std::string fractal = "mandelbulb";
+    std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
     int frames = 7200;
     int width = 1920, height = 1080;

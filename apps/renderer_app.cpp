@@ -184,7 +184,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
     if (is_tried(options.renderer)) {
         const Backend& backend = chosen_backend(registry, options.backend, true);
         const Trial trial = try_steps(scene, backend, options.renderer);
-        scene.stride = trial.stride;
+        scene.limits.stride = trial.stride;
         print("a trial on {} chose the stride\n", backend.name());
         if (!trial.settled()) warn_unsettled(program, trial.off, options.renderer.precision);
     }

@@ -2,6 +2,7 @@
 #include "bench/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
@@ -65,7 +66,9 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
 {
     Options& o = line.options;
     app.add_option("--backend", o.backend, "all, or one backend's name")->capture_default_str();
-    app.add_option("--fractal", o.fractal, "all (bulb and box), or one fractal's name")->capture_default_str();
+    app.add_option("--fractal", o.fractal,
+                   fmt::format("all ({}), or one fractal's name", fmt::join(fractals_of("all"), " and ")))
+        ->capture_default_str();
     app.add_option("--precision", o.precision, "all, float or double")
         ->check(CLI::IsMember({"all", "float", "double"}))
         ->capture_default_str();
@@ -141,6 +144,7 @@ CommandLine parse_command_line(int argc, char** argv)
     CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
     random->add_option("--backend", line.random.backend,
                        "the backend that draws them (default: the text's on this machine's cores)");
+    random->add_option("--fractal", line.random.fractal, "all, as above, or one fractal's name")->capture_default_str();
     random->add_option("--without", line.random.without, "techniques to switch off, `trial` say");
     random->add_option("--scenes", texts.scenes, "scenes of a fractal in each set (default 60)");
     random->add_option("--sets", line.random.sets, "seeds, one for each set")->delimiter(',')->capture_default_str();
@@ -190,7 +194,8 @@ CommandLine parse_command_line(int argc, char** argv)
         line.equivalence.seed = static_cast<unsigned>(large_option("seed", texts.extreme_seed, 1'000'000'000));
     }
     static_cast<void>(study_named(o.study));
-    static_cast<void>(fractals_of(o));
+    static_cast<void>(fractals_of(o.fractal));
+    static_cast<void>(fractals_of(line.random.fractal));
     static_cast<void>(size_of(o));
     return line;
 }

@@ -56,9 +56,7 @@ private:
 void add(PackCount& to, const PackCount& from)
 {
     for (std::size_t i = 0; i < to.stages.size(); ++i) to.stages[i] = to.stages[i] + from.stages[i];
-    to.work.steps += from.work.steps;
-    to.work.estimates += from.work.estimates;
-    to.work.iterations += from.work.iterations;
+    to.work += from.work;
     to.hits += from.hits;
     to.step_slots += from.step_slots;
     to.steps += from.steps;

@@ -40,18 +40,18 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
         to.iteration_slots += lanes * slowest;
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        Ray ray = rays[lane];
-        if (scene.canonical != 0) ray = counted(stage(Stage::refine), [&] { return refine(scene, ray); });
+        Hit hit = stopped(scene, rays[lane]);
+        if (scene.canonical != 0) hit = counted(stage(Stage::refine), [&] { return refine(scene, hit); });
         Operations of_normal;
-        if (has_hit(scene, ray)) {
+        if (is_hit(hit)) {
             ++to.hits;
-            const real t = landing(scene, ray);
-            const real back = scene.canonical != 0 ? t * scene.tolerance : tolerance(scene, ray);
-            const vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
+            const real t = landing(scene, hit);
+            const real back = (scene.canonical != 0 ? t : hit.t) * scene.tolerance;
+            const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
             counted(of_normal, [&] { return normal_at(scene, p, true); });
         }
         Operations of_shade;
-        const Pixel pixel = counted(of_shade, [&] { return shade(scene, ray); });
+        const Pixel pixel = counted(of_shade, [&] { return shade(scene, hit); });
         stage(Stage::normal) = stage(Stage::normal) + of_normal;
         stage(Stage::shade) = stage(Stage::shade) + (of_shade - of_normal);
         to.work.steps += static_cast<std::uint64_t>(pixel.steps);

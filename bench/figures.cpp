@@ -128,8 +128,8 @@ Figures figures_of(const Result& result, const Row& row)
 
 std::vector<Ratio> box_to_bulb(const Result& result)
 {
-    return ratios(result, [](const Row& box, const Row& bulb) {
-        return box.fractal == "mandelbox" && bulb.fractal == "mandelbulb" && box.precision == bulb.precision;
+    return ratios(result, [](const Row& a, const Row& b) {
+        return a.fractal == box && b.fractal == bulb && a.precision == b.precision;
     });
 }
 

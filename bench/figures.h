@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "bench/result.h"
 #include "bench/statistics.h"
@@ -42,6 +43,10 @@ struct Ratio {
     const Row* denominator;
     Summary summary;  // of the pairs' ratios; count 0 where the rows share no round
 };
+
+// The fractals of the study box-vs-bulb and of the question that it is about.
+inline constexpr std::string_view box = "mandelbox";
+inline constexpr std::string_view bulb = "mandelbulb";
 
 // The two questions. Mandelbox / Mandelbulb, for every backend, device, precision and mode; double / float, for every
 // fractal, backend, device and mode. Only rows that are timed.

@@ -134,7 +134,7 @@ std::vector<StageTime> profile(const Options& options, const Phase& phase)
     std::vector<StageTime> times;
     const auto [width, height] = size_of(options);
     const int repetitions = options.repetitions.value_or(usual_repetitions);
-    for (const std::string& nickname : fractals_of(options)) {
+    for (const std::string& nickname : fractals_of(options.fractal)) {
         const Scene scene = official_scene_of(nickname, width, height);
         for (const Precision precision : precisions_of(options)) {
             for (const Mode mode : modes_of(options)) {

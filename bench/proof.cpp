@@ -37,7 +37,7 @@ std::string Yardsticks::key(const Case& one) const
     return fmt::format("{} {}x{} n{} D{} shape {} escape {} at {} to {} up {} field {} look {} {} step {} {} {}",
                        s.fractal->name, s.width, s.height, s.iterations, s.detail, fmt::join(s.shape, " "), s.escape,
                        triple(s.eye), triple(s.target), triple(s.up), s.field_of_view, s.colouring, s.brightness,
-                       s.stride, s.root_share, source_for(one).name);
+                       s.limits.stride, s.limits.root_share, source_for(one).name);
 }
 
 bool Yardsticks::is_yardstick(const Case& one) const

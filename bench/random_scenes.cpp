@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <random>
 #include <thread>
 
 #include "bench/environment.h"
+#include "bench/study.h"
 #include "bench/views.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
@@ -20,7 +22,6 @@ namespace {
 
 constexpr int width = 61;  // pixels
 constexpr int height = 45;
-constexpr std::string_view measured[] = {"bulb", "box"};
 constexpr Precision precisions[] = {Precision::f64, Precision::f32};
 
 struct Drawn {
@@ -36,7 +37,7 @@ std::vector<Drawn> scenes_of(const RandomOptions& options)
     std::vector<Drawn> scenes;
     for (const unsigned set : options.sets) {
         std::mt19937 random(set);
-        for (const std::string_view fractal : measured) {
+        for (const std::string& fractal : fractals_of(options.fractal)) {
             const Scene like = official_scene_of(fractal, width, height);
             for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
         }
@@ -45,8 +46,20 @@ std::vector<Drawn> scenes_of(const RandomOptions& options)
     return scenes;
 }
 
-// reference is one thread: as many scenes at once as there are cores.
-void draw_canonical(const Backend& reference, std::vector<Drawn>& scenes, const std::function<void(double)>& progress)
+// What draws the canonical pictures: reference, or openmp's scalar text with every shortcut off.
+std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
+{
+    const Backend& reference = *registry.find("reference");
+    if (reference.draws(scene)) return reference.create({.mode = Mode::fast});
+    return registry.find("openmp")->create(
+        {.mode = Mode::fast,
+         .threads = 1,
+         .pack = 1,
+         .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
+}
+
+// A renderer is one thread here: as many scenes at once as there are cores.
+void draw_canonical(const Registry& registry, std::vector<Drawn>& scenes, const std::function<void(double)>& progress)
 {
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
@@ -54,9 +67,13 @@ void draw_canonical(const Backend& reference, std::vector<Drawn>& scenes, const 
     std::atomic_flag failed;
     const auto work = [&](bool shows) {
         try {
-            const auto renderer = reference.create({.mode = Mode::fast});
+            std::unique_ptr<Renderer> renderer;
+            const Fractal* fractal = nullptr;
             for (std::size_t i = next++; i < scenes.size(); i = next++) {
-                renderer->render(scenes[i].scene, scenes[i].canonical);
+                const Scene& scene = scenes[i].scene;
+                if (scene.fractal != fractal) renderer = canonical_renderer(registry, scene);
+                fractal = scene.fractal;
+                renderer->render(scene, scenes[i].canonical);
                 ++done;
                 if (shows) progress(static_cast<double>(done) / static_cast<double>(scenes.size()));
             }
@@ -121,7 +138,7 @@ RandomSum RandomResult::sum(std::string_view fractal, Precision precision, const
 
 bool RandomResult::held() const
 {
-    for (const std::string_view fractal : measured) {
+    for (const std::string& fractal : fractals_of(options.fractal)) {
         for (const Precision precision : precisions) {
             for (const unsigned& set : options.sets) {
                 const RandomSum one = sum(fractal, precision, &set);
@@ -146,7 +163,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
     RandomResult result{.options = options, .environment = environment(registry), .rows = {}};
     result.options.backend = backend->name();
     std::vector<Drawn> scenes = scenes_of(options);
-    draw_canonical(registry.with(Role::reference), scenes, progress);
+    draw_canonical(registry, scenes, progress);
     std::unique_ptr<Renderer> renderers[2][2];
     for (const Precision precision : precisions) {
         for (const Mode mode : {Mode::exact, Mode::fast}) {
@@ -178,7 +195,7 @@ nlohmann::ordered_json to_json(const RandomResult& result)
 {
     using Json = nlohmann::ordered_json;
     Json sums = Json::array();
-    for (const std::string_view fractal : measured) {
+    for (const std::string& fractal : fractals_of(result.options.fractal)) {
         for (const Precision precision : precisions) {
             Json sets = Json::object();
             for (const unsigned& set : result.options.sets) {
@@ -216,7 +233,7 @@ std::string to_console(const RandomResult& result)
     text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "number",
                         "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
                         "short of digits", "worst");
-    for (const std::string_view fractal : measured) {
+    for (const std::string& fractal : fractals_of(options.fractal)) {
         for (const Precision precision : precisions) {
             double least = 1;
             double most = 0;

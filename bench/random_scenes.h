@@ -15,6 +15,7 @@ namespace mandelmarch::bench {
 
 struct RandomOptions {
     std::string backend = {};                                        // empty: the host's
+    std::string fractal = "all";                                     // all: those that are studied; or one's name
     int scenes = 60;                                                 // of a fractal in each set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds
     std::string without{};                                           // techniques that are switched off
@@ -56,9 +57,9 @@ struct RandomResult {
     bool held() const;  // every set to both
 };
 
-// Draws the Mandelbulbs and Mandelboxes of every set, 61 x 45 pixels, by reference's canonical steps and by the backend
-// in fast mode. progress(share) is called as it goes. Throws InputError for an unknown backend, Unavailable where it
-// has no device.
+// Draws the fractals of every set, 61 x 45 pixels, by canonical steps and by the backend in fast mode. Canonical steps
+// are reference's, or openmp's without techniques where reference does not draw the fractal. progress(share) is called
+// as it goes. Throws InputError for an unknown backend, Unavailable where it has no device.
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 

@@ -194,6 +194,9 @@ Row row_of(const Json& json)
     row.proof = proof_at(json, "proof");
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
+    // Files of version 1 may be older than these two.
+    if (json.contains("stride") && !at(json, "stride").is_null()) row.stride = number_at(json, "stride", 0, 1);
+    if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");
     row.operations = number_at(json, "operations", 0, most_rate);
     each_at(json, "samples", [&](const Json& sample) { row.samples.push_back(sample_of(sample)); });

@@ -103,6 +103,8 @@ Json of(const Result& result, const Row& row)
             {"proof", of(row.proof)},
             {"context_seconds", row.context},
             {"build_seconds", row.build},
+            {"stride", row.stride > 0 ? Json(row.stride) : Json()},
+            {"unsettled", row.unsettled},
             {"work", of(row.work)},
             {"operations", row.operations},
             {"samples", samples},
@@ -169,7 +171,7 @@ Json to_json(const Result& result)
     }
     json["rows"] = Json::array();
     for (const Row& row : result.rows) json["rows"].push_back(of(result, row));
-    json["questions"] = {{"mandelbox_to_mandelbulb", of(box_to_bulb(result))},
+    json["questions"] = {{fmt::format("{}_to_{}", box, bulb), of(box_to_bulb(result))},
                          {"double_to_float", of(double_to_float(result))}};
     json["portability"] = to_json(portability({&result, 1}));
     return json;

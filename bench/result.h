@@ -62,6 +62,8 @@ struct Row {
     int threads = 0, pack = 0;  // that really ran
     Proof proof;
     double context = 0, build = 0;  // seconds, of the first picture
+    // Of the proven picture's trial (RenderReport); 0 and 0 without one.
+    double stride = 0, unsettled = 0;
     Work work;                      // of one picture
     double operations = 0;          // of one picture, from the counted text; 0: not known
     std::vector<Sample> samples;

@@ -44,6 +44,8 @@ void describe(Row& row, const RenderReport& report)
     row.instruction_set = report.instruction_set;
     row.context = report.timings.context;
     row.build = report.timings.build;
+    row.stride = report.stride;
+    row.unsettled = report.unsettled;
     row.work = report.work;
 }
 

@@ -39,21 +39,21 @@ struct Memory {
 
 HWY_INLINE double* place(double* seconds, TimedStage stage) { return seconds + static_cast<int>(stage); }
 
-HWY_NOINLINE vec3 normal_of(const Scene& scene, const Ray& ray)
+HWY_NOINLINE vec3 normal_of(const Scene& scene, const Hit& hit)
 {
-    const real t = landing(scene, ray);
-    real back = t * real(scene.tolerance);
-    if (scene.canonical == 0) back = tolerance(scene, ray);
-    return normal_at(scene, along(point_at(scene, ray, t), ray.direction, -back), has_hit(scene, ray)).direction;
+    const real t = landing(scene, hit);
+    const real back = (scene.canonical != 0 ? t : hit.t) * real(scene.tolerance);
+    const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
+    return normal_at(scene, p, is_hit(hit)).direction;
 }
 
 // What shade() does beside the normal.
-HWY_NOINLINE Pixel shaded(const Scene& scene, const Ray& ray, const vec3& normal)
+HWY_NOINLINE Pixel shaded(const Scene& scene, const Hit& hit, const vec3& normal)
 {
-    Pixel pixel = missed(scene, ray);
-    const mask hit = has_hit(scene, ray);
-    pixel.colour = pick3(hit, lit(scene, ray.direction, normal), pixel.colour);
-    pixel.depth = pick(hit, landing(scene, ray), pixel.depth);
+    Pixel pixel = missed(scene, hit);
+    const mask on = is_hit(hit);
+    pixel.colour = pick3(on, lit(scene, hit.direction, normal), pixel.colour);
+    pixel.depth = pick(on, landing(scene, hit), pixel.depth);
     return pixel;
 }
 
@@ -65,17 +65,17 @@ HWY_NOINLINE void shade_apart(Drawing& d, Memory& memory, bool all, double (*now
     const int packs = all ? (ended.size + pack_lanes - 1) / pack_lanes : ended.size / pack_lanes;
     const double first = now();
     for (int k = 0; k < packs; ++k) {
-        Traveller a = load(ended, k * pack_lanes);
-        a.ray.last_distance = pick(first_lanes(ended.size - k * pack_lanes), a.ray.last_distance, real(scene.end));
-        memory.normals[k] = normal_of(scene, a.ray);
+        Hit hit = load<Arrival>(ended, k * pack_lanes).hit;
+        hit.state = pick(first_lanes(ended.size - k * pack_lanes), hit.state, no_hit());
+        memory.normals[k] = normal_of(scene, hit);
     }
     const double second = now();
     for (int k = 0; k < packs; ++k) {
-        memory.pixels[k] = shaded(scene, load(ended, k * pack_lanes).ray, memory.normals[k]);
+        memory.pixels[k] = shaded(scene, load<Arrival>(ended, k * pack_lanes).hit, memory.normals[k]);
     }
     const double third = now();
     for (int k = 0; k < packs; ++k) {
-        const whole places = load(ended, k * pack_lanes).pixel;
+        const whole places = load<Arrival>(ended, k * pack_lanes).pixel;
         store_pixels(memory.pixels[k], places, first_lanes(ended.size - k * pack_lanes), d.canvas, d.spent);
     }
     keep_rest(ended, packs * pack_lanes);

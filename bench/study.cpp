@@ -44,7 +44,7 @@ struct Point {
 
 std::vector<Point> points_of(std::string_view study, std::string_view nickname)
 {
-    const auto points = [](std::string_view name, int Setting::*member, std::initializer_list<int> values) {
+    const auto points = [](std::string_view name, int Setting::*member, std::span<const int> values) {
         std::vector<Point> made;
         for (const int value : values) {
             made.push_back({fmt::format("{}={}", name, value), {}});
@@ -60,10 +60,9 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
         }
         return made;
     }
-    if (study == "frames") return points("frames", &Setting::frames, {1, 2, 5, 10, 30, 100});
+    if (study == "frames") return points("frames", &Setting::frames, std::array{1, 2, 5, 10, 30, 100});
     if (study == "iterations") {
-        return nickname == "box" ? points("iterations", &Setting::iterations, {4, 8, 12, 18, 30, 60})
-                                 : points("iterations", &Setting::iterations, {2, 4, 8, 16, 32, 64, 100});
+        return points("iterations", &Setting::iterations, fractal_named(nickname).study.iterations);
     }
     if (study == "detail") {
         std::vector<Point> made;
@@ -72,8 +71,8 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
         }
         return made;
     }
-    if (study == "tiles") return points("chunk", &Setting::chunk, {1, 2, 4, 8, 16, 32, 64});
-    if (study == "packs") return points("pack", &Setting::pack, {1, 2, 4, 8, 16, 24, 32, 48, 64});
+    if (study == "tiles") return points("chunk", &Setting::chunk, std::array{1, 2, 4, 8, 16, 32, 64});
+    if (study == "packs") return points("pack", &Setting::pack, std::array{1, 2, 4, 8, 16, 24, 32, 48, 64});
     if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
         for (const auto& [name, techniques] : {std::pair("hull", "hull"),
@@ -184,10 +183,14 @@ const Study& study_named(std::string_view name)
     throw InputError(fmt::format("--study: '{}' given, expected one of {}", name, known));
 }
 
-std::vector<std::string> fractals_of(const Options& options)
+std::vector<std::string> fractals_of(std::string_view option)
 {
-    if (options.fractal == "all") return {"bulb", "box"};
-    return {std::string(fractal_named(options.fractal).nickname)};
+    if (option != "all") return {std::string(fractal_named(option).nickname)};
+    std::vector<std::string> studied;
+    for (const Fractal& fractal : fractals()) {
+        if (fractal.studied) studied.emplace_back(fractal.nickname);
+    }
+    return studied;
 }
 
 std::vector<Precision> precisions_of(const Options& options)
@@ -237,7 +240,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
             continue;
         }
         const std::vector<Device>& devices = listing.devices;
-        for (const std::string& nickname : fractals_of(options)) {
+        for (const std::string& nickname : fractals_of(options.fractal)) {
             for (const Point& point : points_of(options.study, nickname)) {
                 for (const Precision precision : precisions_of(options)) {
                     for (const Mode mode : modes_of(options)) {

@@ -37,8 +37,8 @@ struct Case {
 // Throws InputError for an unknown name or a bad size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);
 
-// The fractals that the options choose, by nickname.
-std::vector<std::string> fractals_of(const Options& options);
+// The fractals that --fractal chooses, by nickname: for all, those whose rows say that they are studied.
+std::vector<std::string> fractals_of(std::string_view option);
 std::vector<Precision> precisions_of(const Options& options);
 std::vector<Mode> modes_of(const Options& options);
 

@@ -12,8 +12,7 @@ namespace mandelmarch::bench {
 // The official scene of a fractal at a size in pixels, as the repository's parameter file has it.
 Scene official_scene_of(std::string_view nickname, int width, int height);
 
-// Other views of the Mandelbulb and the Mandelbox, for the study box-vs-bulb: both fractals under the same name of
-// scene.
+// The official view of a fractal and others, for the study box-vs-bulb: fractals have them under the same names.
 struct View {
     std::string_view name;
     Scene scene;

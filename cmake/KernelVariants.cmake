@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The kernel text is compiled once per fractal, precision and mode: this file knows the lists and generates the sources.
 
-# A fractal is a file in core/kernel/fractals.
-file(GLOB fractal_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/core/kernel/fractals
-    ${PROJECT_SOURCE_DIR}/core/kernel/fractals/*.h)
-list(TRANSFORM fractal_files REPLACE "\\.h$" "" OUTPUT_VARIABLE MANDELMARCH_FRACTALS)
+include(Fractals)
 
 # GCC takes structures of packs apart, into registers, only up to a size that they are beyond by far.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -14,10 +11,11 @@ endif()
 set(MANDELMARCH_OPTIONS_packs -ffp-contract=off ${MANDELMARCH_PACKS})
 
 # mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
-# to the target, each with its mode's floating-point flags. Templates see fractal, precision, is_float, mode, is_fast and file.
+# to the target, each with its mode's floating-point flags. Templates see fractal, fractal_file, precision, is_float, mode, is_fast and file.
 function(mandelmarch_kernel_variants target)
     foreach(template ${ARGN})
         foreach(fractal ${MANDELMARCH_FRACTALS})
+            set(fractal_file ${MANDELMARCH_TEXT_${fractal}})
             foreach(precision float double)
                 foreach(mode exact fast)
                     string(COMPARE EQUAL ${precision} float is_float)

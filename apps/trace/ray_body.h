@@ -25,36 +25,35 @@ inline Ray traced_march(const Scene& scene, Ray ray, Trace& trace)
     return ray;
 }
 
-inline Ray traced_refine(const Scene& scene, Ray ray, Trace& trace)
+inline Hit traced_refine(const Scene& scene, Hit hit, Trace& trace)
 {
-    ray = refine_begin(scene, ray);
-    if (ray.end == no_root()) return ray;
+    if (!(hit.state > settled())) return hit;
     trace.refined = Refined::close;
-    for (int i = 0; refining(scene, ray); ++i) {
-        if (i == 100) {  // refine()'s most
+    for (int i = 0; refining(scene, hit); ++i) {
+        if (i == most_tries()) {
             trace.refined = Refined::out_of_roots;
             break;
         }
-        ray = aimed(ray, true);
-        if (ray.end == no_root()) {
+        hit = aimed(hit, true);
+        if (hit.state == settled()) {
             trace.refined = Refined::no_number;
             break;
         }
-        const Estimate here = probe(scene, ray, true);
-        ray = narrowed(scene, ray, here, true);
-        trace.refining.push_back({ray.t, here.distance, scene.tolerance * ray.t,
-                                  ray.end == tried_below() ? Decision::root_below : Decision::root_above, ray.t});
+        const Estimate here = probe_root(scene, hit, true);
+        hit = narrowed(scene, hit, here, true);
+        trace.refining.push_back({hit.t, here.distance, scene.tolerance * hit.t,
+                                  hit.state == tried_below() ? Decision::root_below : Decision::root_above, hit.t});
     }
-    return ray;
+    return hit;
 }
 
 // The normal that shade() takes, one tolerance before the hit.
-inline std::array<double, 3> traced_normal(const Scene& scene, const Ray& ray)
+inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 {
-    const real t = landing(scene, ray);
-    const real back = scene.canonical != 0 ? scene.tolerance * t : tolerance(scene, ray);
-    const vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-    return three(facing(scene, ray.direction, normal_at(scene, p, true).direction, t));
+    const real t = landing(scene, hit);
+    const real back = scene.canonical != 0 ? scene.tolerance * t : hit.t * scene.tolerance;
+    const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
+    return three(facing(scene, hit.direction, normal_at(scene, p, true).direction, t));
 }
 
 inline void trace_ray(const Scene& scene, Trace& trace)
@@ -66,11 +65,12 @@ inline void trace_ray(const Scene& scene, Trace& trace)
     trace.begin = ray.t;
     trace.end = ray.end;
     ray = traced_march(scene, ray, trace);
-    if (scene.canonical != 0) ray = traced_refine(scene, ray, trace);
-    trace.hit = has_hit(scene, ray);
-    if (trace.hit) trace.normal = traced_normal(scene, ray);
+    Hit hit = stopped(scene, ray);
+    if (scene.canonical != 0) hit = traced_refine(scene, hit, trace);
+    trace.hit = is_hit(hit);
+    if (trace.hit) trace.normal = traced_normal(scene, hit);
 
-    const Pixel pixel = shade(scene, ray);
+    const Pixel pixel = shade(scene, hit);
     const real reals[] = {pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth};
     const int wholes[] = {pixel.steps, pixel.estimates, pixel.iterations};
     Image image(1, 1, Image::Layers::all);

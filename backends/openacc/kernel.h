@@ -100,8 +100,9 @@ FN void shade_pixel(const Job* job, int thread)
     ray.steps = job->wholes[place.at];
     ray.estimates = job->wholes[place.at + place.pixels];
     ray.iterations = job->wholes[place.at + 2 * place.pixels];
-    if (canonical != 0) ray = refine(scene_of(job), ray);
-    Pixel pixel = shade(scene_of(job), ray);
+    Hit hit = stopped(scene_of(job), ray);
+    if (canonical != 0) hit = refine(scene_of(job), hit);
+    Pixel pixel = shade(scene_of(job), hit);
     place = place_of(job, thread);
     job->reals[place.at] = pixel.colour.x;
     job->reals[place.at + place.pixels] = pixel.colour.y;

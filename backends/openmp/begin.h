@@ -13,7 +13,7 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
     begin_cones(d, blocks);
     march_cones(d);
     if (!paints) return;
-    const PaintedRow row(missed(d.scene, begin_at(d.scene, 0, 0)).colour);
+    const PaintedRow row(missed(d.scene, stopped(d.scene, begin_at(d.scene, 0, 0))).colour);
     for (int block = 0; block < blocks.count; ++block) {
         if (d.canvas.starts[blocks.number[block]] > d.scene.end)
             paint(d, blocks.left[block], blocks.bottom[block], row);

@@ -56,7 +56,7 @@ HWY_NOINLINE void march_cones(Drawing& d)
 {
     const scalar span = d.canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
     while (d.pools.cones.size > 0) {
-        sample_pool<alone, marched>(
+        sample_pool<Traveller, alone, marched>(
             d, d.pools.cones, steps_at_once,
             [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
                 a.ray = advanced_cone(d.scene, a.ray, span, here, on);

@@ -31,7 +31,7 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
 
 // One sample for each ray of a pack that is on. take(a, estimate, on) changes some fields of the rays of a register and
 // returns which stay on. Returns how many do.
-template <Fields held, Fields changed, class Take>
+template <class Kind, Fields held, Fields changed, class Take>
 HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& on, Take take)
 {
     alignas(64) MM_REAL distances[most_lanes];
@@ -40,7 +40,7 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
     int lanes = 0;
     for (int u = 0; u < d.wide.registers; ++u) {
         const int at = from + u * register_lanes;
-        Traveller a = load<held>(pool, at);
+        Kind a = load<Kind, held>(pool, at);
         Estimate here;
         here.distance = load_lanes(distances + u * register_lanes);
         here.iterations = load_lanes(iterations + u * register_lanes);
@@ -54,7 +54,7 @@ HWY_INLINE int take_samples(const Drawing& d, Pool& pool, int from, PackLanes& o
 
 // Samples for every ray of a pool, at most `at_once` a ray, pack by pack until a quarter of a pack's lanes has ended.
 // Rays that go on are stored without gaps; ended(rays, lanes) gets the others.
-template <Fields held, Fields changed, class Take, class Ended>
+template <class Kind, Fields held, Fields changed, class Take, class Ended>
 HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ended ended)
 {
     const int size = pool.size;
@@ -65,11 +65,11 @@ HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ende
         int step = 0;
         int going = 0;
         do {
-            going = take_samples<held, changed>(d, pool, from, on, take);
+            going = take_samples<Kind, held, changed>(d, pool, from, on, take);
         } while (++step < at_once && going > enough);
         for (int u = 0; u < d.wide.registers; ++u) {
             const int at = from + u * register_lanes;
-            Traveller a = load<held>(pool, at);
+            Kind a = load<Kind, held>(pool, at);
             const mask go = mask_of(on.of[u]);
             append<held>(pool, a, go);
             const mask stopped = first_lanes(size - at) && !go;
@@ -84,8 +84,8 @@ HWY_INLINE void keep_rest(Pool& pool, int done)
     const int size = pool.size;
     pool.size = 0;
     for (int from = done; from < size; from += pack_lanes) {
-        Traveller a = load<finishing>(pool, from);
-        append<finishing>(pool, a, first_lanes(size - from));
+        Arrival a = load<Arrival, arrived>(pool, from);
+        append<arrived>(pool, a, first_lanes(size - from));
     }
 }
 
@@ -99,18 +99,18 @@ HWY_NOINLINE void shade_pool(Drawing& d, bool all)
     keep_rest(ended, count);
 }
 
-HWY_INLINE void append_ended(Drawing& d, Traveller& a, const mask& on)
+HWY_INLINE void append_ended(Drawing& d, Arrival& a, const mask& on)
 {
-    append<finishing>(d.pools.ended, a, on);
+    append<arrived>(d.pools.ended, a, on);
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
 }
 
-// The next root of the rays that are on and need one; returns which those are.
-HWY_INLINE mask aim(const Scene& scene, Ray& ray, const mask& on)
+// The next root of the hits that are on and need one; returns which those are.
+HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
 {
-    const mask coarse = on && refining(scene, ray);
-    ray = aimed(ray, coarse);
-    return coarse && ray.end > no_root();
+    const mask coarse = on && refining(scene, hit);
+    hit = aimed(hit, coarse);
+    return coarse && hit.state > settled();
 }
 
 // Begins to refine the hits that have not begun; those that need no refinement are shaded next.
@@ -120,11 +120,10 @@ HWY_NOINLINE void begin_refining(Drawing& d)
     const int size = hits.size;
     hits.size = d.pools.refining;
     for (int from = hits.size; from < size; from += pack_lanes) {
-        Traveller a = load<finishing>(hits, from);
+        Arrival a = load<Arrival, arrived>(hits, from);
         const mask on = first_lanes(size - from);
-        a.ray = refine_begin(d.scene, a.ray);
-        const mask coarse = aim(d.scene, a.ray, on);
-        append<finishing>(hits, a, coarse);
+        const mask coarse = aim(d.scene, a.hit, on);
+        append<arrived>(hits, a, coarse);
         append_ended(d, a, on && !coarse);
     }
 }
@@ -134,13 +133,13 @@ HWY_NOINLINE void refine_pool(Drawing& d)
 {
     const Scene& scene = d.scene;
     begin_refining(d);
-    sample_pool<finishing, refined>(
+    sample_pool<Arrival, arrived, refined>(
         d, d.pools.hits, 1,
-        [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
-            a.ray = narrowed(scene, a.ray, here, on);
-            return aim(scene, a.ray, on);
+        [&](Arrival& a, const Estimate& here, const mask& on) MM_INLINED {
+            a.hit = narrowed(scene, a.hit, here, on);
+            return aim(scene, a.hit, on);
         },
-        [&](Traveller& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
+        [&](Arrival& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
     d.pools.refining = d.pools.hits.size;
 }
 
@@ -156,18 +155,19 @@ HWY_INLINE void leave(const Drawing& d, const Traveller& a, const real& t, const
 }
 
 // What becomes of rays that neither go on nor are off.
-HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& stopped)
+HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 {
     const Scene& scene = d.scene;
-    const mask hit = stopped && has_hit(scene, a.ray);
-    const mask gone = stopped && !hit;
+    Arrival b{stopped(scene, a.ray), a.pixel};
+    const mask hit = on && is_hit(b.hit);
+    const mask gone = on && !hit;
     if (d.canvas.lattice.apart > 1) {
         const mask roomy = gone && a.room > 0 && a.ray.t > a.ray.end;
         leave(d, a, pick(hit, a.ray.last_t, all_clear()), hit || roomy);
     }
-    if (any(gone)) store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
-    if (scene.canonical == 0) return append_ended(d, a, hit);
-    append<finishing>(d.pools.hits, a, hit);
+    if (any(gone)) store_pixels(missed(scene, b.hit), b.pixel, gone, d.canvas, d.spent);
+    if (scene.canonical == 0) return append_ended(d, b, hit);
+    append<arrived>(d.pools.hits, b, hit);
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
 }
 
@@ -178,7 +178,7 @@ HWY_NOINLINE void march_rays(Drawing& d)
     const Scene& scene = d.scene;
     const bool between = d.canvas.lattice.before > 0;
     const real width = MM_REAL(0.5) * static_cast<MM_REAL>(d.canvas.lattice.apart) * d.canvas.spacing;
-    sample_pool<of_lattice ? every_field : alone, of_lattice ? marched_for_others : marched>(
+    sample_pool<Traveller, of_lattice ? every_field : alone, of_lattice ? marched_for_others : marched>(
         d, d.pools.marching, steps_at_once,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
             if (of_lattice) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
@@ -191,7 +191,7 @@ HWY_NOINLINE void march_rays(Drawing& d)
             }
             return stay;
         },
-        [&](Traveller& a, const mask& stopped) MM_INLINED { stop_marching(d, a, stopped); });
+        [&](Traveller& a, const mask& on) MM_INLINED { stop_marching(d, a, on); });
 }
 
 HWY_INLINE void march_pool(Drawing& d)

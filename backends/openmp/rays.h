@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs of rays to and from pools. Included by samples.h, in its namespace; no guard.
+// Packs of rays and of hits to and from pools. Included by samples.h, in its namespace; no guard.
 
 using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
@@ -11,24 +11,32 @@ struct Traveller {
     real room;  // the least that a sample had beside the way of the pixels around
 };
 
+// A ray that marches no more, likewise.
+struct Arrival {
+    Hit hit;
+    whole pixel;
+};
+
 // Lambdas that stay calls cost more than what they do.
 #undef MM_INLINED
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 
-// Some of a ray's fields, a bit for the number of each.
+// Some of a Traveller's or an Arrival's fields, a bit for the number of each.
 struct Fields {
     unsigned reals;
     unsigned wholes;
 };
 constexpr Fields every_field{~0U, ~0U};
 constexpr Fields alone{0x1ff, ~0U};                         // of a ray that leaves nothing for those between
-constexpr Fields finishing{0x1ff, MM_COUNTED ? ~0U : ~1U};  // of one that has hit
+constexpr Fields direction_and_t{0x017, 0};
+constexpr Fields arrived{0x1ff, MM_COUNTED ? ~0U : ~1U};  // of an Arrival
 // What a step of marching changes, where rays leave something and where not, and a step of refining.
 constexpr Fields marched_for_others{0x3f0, ~2U};
 constexpr Fields marched{0x1f0, ~2U};
 constexpr Fields refined{0x1f8, ~3U};
 
-// Calls f(number of the field, its pack) for each field of some.
+// Calls on_real(number of the field, its pack) or on_whole() for each field of some. A direction, and the t where a
+// sample is taken, have the same numbers in both kinds.
 template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
 {
@@ -53,6 +61,32 @@ HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
 #if MM_COUNTED
     whole_field(2, a.ray.estimates);
     whole_field(3, a.ray.iterations);
+#endif
+}
+
+template <Fields some, class OnReal, class OnWhole>
+HWY_INLINE void each_field(Arrival& a, OnReal on_real, OnWhole on_whole)
+{
+    const auto real_field = [&](unsigned f, real& v) MM_INLINED {
+        if ((some.reals >> f & 1) != 0) on_real(f, v);
+    };
+    const auto whole_field = [&](unsigned f, whole& v) MM_INLINED {
+        if ((some.wholes >> f & 1) != 0) on_whole(f, v);
+    };
+    real_field(0, a.hit.direction.x);
+    real_field(1, a.hit.direction.y);
+    real_field(2, a.hit.direction.z);
+    real_field(3, a.hit.state);
+    real_field(4, a.hit.t);
+    real_field(5, a.hit.below_t);
+    real_field(6, a.hit.below_f);
+    real_field(7, a.hit.above_t);
+    real_field(8, a.hit.above_f);
+    whole_field(0, a.hit.steps);
+    whole_field(1, a.pixel);
+#if MM_COUNTED
+    whole_field(2, a.hit.estimates);
+    whole_field(3, a.hit.iterations);
 #endif
 }
 
@@ -84,10 +118,10 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
 HWY_INLINE void store_lanes(const effort&, Int*) {}
 #endif
 
-template <Fields held = every_field>
-HWY_INLINE Traveller load(const Pool& pool, int from)
+template <class Kind, Fields held = every_field>
+HWY_INLINE Kind load(const Pool& pool, int from)
 {
-    Traveller a;
+    Kind a;
     each_field<held>(
         a, [&](unsigned f, real& v) MM_INLINED { v = load_lanes(pool.real_fields[f] + from); },
         [&](unsigned f, whole& v) MM_INLINED { v = load_lanes(pool.whole_fields[f] + from); });
@@ -95,8 +129,8 @@ HWY_INLINE Traveller load(const Pool& pool, int from)
 }
 
 // Back to their place.
-template <Fields some>
-HWY_INLINE void store(Traveller& a, Pool& pool, int at)
+template <Fields some, class Kind>
+HWY_INLINE void store(Kind& a, Pool& pool, int at)
 {
     each_field<some>(
         a, [&](unsigned f, real& v) MM_INLINED { store_lanes(v, pool.real_fields[f] + at); },
@@ -138,8 +172,8 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 #endif
 
 // Appends the lanes that are on. The pool has room for a pack more than it holds.
-template <Fields held = every_field>
-MM_APPEND void append(Pool& pool, Traveller& a, const mask& on)
+template <Fields held = every_field, class Kind>
+MM_APPEND void append(Pool& pool, Kind& a, const mask& on)
 {
     const int lanes = lanes_on(on);
     const int at = pool.size;

@@ -9,29 +9,30 @@
 
 #include "backends/openmp/pixels.h"
 
-// The next sample of each ray of a pack that is on; `on` has a mask for each register.
+// The next sample of each ray or hit of a pack that is on; `on` has a mask for each register.
 HWY_NOINLINE void probe_pack(const void* data, const Pool& pool, int from, const hn::Mask<Reals>* on,
                              MM_REAL* distances, Int* iterations)
 {
     const Scene& scene = *static_cast<const Scene*>(data);
-    const Ray ray = load(pool, from).ray;
+    // Of either kind: both have these fields at the same places.
+    const Hit next = load<Arrival, direction_and_t>(pool, from).hit;
     mask lanes;
     EACH_REGISTER(lanes.of[u] = on[u];)
-    const Estimate here = probe(scene, ray, lanes);
+    const Estimate here = probe_root(scene, next, lanes);
     store_lanes(here.distance, distances);
     store_lanes(here.iterations, iterations);
 }
 
-// Shades `count` rays of a pool that have hit.
+// Shades `count` hits of a pool.
 HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     for (int from = 0; from < count; from += pack_lanes) {
-        Traveller a = load<finishing>(pool, from);
+        Arrival a = load<Arrival, arrived>(pool, from);
         const mask on = first_lanes(count - from);
         // Lanes beyond the last ray hit nothing.
-        a.ray.last_distance = pick(on, a.ray.last_distance, scene.end);
-        store_pixels(shade(scene, a.ray), a.pixel, on, canvas, spent);
+        a.hit.state = pick(on, a.hit.state, no_hit());
+        store_pixels(shade(scene, a.hit), a.pixel, on, canvas, spent);
     }
 }
 

@@ -80,7 +80,7 @@ HWY_NOINLINE void begin_sites(Drawing& d, const Sites& sites, bool painted)
         append(d.pools.marching, a, on && go);
         const mask gone = on && !go;
         if (any(gone)) {
-            store_pixels(missed(scene, a.ray), a.pixel, gone, d.canvas, d.spent);
+            store_pixels(missed(scene, stopped(scene, a.ray)), a.pixel, gone, d.canvas, d.spent);
             if (d.canvas.lattice.apart > 1) leave(d, a, all_clear(), gone && start > scene.end);
         }
     }

@@ -34,7 +34,7 @@ Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Tec
 {
     if (scene.canonical == 0 || !techniques.neighbours) return all_at_once;
     int apart = 4;
-    while (apart > 1 && apart * spacing_of(scene) > fractal.lattice_pitch * scene.tolerance) apart /= 2;
+    while (apart > 1 && apart * spacing_of(scene) > fractal.fast.neighbour_pitch * scene.tolerance) apart /= 2;
     Lattices lattices{{{0, apart}}, 1};
     for (; apart > 1; apart /= 2) lattices.of[lattices.count++] = {apart, apart / 2};
     return lattices;
@@ -45,7 +45,7 @@ Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Tec
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
-    return scene.canonical != 0 && techniques.cones && spacing_of(scene) < fractal.cone_pitch * scene.tolerance;
+    return scene.canonical != 0 && techniques.cones && spacing_of(scene) < fractal.fast.cone_pitch * scene.tolerance;
 }
 
 // The size of a hull in which the ray through a block's middle is wherever one of the block's rays is in the scene's
@@ -56,7 +56,7 @@ auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype
 {
     using Real = decltype(scene.tolerance + 0);
     if (!(scene.hull > 0)) return 0;
-    const Real farthest = length_of(scene.eye) + static_cast<Real>(fractal.hull_corner) * scene.hull;
+    const Real farthest = length_of(scene.eye) + static_cast<Real>(fractal.hull.corner) * scene.hull;
     const Real rounding = Real(1.001);
     return rounding * (scene.hull + spacing_of(scene) * Real(block_side) / 2 * farthest);
 }

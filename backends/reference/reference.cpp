@@ -175,12 +175,29 @@ public:
             throw Unavailable(
                 fmt::format("backend reference: it draws the colouring types 0 and 1, not {}", scene.colouring));
         }
-        if (scene.fractal->name == "mandelbox") return draw<reference::Mandelbox>(scene, image, progress);
-        if (scene.fractal->name == "mandelbulb") return draw<reference::Mandelbulb>(scene, image, progress);
-        throw Unavailable(fmt::format("backend reference: it does not draw the {}", scene.fractal->name));
+        const Estimator* estimator = estimator_of(*scene.fractal);
+        if (estimator == nullptr) {
+            throw Unavailable(fmt::format("backend reference: it does not draw the {}", scene.fractal->name));
+        }
+        return (this->*estimator->draw)(scene, image, progress);
     }
 
+    static bool knows(const mandelmarch::Fractal& fractal) { return estimator_of(fractal) != nullptr; }
+
 private:
+    // The fractals that estimators.h has.
+    struct Estimator {
+        std::string_view fractal;
+        RenderReport (ReferenceRenderer::*draw)(const Scene&, Image&, const Progress&) const;
+    };
+    static const Estimator* estimator_of(const mandelmarch::Fractal& fractal)
+    {
+        static constexpr Estimator all[] = {{"mandelbulb", &ReferenceRenderer::draw<reference::Mandelbulb>},
+                                            {"mandelbox", &ReferenceRenderer::draw<reference::Mandelbox>}};
+        const auto* found = std::ranges::find(all, fractal.name, &Estimator::fractal);
+        return found == std::end(all) ? nullptr : found;
+    }
+
     template <class Fractal>
     RenderReport draw(const Scene& scene, Image& image, const Progress& progress) const
     {
@@ -227,7 +244,7 @@ public:
     std::vector<Device> devices() const override { return {this_cpu()}; }
     bool draws(const Scene& scene) const override
     {
-        return scene.colouring <= 1 && (scene.fractal->name == "mandelbox" || scene.fractal->name == "mandelbulb");
+        return scene.colouring <= 1 && ReferenceRenderer::knows(*scene.fractal);
     }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {

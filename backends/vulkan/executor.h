@@ -15,7 +15,7 @@ namespace mandelmarch::vulkan {
 
 // As in kernel.comp.
 inline constexpr int group_side = 8;
-enum Stage : int { stage_begin = 1, stage_march = 2, stage_refine = 4, stage_shade = 8 };
+enum Stage : int { stage_begin = 1, stage_march = 2, stage_stop = 4, stage_refine = 8, stage_shade = 16 };
 
 // The buffers on the bench. `results` holds, each at a multiple of 256 bytes, which is the largest alignment that a
 // device may ask for: the flag of rays still marching, and the planes of reals and of wholes. `mirror` is the host's
@@ -25,8 +25,10 @@ constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 25
 inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
 
-// A Ray's size as std430 lays it out: a vec3, four reals and three ints, to a multiple of four reals.
+// The size of a Ray and of a Hit as std430 lays them out: a vec3, six reals and three ints, to a multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
+static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
+static_assert(sizeof(layout_f64::Ray) == 11 * 8 && sizeof(layout_f64::Hit) == 11 * 8);  // without the rest of four
 
 // Rounds of loops of one invocation, in one pass. lavapipe silently cuts loops off after 65,535, counted over all of
 // them and with the loops of branches that are not taken, once each. Elsewhere a watchdog may end a pass that takes
@@ -65,17 +67,19 @@ public:
 
     void run(Entry entry, const Band& band, int steps) override
     {
-        // A ray begins in the pass that first marches it.
+        // A ray begins in the pass that first marches it, and stops in the one that comes after the last of these.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
+            stops_ = stage_stop;
             return;
         }
         const int refining = scene_.canonical != 0 ? stage_refine : 0;
-        const int stages = entry == Entry::draw     ? stage_begin | stage_march | refining | stage_shade
+        const int stages = entry == Entry::draw ? stage_begin | stage_march | stage_stop | refining | stage_shade
                            : entry == Entry::march  ? begins_ | stage_march
-                           : entry == Entry::refine ? stage_refine
-                                                    : stage_shade;
+                           : entry == Entry::refine ? stops_ | stage_refine
+                                                    : stops_ | stage_shade;
         begins_ = 0;
+        if (entry != Entry::march) stops_ = 0;
         if ((stages & stage_march) != 0) {
             gpu_.commands().fillBuffer(*results().handle, 0, flag_size, 0);
             gpu_.barrier();
@@ -162,7 +166,7 @@ private:
     vk::DeviceSize pixels_;  // of a plane
     Timings& timings_;
     Work work_;
-    int begins_ = 0;
+    int begins_ = 0, stops_ = 0;  // the stage, where a pass has to do it yet
 };
 
 }  // namespace mandelmarch::vulkan

@@ -8,12 +8,14 @@
 const int side = 8;
 layout(local_size_x = side * side) in;
 
-// The parts of a pixel that this pipeline does, in their order; between two pipelines a ray is stored.
+// The parts of a pixel that this pipeline does, in their order. Between two pipelines a ray is stored until it stops, and
+// a hit from then on.
 const int stage_begin = 1;
 const int stage_march = 2;
-const int stage_refine = 4;
-const int stage_shade = 8;
-layout(constant_id = 0) const int stages = 15;
+const int stage_stop = 4;
+const int stage_refine = 8;
+const int stage_shade = 16;
+layout(constant_id = 0) const int stages = 31;
 // What a scene changes seldom: known when the pipeline is built, it removes branches, which some devices pay in full.
 layout(constant_id = 1) const int fractal_whole = 0;
 layout(constant_id = 2) const int canonical = 0;
@@ -21,6 +23,7 @@ layout(constant_id = 3) const int differences = 0;
 
 layout(std430, binding = 0) readonly buffer SceneBuffer { Scene whole_scene; };
 layout(std430, binding = 1) buffer RayBuffer { Ray rays[]; };
+layout(std430, binding = 1) buffer HitBuffer { Hit hits[]; };  // the same memory
 layout(std430, binding = 2) writeonly buffer RealBuffer { real reals[]; };
 layout(std430, binding = 3) writeonly buffer WholeBuffer { int wholes[]; };
 layout(std430, binding = 4) writeonly buffer FlagBuffer { int still_marching; };
@@ -29,7 +32,7 @@ layout(push_constant) uniform Pass
 {
     int first_row;
     int rows;
-    int steps;   // of marching, or halvings of refining in a pass of its own
+    int steps;   // of marching, or roots tried by refining in a pass of its own
     int pixels;  // between two planes of the results
 } pass;
 
@@ -66,25 +69,36 @@ void main()
     scene.canonical = canonical;
     scene.differences = differences;
 
-    Ray ray;
-    if ((stages & stage_begin) != 0) {
-        ray = begin(scene, x, pass.first_row + y);
+    Hit hit;
+    if ((stages & (stage_begin | stage_march | stage_stop)) != 0) {
+        Ray ray;
+        if ((stages & stage_begin) != 0) {
+            ray = begin(scene, x, pass.first_row + y);
+        } else {
+            ray = rays[pixel];
+        }
+        if ((stages & stage_march) != 0) {
+            ray = march(scene, ray, pass.steps);
+            if (marching(scene, ray)) still_marching = 1;
+        }
+        if ((stages & stage_stop) == 0) {
+            ray.steps = steps_or_cut_off(ray.steps);
+            rays[pixel] = ray;
+            return;
+        }
+        hit = stopped(scene, ray);
     } else {
-        ray = rays[pixel];
-    }
-    if ((stages & stage_march) != 0) {
-        ray = march(scene, ray, pass.steps);
-        if (marching(scene, ray)) still_marching = 1;
+        hit = hits[pixel];
     }
     if ((stages & stage_refine) != 0) {
         if ((stages & stage_march) != 0) {
-            ray = refine(scene, ray);
+            hit = refine(scene, hit);
         } else {
-            ray = refine_by(scene, ray, pass.steps);
+            hit = refine_by(scene, hit, pass.steps);
         }
     }
     if ((stages & stage_shade) != 0) {
-        Pixel done = shade(scene, ray);
+        Pixel done = shade(scene, hit);
         reals[pixel] = done.colour.x;
         reals[pixel + pass.pixels] = done.colour.y;
         reals[pixel + 2 * pass.pixels] = done.colour.z;
@@ -93,7 +107,7 @@ void main()
         wholes[pixel + pass.pixels] = done.estimates;
         wholes[pixel + 2 * pass.pixels] = done.iterations;
     } else {
-        ray.steps = steps_or_cut_off(ray.steps);
-        rays[pixel] = ray;
+        hit.steps = steps_or_cut_off(hit.steps);
+        hits[pixel] = hit;
     }
 }

@@ -14,7 +14,8 @@ requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
 {
     auto& [fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-           brightness, image_file, stride, root_share] = scene;
+           brightness, image_file, limits] = scene;
+    auto& [stride, root_share] = limits;
     archive(fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
             brightness, image_file, stride, root_share);
 }

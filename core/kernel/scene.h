@@ -44,6 +44,21 @@ struct Ray {
     effort iterations;     // iterations in all those calls
 };
 
+// A ray that marches no more, and where it has hit. f(t) = DE(t) - tolerance t; only canonical pictures ask for it. It can
+// be stored after any try and taken up again by another pass.
+struct Hit {
+    vec3 direction;     // unit vector
+    real state;         // one of refine.h's
+    real t;             // canonical: the last root that was tried, at first the last sample; else t after the last step
+    real below_t;       // the last sample; canonical: the bracket's far end, where f < 0
+    real below_f;       // f there, or the share of it that the method takes
+    real above_t;       // the sample before the last one; canonical: the bracket's near end, where f > 0
+    real above_f;       // as below_f
+    whole steps;        // as a Ray's
+    effort estimates;   // as a Ray's
+    effort iterations;  // as a Ray's
+};
+
 // A pixel, finished.
 struct Pixel {
     vec3 colour;  // 0 to 1, as displayed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 7: from a ray's hit to a pixel's colour.
+// Kernel text, part 10: from a hit to a pixel's colour.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -74,16 +74,16 @@ FN vec3 lit(Scene scene, vec3 direction, vec3 n)
     return colour;
 }
 
-// The pixel of a ray that has ended and hit nothing.
-FN Pixel missed(Scene scene, Ray ray)
+// The pixel of a ray that has hit nothing.
+FN Pixel missed(Scene scene, Hit hit)
 {
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
-    if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, ray.direction));
+    if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, hit.direction));
     pixel.depth = scene.miss;
-    pixel.steps = ray.steps;
-    pixel.estimates = ray.estimates;
-    pixel.iterations = ray.iterations;
+    pixel.steps = hit.steps;
+    pixel.estimates = hit.estimates;
+    pixel.iterations = hit.iterations;
     return pixel;
 }
 
@@ -95,29 +95,29 @@ FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
     return n;
 }
 
-// A ray that has ended, to its pixel.
-FN Pixel shade(Scene scene, Ray ray)
+// The pixel of a ray that marches no more.
+FN Pixel shade(Scene scene, Hit hit)
 {
-    mask hit = has_hit(scene, ray);
-    Pixel pixel = missed(scene, ray);
-    if (any(hit)) {
+    mask on = is_hit(hit);
+    Pixel pixel = missed(scene, hit);
+    if (any(on)) {
         // The normal is taken one tolerance before the hit.
-        real t = landing(scene, ray);
+        real t = landing(scene, hit);
         real back = scene.tolerance * t;
-        if (scene.canonical == 0) back = tolerance(scene, ray);
-        vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-        Normal normal = normal_at(scene, p, hit);
+        if (scene.canonical == 0) back = hit.t * scene.tolerance;
+        vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
+        Normal normal = normal_at(scene, p, on);
         if (scene.colouring > 1) {
-            vec3 n = facing(scene, ray.direction, normal.direction, t);
-            Look seen = look(scene, ray.direction, p, n, t, hit);
-            pixel.colour = pick3(hit, seen.colour, pixel.colour);
+            vec3 n = facing(scene, hit.direction, normal.direction, t);
+            Look seen = look(scene, hit.direction, p, n, t, on);
+            pixel.colour = pick3(on, seen.colour, pixel.colour);
             pixel.estimates = pixel.estimates + seen.estimates;
             pixel.iterations = pixel.iterations + seen.iterations;
         } else {
-            vec3 n = facing(scene, ray.direction, normal.direction, t);
-            pixel.colour = pick3(hit, lit(scene, ray.direction, n), pixel.colour);
+            vec3 n = facing(scene, hit.direction, normal.direction, t);
+            pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);
         }
-        pixel.depth = pick(hit, t, pixel.depth);
+        pixel.depth = pick(on, t, pixel.depth);
         pixel.estimates = pixel.estimates + normal.estimates;
         pixel.iterations = pixel.iterations + normal.iterations;
     }
@@ -127,7 +127,7 @@ FN Pixel shade(Scene scene, Ray ray)
 // The whole pixel in one go.
 FN Pixel draw(Scene scene, real i, real j)
 {
-    Ray ray = march(scene, begin(scene, i, j), scene.max_steps);
-    if (scene.canonical != 0) ray = refine(scene, ray);
-    return shade(scene, ray);
+    Hit hit = stopped(scene, march(scene, begin(scene, i, j), scene.max_steps));
+    if (scene.canonical != 0) hit = refine(scene, hit);
+    return shade(scene, hit);
 }

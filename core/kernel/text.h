@@ -9,7 +9,9 @@
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
 #include MM_FRACTAL_FILE
+#include "core/kernel/stepping.h"
 #include "core/kernel/march.h"
+#include "core/kernel/refine.h"
 #include "core/kernel/looks.h"
 #include "core/kernel/shade.h"
 #undef Scene

@@ -74,6 +74,10 @@ struct Work {
     std::uint64_t iterations = 0;  // of the distance estimator
 };
 
+// All but `context`, which a renderer spends once.
+Timings& operator+=(Timings& to, const Timings& from);
+Work& operator+=(Work& to, const Work& from);
+
 // Adds the counts of width x height pixels.
 template <class Real>
 void add_work(Work& work, const Planes<Real>& planes, int width, int height);
@@ -87,8 +91,8 @@ struct RenderReport {
     int threads = 1;
     int pack = 1;
     std::string instruction_set;  // or device architecture; may be empty
-    // Fast mode with a trial (core/render/trial.h): the stride that it chose, as Scene::stride, else 0; and the share
-    // of its pixels that shorter steps would still change visibly, where that is more than a few.
+    // Of a trial (core/render/trial.h): the stride that it chose, in distance estimates, and the share of its pixels that
+    // shorter steps would still change visibly, where that is more than a few. 0 and 0 without one.
     double stride = 0;
     double unsettled = 0;
     Timings timings;

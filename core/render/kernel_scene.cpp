@@ -8,15 +8,12 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "core/render/stepping.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
 
 namespace mandelmarch {
 namespace {
-
-constexpr double relaxation = 1.7;  // in fast mode: core/kernel/march.h, relaxed(); docs/fast-mode.md
-
-constexpr double any_root = 1e9;  // a share of the tolerance that every sample keeps
 
 // Constants of the original program.
 constexpr double end = 1000;                               // largest t of a sample
@@ -66,7 +63,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     }
     const bool fast = mode == Mode::fast;
     const FractalConstants constants =
-        scene.fractal->constants(scene, is_float<Layout> ? 1e37 : 1e300, fast && techniques.tail);
+        scene.fractal->constants(scene, is_float<Layout> ? float_range : 1e300, fast && techniques.tail);
     const Camera camera = camera_of(scene);
 
     Layout k{};
@@ -79,15 +76,13 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.canonical = fast;
     k.differences = (!fast || !techniques.normal) && !is_float<Layout>;
     k.tolerance = real(std::pow(10.0, scene.detail));
-    const double stride = fast ? std::min(scene.stride, scene.fractal->fast_stride(scene)) : scene.stride;
-    k.stride = real(stride);
+    const Stepping steps = stepping_of(scene, mode, techniques);
+    k.stride = real(steps.stride);
+    k.relaxation = real(steps.relaxation);
+    k.root_share = real(steps.root_share);
     k.end = real(end);
     k.miss = std::numeric_limits<Real>::infinity();
     k.hull = real(techniques.hull ? hull_size(scene, k.tolerance) : 0);
-    // A scene that asks for short steps gets no longer ones.
-    k.relaxation = real(fast && techniques.relaxation && stride >= default_stride ? relaxation : stride);
-    k.root_share = real(scene.root_share > 0 ? scene.root_share : scene.fractal->root_share);
-    if (!techniques.root) k.root_share = real(any_root);
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);

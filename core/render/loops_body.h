@@ -17,8 +17,9 @@ inline Loops loops_of_text(const void* data)
     Loops most{};
     most.pass = counted([&] { march(scene, ray, 0); });
     most.step = counted([&] { march(scene, ray, 1); }) - most.pass;
-    most.tried = counted([&] { refine_by(scene, ray, 1); }) - counted([&] { refine_by(scene, ray, 0); });
-    most.refine = counted([&] { refine(scene, ray); });
-    most.shade = counted([&] { shade(scene, ray); });
+    const Hit hit = stopped(scene, ray);
+    most.tried = counted([&] { refine_by(scene, hit, 1); }) - counted([&] { refine_by(scene, hit, 0); });
+    most.refine = counted([&] { refine(scene, hit); });
+    most.shade = counted([&] { shade(scene, hit); });
     return most;
 }

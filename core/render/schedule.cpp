@@ -50,22 +50,6 @@ Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
 
 }  // namespace
 
-template <class Real>
-void add_work(Work& work, const Planes<Real>& planes, int width, int height)
-{
-    for (int y = 0; y < height; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y) * planes.stride;
-        for (std::size_t at = row; at < row + static_cast<std::size_t>(width); ++at) {
-            work.steps += static_cast<std::uint64_t>(planes.steps[at]);
-            work.estimates += static_cast<std::uint64_t>(planes.estimates[at]);
-            work.iterations += static_cast<std::uint64_t>(planes.iterations[at]);
-        }
-    }
-}
-
-template void add_work(Work&, const Planes<float>&, int, int);
-template void add_work(Work&, const Planes<double>&, int, int);
-
 int rows_per_band(const Scene& scene, const Limits& limits)
 {
     const std::int64_t width = scene.width;

@@ -33,7 +33,7 @@ public:
     virtual ~Executor() = default;
 
     // Runs one entry on every pixel of the band. `steps`: the most steps of a ray in this pass, for `march`, and the
-    // most halvings, for `refine`. May be put off until marching() or read_back() asks for what came of it.
+    // most roots tried, for `refine`. May be put off until marching() or read_back() asks for what came of it.
     virtual void run(Entry entry, const Band& band, int steps) = 0;
 
     // After `march`: true while a ray of the band has neither hit nor left.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/image/compare.h"
-#include "core/scene/fractal.h"
+#include "core/render/stepping.h"
 
 namespace mandelmarch {
 namespace {
@@ -14,21 +14,11 @@ namespace {
 constexpr double trial_pixels = 1024;
 constexpr double most_off = 0.015;   // of its pixels, visibly: what is less is 2 % of the picture's at most, mostly
 constexpr double converging = 0.75;  // of the share before
-constexpr double shorter[] = {0.4, 0.2, 0.1};
 
 double share_off(const Image& a, const Image& b)
 {
     const Comparison c = compare(a, b);
     return static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
-}
-
-void add_to(Timings& to, const Timings& from)
-{
-    to.build += from.build;
-    to.upload += from.upload;
-    to.kernel += from.kernel;
-    to.readback += from.readback;
-    to.wall += from.wall;
 }
 
 class TrialRenderer : public Renderer {
@@ -39,12 +29,12 @@ public:
     {
         Timings spent;
         const Trial trial = try_steps(scene, [&](const Scene& small, Image& picture) {
-            add_to(spent, renderer_->render(small, picture).timings);
+            spent += renderer_->render(small, picture).timings;
         });
         Scene tried = scene;
-        tried.stride = trial.stride;
+        tried.limits.stride = trial.stride;
         RenderReport report = renderer_->render(tried, image, progress);
-        add_to(report.timings, spent);
+        report.timings += spent;
         report.stride = trial.stride;
         report.unsettled = trial.settled() ? 0 : trial.off;
         return report;
@@ -91,21 +81,21 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
     small.width = std::max(1, static_cast<int>(std::lround(scale * scene.width)));
     small.height = std::max(1, static_cast<int>(std::lround(scale * scene.height)));
     const auto drawn = [&](double stride) {
-        small.stride = stride;
+        small.limits.stride = stride;
         Image image(small.width, small.height, Image::Layers::bytes);
         draw(small, image);
         return image;
     };
-    const double own = std::min(scene.stride, scene.fractal->fast_stride(scene));
-    Trial trial{scene.stride};
+    const double usual = stepping_of(scene, Mode::fast).stride;
+    Trial trial{usual};
     double last_off = 1;
-    Image picture = drawn(scene.stride);
-    for (const double next : shorter) {
-        if (next >= own) continue;
+    Image picture = drawn(usual);
+    for (const double next : shorter_strides) {
+        if (next >= usual) continue;
         Image again = drawn(next);
         trial.off = share_off(picture, again);
         if (trial.settled()) return trial;
-        if (trial.off > converging * last_off) return {scene.stride, trial.off};
+        if (trial.off > converging * last_off) return {usual, trial.off};
         trial.stride = next;
         last_off = trial.off;
         picture = std::move(again);

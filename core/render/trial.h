@@ -13,15 +13,17 @@ namespace mandelmarch {
 
 // What a trial found.
 struct Trial {
-    double stride = 0;  // in which the picture is drawn, as Scene::stride
+    double stride = 0;  // of the picture's plain steps, in distance estimates
     double off = 0;     // the share of the trial's pixels that shorter steps still changed visibly; 0: none were tried
 
     bool settled() const;  // shorter steps would change little
 };
 
-// Which stride of fast mode draws the scene: its own where the shorter one of 0.4, 0.2 and 0.1 that comes next shows
-// the same picture but for a few pixels, else the first of these of which that is true; its own again where shorter
-// steps bring pictures no nearer to each other, as digits are short. `draw` draws a small picture.
+// Which stride of fast mode draws the scene. `draw` draws a small picture. The usual stride is compared with the next of
+// shorter_strides (core/render/stepping.h):
+// 1. The two pictures differ in a few pixels at most: the longer stride is fine.
+// 2. They differ in more: the shorter stride is compared with the next one.
+// 3. The differences do not shrink: digits are short, and the usual stride is as good as any.
 Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
 
 // Whether a trial goes before a picture that is drawn so.

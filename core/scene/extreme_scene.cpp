@@ -7,48 +7,12 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/scene/chance.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
 namespace mandelmarch {
 namespace {
-
-class Chance {
-public:
-    Chance(unsigned seed, int number)
-    {
-        std::seed_seq both{seed, static_cast<unsigned>(number)};
-        random_.seed(both);
-    }
-
-    double between(double low, double high)
-    {
-        return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
-    }
-
-    // low, high > 0; every order of magnitude as likely.
-    double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-
-    // The single precision of parameter files.
-    double single(double value) { return double{static_cast<float>(value)}; }
-
-    bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
-
-    double sign() { return one_in(2) ? -1 : 1; }
-
-    Vector direction()
-    {
-        for (;;) {
-            const double x = between(-1, 1);
-            const double y = between(-1, 1);
-            const Vector v{x, y, between(-1, 1)};
-            if (length(v) > 0.1 && length(v) < 1) return unit(v);
-        }
-    }
-
-private:
-    std::mt19937 random_;
-};
 
 struct Size {
     int width, height;
@@ -74,24 +38,22 @@ void draw_camera(Chance& chance, double about, Scene& scene)
 
 void draw_shape(Chance& chance, Scene& scene)
 {
-    const std::string_view fractal = scene.fractal->nickname;
-    if (fractal == "bulb") {
-        scene.shape[1] = chance.one_in(4) ? chance.magnitude(1e-3, 1e6) : chance.between(1.2, 6);
-        const double power = chance.one_in(5) ? chance.magnitude(0.01, 1000) : chance.between(1, 12);
-        scene.shape[2] = chance.one_in(3) ? 8 : chance.one_in(2) ? std::max(1.0, std::floor(power)) : power;
-    } else if (fractal == "box") {
-        const double scale = chance.one_in(4) ? chance.magnitude(1e-2, 20) : chance.between(1.1, 3);
-        scene.shape[0] = chance.sign() * scale;
-        scene.shape[1] = chance.one_in(4) ? chance.magnitude(1e-4, 1e3) : chance.between(0.1, 1);
-        scene.shape[2] = chance.one_in(4) ? chance.magnitude(1e-3, 1e3) : chance.between(0.7, 1.5);
-        scene.escape = chance.one_in(3) ? chance.magnitude(1, 1e15) : 100;
-    } else {
-        const double most = chance.one_in(4) ? 4 : 0.7;
-        for (double& value : scene.shape) value = chance.one_in(8) ? 0 : chance.between(-most, most);
-        scene.escape = chance.between(-most, most);
+    scene.fractal->random.extreme_shape(scene, chance);
+    for (double& value : scene.shape) value = Chance::single(value);
+    scene.escape = Chance::single(scene.escape);
+}
+
+// Lines 7 and 8 of the scenes that keep their shape.
+void set_plain_shape(const Fractal& fractal, Scene& scene)
+{
+    if (const auto& plain = fractal.random.plain) {
+        scene.shape = {(*plain)[0], (*plain)[1], (*plain)[2]};
+        scene.escape = (*plain)[3];
+        return;
     }
-    for (double& value : scene.shape) value = chance.single(value);
-    scene.escape = chance.single(scene.escape);
+    const Scene official = official_scene(fractal);
+    scene.shape = official.shape;
+    scene.escape = official.escape;
 }
 
 Scene drawn(Chance& chance, const Fractal& fractal, int number)
@@ -101,13 +63,10 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
     constexpr double pixel_iterations = 64.0 * 48 * 32;
     Scene scene;
     scene.fractal = &fractal;
-    const double about = fractal.nickname == "box" ? 4 : 1.2;
-    scene.shape = fractal.nickname == "bulb"  ? std::array{0.0, 4.0, 8.0}
-                  : fractal.nickname == "box" ? std::array{2.0, 0.5, 1.0}
-                                              : std::array{-0.25, 0.375, 0.125};
-    scene.escape = fractal.nickname == "box" ? 100 : 0;
+    const double about = fractal.random.extent;
+    set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
-    scene.brightness = chance.single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
+    scene.brightness = Chance::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
     // Two by two of one size: what is left of the picture before shows.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;
@@ -116,13 +75,13 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
     if (number % 4 == 3) {
         scene.eye = chance.between(1.1, 4) * about * chance.direction();
         scene.field_of_view = chance.between(0.5, 1.5);
-        scene.detail = chance.single(chance.between(-9, -5));
+        scene.detail = Chance::single(chance.between(-9, -5));
         scene.iterations = static_cast<int>(chance.magnitude(1, 64));
         return scene;
     }
     draw_camera(chance, about, scene);
     draw_shape(chance, scene);
-    scene.detail = chance.single(chance.one_in(8) ? chance.between(-37, 3) : chance.between(-9, -1));
+    scene.detail = Chance::single(chance.one_in(8) ? chance.between(-37, 3) : chance.between(-9, -1));
     scene.iterations = static_cast<int>(chance.one_in(2) ? chance.between(1, 60) : chance.magnitude(1, max_iterations));
     const double pixels = pixel_iterations / scene.iterations;
     const double smaller = std::sqrt(std::min(1.0, pixels / (scene.width * scene.height)));
@@ -135,7 +94,9 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
 
 Scene extreme_scene(const Fractal& fractal, unsigned seed, int number)
 {
-    Chance chance(seed, number);
+    std::seed_seq both{seed, static_cast<unsigned>(number)};
+    std::mt19937 random(both);
+    Chance chance(random);
     for (;;) {
         try {
             return parse_parameters(to_parameters(drawn(chance, fractal, number)), "a scene", fractal).scene;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row in
-// fractal.cpp.
+// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row,
+// core/scene/fractals/NAME.cpp.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "core/scene/vector.h"
 
 namespace mandelmarch {
 
 struct Scene;
+class Chance;
 
 // What one number of a parameter file means, and its range. `low` and `high` are allowed themselves unless `open_low`.
 struct Meaning {
@@ -18,6 +22,9 @@ struct Meaning {
     double high;
     bool open_low = false;
 };
+
+inline constexpr Meaning ignored_number{"a number (ignored)", -1e300, 1e300};
+inline constexpr double float_range = 1e37;  // the largest finite power of ten of a float, with room
 
 // What the kernel text of a fractal needs that is the same for all pixels, computed in double.
 struct FractalConstants {
@@ -31,39 +38,139 @@ struct Sight {
     double distance;  // of the eye from the origin
 };
 
+// A cube or a sphere about the origin that holds a whole fractal.
+struct Hull {
+    enum class Shape { cube, sphere };
+    Shape shape = Shape::sphere;
+    double size = 1;  // half the cube's edge, or the sphere's radius
+
+    bool contains(Vector p) const;
+};
+
+// What holds of a fractal whose row says nothing.
+namespace usual {
+std::string_view objection(const Scene& scene);         // none
+double no_hull(const Scene& scene, const Sight& view);  // 0
+std::optional<Hull> unknown_body(const Scene& scene);   // nullopt
+double stride(const Scene& scene);                      // plain_stride
+double growth(const Scene& scene);                      // 1: no iteration is known to be too fine to be seen
+Vector representative(const Scene& scene, Vector p);    // p
+bool worth_searching(const Scene& scene, const Hull& body, Vector p);  // true
+void same_shape(Scene& scene, Chance& chance, bool even);              // leaves the scene as it is
+void same_extreme_shape(Scene& scene, Chance& chance);                 // leaves the scene as it is
+inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
+}  // namespace usual
+
+inline constexpr double sphere_corner = 1;
+inline constexpr double cube_corner = 1.7320508075688772;  // sqrt(3)
+
+// The sphere or cube (as in the kernel file) outside which no ray of a view hits anything.
+struct FractalHull {
+    double (*size)(const Scene& scene, const Sight& view) = usual::no_hull;  // 0 where none is proven
+    double corner = cube_corner;  // how far it reaches from the origin, in its sizes
+};
+
+// What fast mode may do, where it pays.
+struct FractalFast {
+    // The share of an estimate that a step takes; less than plain_stride, and none is over-relaxed: for scenes whose
+    // rays would pass what is thin.
+    double (*stride)(const Scene& scene) = usual::stride;
+    // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
+    // change.
+    double root_share = 0.001;
+    // Cones of neighbouring rays pay where those are no more than this many tolerances apart.
+    double cone_pitch = 0;
+    // The hits of pixels around one tell where its ray begins while those are no more than this many tolerances apart.
+    double neighbour_pitch = 0;
+};
+
+// How a tour is planned. Lengths are shares of the body's size.
+struct FlightMeasures {
+    double roads = 0.012;        // least clearance of the balls
+    double gate_least = 0.0040;  // bounds of a gate's clearance
+    double gate_most = 0.02;
+    double pace = 0.19;       // clearances a frame
+    double most_tilt = 0.85;  // of the gaze, added to the unit vector along the motion
+};
+
+// What an audit holds a flight to.
+struct FlightBars {
+    double step = 0.2;     // clearances a frame
+    double aside = 10;     // percent of the frames that look aside
+    double passages = 12;  // of 7200 frames
+    double planning = 20;  // seconds
+};
+
+// What a flight needs to know.
+struct FractalFlight {
+    // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
+    double (*growth)(const Scene& scene) = usual::growth;
+    // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
+    // close-up: near the surface an estimate can be larger than the distance.
+    double safety = 0.5;
+    double short_stride = 0.5;
+    // What holds the fractal; a sphere is found by rays where nothing is known.
+    std::optional<Hull> (*body)(const Scene& scene) = usual::unknown_body;
+    // Places that a symmetry maps onto each other get the same answer: the one of them in the fundamental region.
+    Vector (*representative)(const Scene& scene, Vector p) = usual::representative;
+    // True in a region that holds a copy of every place that differs under the symmetry, and some more: where tours are
+    // sought, as the rest would only cost time.
+    bool (*worth_searching)(const Scene& scene, const Hull& body, Vector p) = usual::worth_searching;
+    FlightMeasures measures{};
+    FlightBars bars{};
+};
+
+// How scenes are drawn at random (core/scene/random_scene.h and extreme_scene.h). They begin with the official shape.
+struct FractalRandom {
+    double extent;             // of the fractal from the origin, about
+    double nearest, farthest;  // cameras from the origin
+    void (*shape)(Scene& scene, Chance& chance, bool even) = usual::same_shape;
+    // Of any size and sign that a parameter file may say. Rounded to single precision afterwards.
+    void (*extreme_shape)(Scene& scene, Chance& chance) = usual::same_extreme_shape;
+    // Lines 7 and 8 of extreme scenes that keep their shape, where these are not the official ones.
+    std::optional<std::array<double, 4>> plain{};
+};
+
+// What bench does with it.
+struct FractalStudy {
+    std::span<const int> iterations = usual::iterations;  // of the study that varies them
+    // A view that is all surface, of the box-vs-bulb study.
+    struct Look {
+        Vector eye, target, up;
+    };
+    std::optional<Look> close_up{};
+    // One more view of that study: the official one but for what is added to its shape.
+    struct Variant {
+        std::string_view name;
+        std::array<double, 3> added;
+    };
+    std::optional<Variant> variant{};
+    // Pixels in a hundred of the official scene by which exact pictures may be visibly off the reference backend's.
+    double off_in_double = 0;
+    double off_in_float = 0;
+};
+
 struct Fractal {
-    std::string_view name;      // the kernel file's stem, too
+    std::string_view name;      // the stem of its files
     std::string_view nickname;  // short form on command lines
+    int rank = 1000;            // lists of fractals go by it, then by name
+    bool studied = false;       // bench measures it unless another one is asked for; the build reads this line, too
+    std::string_view official;  // the parameter file of the scene that is measured, as text
     std::array<Meaning, 3> shape;
     Meaning escape;
     // What is wrong with the three values of line 7 together, or nothing.
-    std::string_view (*objection)(const Scene& scene);
+    std::string_view (*objection)(const Scene& scene) = usual::objection;
     // `largest` is the largest finite power of ten of the number type, as a double. tails: an orbit's last iterations
     // may be made without their tests.
     FractalConstants (*constants)(const Scene& scene, double largest, bool tails);
-    // The size of the sphere or cube (as in the kernel file) outside which no ray of this view hits anything; 0 where
-    // that is not proven.
-    double (*hull)(const Scene& scene, const Sight& view);
-    // How far that reaches from the origin, in its sizes.
-    double hull_corner;
-    // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
-    double (*growth)(const Scene& scene);
-    // The share of an estimate that a step of fast mode takes; less than default_stride, and none is over-relaxed:
-    // for scenes whose rays would pass what is thin.
-    double (*fast_stride)(const Scene& scene);
-    // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
-    // close-up: near the surface an estimate can be larger than the distance.
-    double safety;
-    double short_stride;
-    // Cones of neighbouring rays pay where those are no more than this many tolerances apart.
-    double cone_pitch;
-    // The hits of pixels around one tell where its ray begins while those are no more than this many tolerances apart.
-    double lattice_pitch;
-    // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
-    // change.
-    double root_share;
+    FractalHull hull{};
+    FractalFast fast{};
+    FractalFlight flight{};
+    FractalRandom random;
+    FractalStudy study{};
 };
 
+// In their order.
 std::span<const Fractal> fractals();
 
 // By name or nickname. Throws InputError with the known names.

@@ -226,6 +226,19 @@ ParameterFile read_parameters(const std::string& path, const Fractal& fractal)
     return parse_parameters(text, path, fractal);
 }
 
+Scene official_scene(const Fractal& fractal)
+{
+    return parse_parameters(fractal.official, fmt::format("the official scene of {}", fractal.name), fractal).scene;
+}
+
+Scene official_scene(const Fractal& fractal, int width, int height)
+{
+    Scene scene = official_scene(fractal);
+    scene.width = width;
+    scene.height = height;
+    return scene;
+}
+
 std::string to_parameters(const Scene& scene)
 {
     const auto vector = [](Vector v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };

@@ -25,6 +25,10 @@ ParameterFile parse_parameters(std::string_view text, const std::string& name, c
 // The same for a file. Throws InputError, too, if it cannot be read.
 ParameterFile read_parameters(const std::string& path, const Fractal& fractal);
 
+// The scene of a fractal's own file, which its row holds.
+Scene official_scene(const Fractal& fractal);
+Scene official_scene(const Fractal& fractal, int width, int height);
+
 // The text of a parameter file that reads as this scene, where its reals of the entries 6, 7, 8 and 10 are single.
 std::string to_parameters(const Scene& scene);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: which fractal, seen from where, drawn how. What a parameter file says, as read.
+// A scene: which fractal, seen from where, drawn how. What a parameter file says, as read, and what whoever draws it asks
+// of the steps.
 #pragma once
 
 #include <array>
@@ -17,8 +18,14 @@ inline constexpr int max_iterations = 10'000;  // of the distance estimator
 inline constexpr double max_field_of_view = 180.0 / 65.0;
 inline constexpr int colouring_types = 5;  // 0 and 1: the original's; from 2: core/kernel/looks.h
 
-// Of the distance estimate: a step of the original program.
-inline constexpr double default_stride = 0.95;
+// A step of the original program, in distance estimates.
+inline constexpr double plain_stride = 0.95;
+
+// What a film or a trial asks of a ray's steps; no part of a parameter file (core/render/stepping.h).
+struct StepLimits {
+    double stride = plain_stride;  // no plain step is longer; in distance estimates
+    double root_share = 0;         // no hit has to be nearer to the surface; in tolerances
+};
 
 struct Scene {
     const Fractal* fractal = nullptr;
@@ -34,8 +41,7 @@ struct Scene {
     int colouring = 0;
     double brightness = 1;
     std::string image_file;
-    double stride = default_stride;  // a step's share of the estimate; not in the file
-    double root_share = 0;           // see Fractal::root_share, whose value 0 stands for; not in the file
+    StepLimits limits;
 };
 
 // The entries of a parameter file, in their order.

@@ -21,16 +21,6 @@ constexpr double aside = 60;              // degrees off the motion
 constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
 constexpr double official_frames = 7200;  // that the bar on passages is for
 
-struct Bars {
-    double step, aside, passages, planning;
-};
-
-Bars bars_of(const Fractal& fractal)
-{
-    if (fractal.nickname == "box") return {0.25, 2, 8, 25};
-    return {0.2, 10, 12, 20};
-}
-
 // Frames that have the same fractal constants one after another, with their field.
 struct Run {
     std::size_t first, last;  // [first, last)
@@ -67,7 +57,7 @@ public:
 
     void promises()
     {
-        const Bars bars = bars_of(*path_.scene.fractal);
+        const FlightBars& bars = path_.scene.fractal->flight.bars;
         solids();
         steps(bars.step);
         turns();
@@ -76,7 +66,7 @@ public:
 
     void quality()
     {
-        const Bars bars = bars_of(*path_.scene.fractal);
+        const FlightBars& bars = path_.scene.fractal->flight.bars;
         nearness();
         inside();
         const Field& field = *runs_.front().field;
@@ -249,7 +239,8 @@ Audit audit(const Path& path, int threads, double planning, int stride)
     Auditor auditor(path, threads, stride);
     auditor.promises();
     auditor.quality();
-    if (planning > 0) auditor.add({"planning", planning, bars_of(*path.scene.fractal).planning, true, false, "s", ""});
+    if (planning > 0)
+        auditor.add({"planning", planning, path.scene.fractal->flight.bars.planning, true, false, "s", ""});
     return auditor.take();
 }
 

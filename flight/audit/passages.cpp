@@ -35,7 +35,7 @@ std::vector<Passage> distinct_passages(const Field& field, std::span<const Vecto
         narrowed = false;
         widest = here;
         if (!field.hull().contains(places[least.frame])) continue;
-        const Vector place = representative(field.scene(), places[least.frame]);
+        const Vector place = field.representative(places[least.frame]);
         const double apart = std::max(same_clearances * least.clearance, same_size * field.hull().size);
         if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
         known.push_back(place);

@@ -24,6 +24,12 @@ public:
     // The share of an estimate that is surely free.
     double safety() const { return safety_; }
 
+    // Places that the fractal's symmetry maps onto each other get the same answer.
+    Vector representative(Vector p) const { return scene_.fractal->flight.representative(scene_, p); }
+
+    // True in a region that holds a copy of every place that differs under the symmetry.
+    bool worth_searching(Vector p) const { return scene_.fractal->flight.worth_searching(scene_, hull_, p); }
+
     // The distance estimate at p, in the scene's units; 0 where it is negative or no number.
     double distance(Vector p) const;
     void distances(std::span<const Vector> points, std::span<double> out) const;

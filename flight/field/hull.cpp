@@ -2,12 +2,11 @@
 #include "flight/field/hull.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
-#include "core/scene/fractal.h"
 #include "flight/field/field.h"
 
 namespace mandelmarch {
@@ -34,55 +33,12 @@ Hull sphere_by_rays(const Field& field)
     return {Hull::Shape::sphere, std::max(1.02 * (far - nearest), 0.1)};
 }
 
-bool is(const Scene& scene, const char* nickname) { return scene.fractal->nickname == nickname; }
-
 }  // namespace
-
-bool Hull::contains(Vector p) const
-{
-    if (shape == Shape::sphere) return length(p) <= size;
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= size;
-}
 
 Hull hull_of(const Scene& scene, const Field& field)
 {
-    if (is(scene, "box")) {
-        const double s = scene.shape[0];
-        if (s > 1) return {Hull::Shape::cube, 2 * (s + 1) / (s - 1)};
-        if (s < -1) return {Hull::Shape::cube, 2};
-    }
-    if (is(scene, "bulb") && scene.shape[2] > 1.2) return {Hull::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
-    return sphere_by_rays(field);
-}
-
-bool worth_searching(const Scene& scene, const Hull& hull, Vector p)
-{
-    if (is(scene, "box")) return std::min({p.x, p.y, p.z}) > -0.1 * hull.size;
-    if (!is(scene, "bulb")) return true;
-    const double power = scene.shape[2];
-    const bool whole = power == std::floor(power) && power >= 2;
-    const double wedge = whole ? 2.1 * std::numbers::pi / (power - 1) : 1.1 * std::numbers::pi;
-    return std::abs(std::atan2(p.y, p.x)) < wedge;
-}
-
-Vector representative(const Scene& scene, Vector p)
-{
-    if (is(scene, "box")) {
-        std::array<double, 3> c{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
-        std::ranges::sort(c);
-        return {c[0], c[1], c[2]};
-    }
-    if (!is(scene, "bulb")) return p;
-    const double power = scene.shape[2];
-    const bool whole = power == std::floor(power) && power >= 2;
-    double angle = std::abs(std::atan2(p.y, p.x));
-    if (whole) {
-        const double turn = 2 * std::numbers::pi / (power - 1);
-        angle = std::abs(angle - turn * std::round(angle / turn));
-    }
-    const double rho = std::hypot(p.x, p.y);
-    const bool odd = whole && std::fmod(power, 2) == 1;
-    return {rho * std::cos(angle), rho * std::sin(angle), odd ? std::abs(p.z) : p.z};
+    const std::optional<Hull> known = scene.fractal->flight.body(scene);
+    return known ? *known : sphere_by_rays(field);
 }
 
 }  // namespace mandelmarch

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/render/stepping.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -13,14 +14,13 @@ namespace {
 constexpr double footprint = 1;  // pixel heights
 constexpr double degrees_per_field = 65;
 constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
-constexpr double film_root_share = 0.2;     // a fifth of a pixel's footprint is not seen
 constexpr int spare_iterations = 1;
 
 // Iterations beyond this make features that are smaller than a pixel's footprint from the least clearance: noise, and
 // what is slowest in a close-up.
 int iterations_in_sight(const Scene& scene)
 {
-    const double growth = std::max(scene.fractal->growth(scene), 1.1);
+    const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);
     const double smallest = std::pow(10.0, scene.detail) * least_clearance;
     return static_cast<int>(std::ceil(-std::log(smallest) / std::log(growth))) + spare_iterations;
 }
@@ -56,8 +56,7 @@ Scene picture_of(const Path& path, const Frame& frame, int width, int height)
     Scene scene = scene_of(path, frame, width, height);
     if (!path.detail_by_size) return scene;
     if (!frame.changes.iterations) scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
-    scene.stride = std::min(scene.stride, scene.fractal->short_stride);
-    scene.root_share = std::max(scene.root_share, film_root_share);
+    scene.limits = film_limits(scene);
     return scene;
 }
 

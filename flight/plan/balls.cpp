@@ -119,7 +119,7 @@ void Balls::flood()
                 (face < 2 ? to.x : face < 4 ? to.y : to.z) += face % 2 == 0 ? -1 : 1;
                 if (std::min({to.x, to.y, to.z}) < 0 || std::max({to.x, to.y, to.z}) >= coarse) continue;
                 if (seen[coarse_index(to)] != 0) continue;
-                if (!worth_searching(field_.scene(), field_.hull(), centre_of(middle(to)))) continue;
+                if (!field_.worth_searching(centre_of(middle(to)))) continue;
                 seen[coarse_index(to)] = 1;
                 wave.push_back(to);
             }

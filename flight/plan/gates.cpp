@@ -280,7 +280,7 @@ std::vector<Gate> find_gates(const Field& field, const Balls& balls, double leas
             return length(other.centre - gate->centre) < same_place * std::max(gate->clearance, other.clearance);
         };
         if (std::ranges::any_of(gates, same)) continue;
-        const Vector here = representative(field.scene(), gate->centre);
+        const Vector here = field.representative(gate->centre);
         const auto kind = std::ranges::find_if(
             kinds, [&](Vector known) { return length(known - here) < same_place * gate->clearance; });
         gate->kind = static_cast<int>(kind - kinds.begin());

@@ -19,22 +19,6 @@
 namespace mandelmarch {
 namespace {
 
-// Shares of the hull's size, and paces, by fractal: the box's estimate is about 3.5 times too small, so that its free
-// space looks narrower and may be flown through faster.
-struct Measures {
-    double roads;       // least clearance of the balls
-    double gate_least;  // bounds of a gate's clearance
-    double gate_most;
-    double pace;       // clearances a frame
-    double most_tilt;  // of the gaze, added to the unit vector along the motion
-};
-
-Measures measures_of(const Fractal& fractal)
-{
-    if (fractal.nickname == "box") return {0.005, 0.0036, 0.006, 0.24, 0.7};
-    return {0.012, 0.0040, 0.02, 0.19, 0.85};
-}
-
 constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
 constexpr int tries = 300'000;              // places where gates are looked for
 constexpr double field_of_view = 1.0;
@@ -51,7 +35,7 @@ class Planner {
 public:
     Planner(const Scene& scene, std::uint64_t seed, int frames, int threads)
         : field_(scene, threads),
-          measures_(measures_of(*scene.fractal)),
+          measures_(scene.fractal->flight.measures),
           seed_(seed),
           frames_(frames),
           size_(field_.hull().size),
@@ -217,7 +201,7 @@ private:
     }
 
     Field field_;
-    Measures measures_;
+    FlightMeasures measures_;
     std::uint64_t seed_;
     int frames_;
     double size_;

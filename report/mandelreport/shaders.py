@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -14,7 +15,10 @@ from .pictures import ROOT
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 FLATTEN = ROOT / "report" / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
-FRACTALS = sorted(path.stem for path in (KERNEL / "fractals").glob("*.h"))
+# The kernel text of each fractal. The environment names further folders as the build's option of that name does.
+FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
+TEXTS = {path.stem: path.resolve() for folder in FOLDERS for path in sorted(folder.glob("*.h"))}
+FRACTALS = sorted(TEXTS)
 
 
 def missing_tools() -> list[str]:
@@ -32,7 +36,7 @@ def shader(fractal: str, work: Path) -> str:
     """The fragment shader of one fractal; `work`: a folder for the files in between."""
     work.mkdir(parents=True, exist_ok=True)
     text, module, result = (work / f"{fractal}.{ending}" for ending in ("frag", "spv", "es"))
-    _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"FILE={text}", "-P", FLATTEN)
+    _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
     _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
     _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
     # Indentation is a fifth of the text and says nothing to a browser.
@@ -41,7 +45,7 @@ def shader(fractal: str, work: Path) -> str:
 
 def constants(fractal: str) -> dict[str, int]:
     """Where the kernel text has a fractal's own constants: by their accessors' names, or by number where it has none."""
-    text = (KERNEL / "fractals" / f"{fractal}.h").read_text(encoding="utf-8")
+    text = TEXTS[fractal].read_text(encoding="utf-8")
     named = {
         name: int(at)
         for name, at in re.findall(r"FN scalar (\w+)\(Scene scene\) { return scene\.fractal\[(\d+)\]; }", text)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D FRACTAL=NAME -D FILE=OUT -P report/viewer/flatten.cmake: the viewer's shader as one GLSL text.
+# cmake -D FRACTAL=NAME -D TEXT=NAME.h -D FILE=OUT -P report/viewer/flatten.cmake: the viewer's shader as one GLSL text.
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(PROJECT_SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 include(${PROJECT_SOURCE_DIR}/cmake/FlattenKernel.cmake)
+set(MANDELMARCH_TEXT_${FRACTAL} ${TEXT})
 mandelmarch_flatten_glsl(report/viewer/viewer.frag ${FRACTAL} ${FILE})

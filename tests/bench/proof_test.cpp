@@ -38,8 +38,8 @@ TEST(YardstickKeys, DifferForScenesThatLookDifferent)
         [](Scene& s) { s.escape += 1; },
         [](Scene& s) { s.colouring = 0; },
         [](Scene& s) { s.brightness = 2; },
-        [](Scene& s) { s.stride = 0.5; },
-        [](Scene& s) { s.root_share = 0.5; },
+        [](Scene& s) { s.limits.stride = 0.5; },
+        [](Scene& s) { s.limits.root_share = 0.5; },
         [](Scene& s) { s.fractal = &fractal_named("bulb"); },
     };
     for (std::size_t i = 0; i < changes.size(); ++i) {

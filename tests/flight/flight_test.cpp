@@ -54,9 +54,9 @@ TEST(Field, SymmetricPlacesAreOne)
     const double turn = 2 * std::acos(-1.0) / 7;
     const Vector q{p.x * std::cos(turn) - p.y * std::sin(turn), -(p.x * std::sin(turn) + p.y * std::cos(turn)), p.z};
     EXPECT_NEAR(field.distance(p), field.distance(q), 1e-9);
-    EXPECT_LT(length(representative(bulb, p) - representative(bulb, q)), 1e-9);
-    const Scene box = official_scene("box", 16, 9);
-    EXPECT_LT(length(representative(box, {1, -2, 3}) - representative(box, {-3, 1, 2})), 1e-12);
+    EXPECT_LT(length(field.representative(p) - field.representative(q)), 1e-9);
+    const Field box(official_scene("box", 16, 9), 1);
+    EXPECT_LT(length(box.representative({1, -2, 3}) - box.representative({-3, 1, 2})), 1e-12);
 }
 
 TEST(Plan, TheSameSeedGivesTheSamePathOnAnyNumberOfThreads)
@@ -194,8 +194,8 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     path.scene.iterations = 100;
     const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
     EXPECT_EQ(asked.iterations, 100);
-    EXPECT_EQ(asked.stride, default_stride);
-    EXPECT_EQ(asked.root_share, 0);
+    EXPECT_EQ(asked.limits.stride, plain_stride);
+    EXPECT_EQ(asked.limits.root_share, 0);
 }
 
 // Pixels of one and a half samples: the sample in the middle counts half in each. Row 0 of an image is its bottom row.

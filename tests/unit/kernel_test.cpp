@@ -182,8 +182,9 @@ TEST(StagedEntries, DrawWhatTheWholePixelDraws)
             const bulb64::Pixel whole = bulb64::draw(k, i % 30, i / 30);
             bulb64::Ray ray = bulb64::begin(k, i % 30, i / 30);
             for (int pass = 0; bulb64::marching(k, ray); ++pass) ray = bulb64::march(k, ray, 1 + pass % 3);
-            for (int steps = 0; canonical != 0 && steps < 60; steps += 5) ray = bulb64::refine_by(k, ray, 5);
-            const bulb64::Pixel staged = bulb64::shade(k, ray);
+            bulb64::Hit hit = bulb64::stopped(k, ray);
+            for (int tries = 0; canonical != 0 && tries < 60; tries += 5) hit = bulb64::refine_by(k, hit, 5);
+            const bulb64::Pixel staged = bulb64::shade(k, hit);
             EXPECT_EQ(whole.depth, staged.depth) << i;
             EXPECT_EQ(whole.colour.x, staged.colour.x) << i;
             EXPECT_EQ(whole.steps, staged.steps) << i;

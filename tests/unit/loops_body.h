@@ -14,12 +14,12 @@ inline Loops made_by(const void* plain_scene, const void* fast_scene)
             while (marching(plain, ray)) {
                 take(most.step, counted([&] { ray = march(plain, ray, 1); }) - most.pass);
             }
-            take(most.shade, counted([&] { shade(plain, ray); }));
-            ray = march(fast, begin(fast, i, j), fast.max_steps);
-            const std::int64_t none = counted([&] { refine_by(fast, ray, 0); });
-            take(most.tried, counted([&] { refine_by(fast, ray, 1); }) - none);
-            take(most.refine, counted([&] { ray = refine(fast, ray); }));
-            take(most.shade, counted([&] { shade(fast, ray); }));
+            take(most.shade, counted([&] { shade(plain, stopped(plain, ray)); }));
+            Hit hit = stopped(fast, march(fast, begin(fast, i, j), fast.max_steps));
+            const std::int64_t none = counted([&] { refine_by(fast, hit, 0); });
+            take(most.tried, counted([&] { refine_by(fast, hit, 1); }) - none);
+            take(most.refine, counted([&] { hit = refine(fast, hit); }));
+            take(most.shade, counted([&] { shade(fast, hit); }));
         }
     }
     return most;

@@ -167,6 +167,19 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
     }
 }
 
+// A device that works on a band of many passes is told from one that hangs.
+TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
+{
+    Scene scene = official_scene("bulb", 8, 8);
+    Noting noting;
+    Image image(8, 8, Image::Layers::bytes);
+    std::vector<double> signs;
+    run_schedule(scene, Mode::exact, {.pixels_per_band = 64, .loops_per_invocation = 65'000}, noting, image,
+                 [&](double share) { signs.push_back(share); });
+    EXPECT_EQ(noting.passes, 3);
+    EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
+}
+
 TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)
 {
     Scene scene = official_scene("box", 8, 8);

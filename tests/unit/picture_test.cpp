@@ -110,7 +110,7 @@ void add(Offness& to, const Image& canonical, const Image& image)
     if (50 * c.visibly_differing > c.pixels) ++to.far_off;
 }
 
-// The constants of relaxed(), of fast_stride, of tails and of trials were chosen on scenes of other seeds. Shares of
+// The constants of relaxed(), of fast.stride, of tails and of trials were chosen on scenes of other seeds. Shares of
 // some hundredths of a percent need the pixels of all scenes.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {

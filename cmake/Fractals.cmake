@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+# The list of fractals: MANDELMARCH_FRACTALS has their names, MANDELMARCH_TEXT_NAME the file of a fractal's kernel text, from
+# the project's root where it is in it, and MANDELMARCH_ROW_NAME that of its row.
+option(MANDELMARCH_OWN_FRACTALS "The fractals of core/kernel/fractals" ON)
+set(MANDELMARCH_MORE_FRACTALS "" CACHE STRING "Folders with more fractals, each of them NAME.h and NAME.cpp")
+
+# mandelmarch_fractals(TEXTS ROWS): the texts TEXTS/NAME.h, their rows ROWS/NAME.cpp.
+function(mandelmarch_fractals texts rows)
+    cmake_path(ABSOLUTE_PATH texts BASE_DIRECTORY ${PROJECT_SOURCE_DIR} NORMALIZE)
+    cmake_path(ABSOLUTE_PATH rows BASE_DIRECTORY ${PROJECT_SOURCE_DIR} NORMALIZE)
+    file(GLOB files CONFIGURE_DEPENDS ${texts}/*.h)
+    foreach(text ${files})
+        cmake_path(GET text STEM name)
+        set(row ${rows}/${name}.cpp)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text} ${row})
+        # Whether it is studied: the row knows, and the build asks it.
+        file(STRINGS ${row} studied REGEX "^ *\\.studied = true,$")
+        if(studied)
+            list(APPEND MANDELMARCH_STUDIED_FRACTALS ${name})
+        endif()
+        cmake_path(IS_PREFIX PROJECT_SOURCE_DIR ${text} inside)
+        if(inside)
+            cmake_path(RELATIVE_PATH text BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+        endif()
+        list(APPEND MANDELMARCH_FRACTALS ${name})
+        set(MANDELMARCH_TEXT_${name} ${text} PARENT_SCOPE)
+        set(MANDELMARCH_ROW_${name} ${row} PARENT_SCOPE)
+    endforeach()
+    set(MANDELMARCH_FRACTALS ${MANDELMARCH_FRACTALS} PARENT_SCOPE)
+    set(MANDELMARCH_STUDIED_FRACTALS ${MANDELMARCH_STUDIED_FRACTALS} PARENT_SCOPE)
+endfunction()
+
+set(MANDELMARCH_FRACTALS "")
+set(MANDELMARCH_STUDIED_FRACTALS "")
+if(MANDELMARCH_OWN_FRACTALS)
+    mandelmarch_fractals(core/kernel/fractals core/scene/fractals)
+endif()
+foreach(folder ${MANDELMARCH_MORE_FRACTALS})
+    mandelmarch_fractals(${folder} ${folder})
+endforeach()

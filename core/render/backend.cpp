@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/backend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+
+namespace mandelmarch {
+namespace {
+
+struct NamedTechnique {
+    std::string_view name;
+    bool Techniques::*member;
+};
+
+constexpr std::array names_of_techniques{
+    NamedTechnique{"hull", &Techniques::hull},   NamedTechnique{"relaxation", &Techniques::relaxation},
+    NamedTechnique{"cones", &Techniques::cones}, NamedTechnique{"neighbours", &Techniques::neighbours},
+    NamedTechnique{"trial", &Techniques::trial}, NamedTechnique{"root", &Techniques::root},
+    NamedTechnique{"tail", &Techniques::tail},   NamedTechnique{"normal", &Techniques::normal}};
+
+}  // namespace
+
+std::string_view name_of(Precision precision) { return precision == Precision::f64 ? "double" : "float"; }
+
+std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }
+
+std::string_view name_of(Role role)
+{
+    constexpr std::array<std::string_view, 4> names{"", "reference", "host", "accelerator"};
+    return names.at(static_cast<std::size_t>(role));
+}
+
+Techniques techniques_without(std::string_view names)
+{
+    Techniques techniques;
+    while (!names.empty()) {
+        const std::size_t comma = std::min(names.find(','), names.size());
+        const std::string_view name = names.substr(0, comma);
+        const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
+        if (found == names_of_techniques.end()) {
+            std::string known;
+            for (const NamedTechnique& one : names_of_techniques) {
+                known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
+            }
+            throw InputError(fmt::format("no technique is called '{}', expected some of {}", name, known));
+        }
+        techniques.*found->member = false;
+        names.remove_prefix(std::min(comma + 1, names.size()));
+    }
+    return techniques;
+}
+
+Timings& operator+=(Timings& to, const Timings& from)
+{
+    to.build += from.build;
+    to.upload += from.upload;
+    to.kernel += from.kernel;
+    to.readback += from.readback;
+    to.wall += from.wall;
+    return to;
+}
+
+Work& operator+=(Work& to, const Work& from)
+{
+    to.steps += from.steps;
+    to.estimates += from.estimates;
+    to.iterations += from.iterations;
+    return to;
+}
+
+template <class Real>
+void add_work(Work& work, const Planes<Real>& planes, int width, int height)
+{
+    for (int y = 0; y < height; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * planes.stride;
+        for (std::size_t at = row; at < row + static_cast<std::size_t>(width); ++at) {
+            work.steps += static_cast<std::uint64_t>(planes.steps[at]);
+            work.estimates += static_cast<std::uint64_t>(planes.estimates[at]);
+            work.iterations += static_cast<std::uint64_t>(planes.iterations[at]);
+        }
+    }
+}
+
+template void add_work(Work&, const Planes<float>&, int, int);
+template void add_work(Work&, const Planes<double>&, int, int);
+
+}  // namespace mandelmarch

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "core/scene/chance.h"
+#include "core/scene/fractals/row.h"
+#include "core/scene/hull.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::string_view official =
+#include "official/paramsJulia.dat"
+    ;
+
+// c = shape + escape k. Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.
+FractalConstants constants(const Scene& scene, double, bool)
+{
+    constexpr double escape_radius = 1000;
+    const auto [a, i, j] = scene.shape;
+    return {.values = {a, i, j, scene.escape, escape_radius * escape_radius}};
+}
+
+double hull(const Scene& scene, const Sight& view)
+{
+    const auto [a, i, j] = scene.shape;
+    const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
+    const double escape = std::sqrt(constants(scene, float_range, false).values[4]);
+    const auto bound = [&](double r) { return least_estimate(r, 2, c, 0, escape, scene.iterations); };
+    return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
+}
+
+// z^2 doubles where |z| is 1, as it is about the surface.
+double growth(const Scene&) { return 2; }
+
+void random_shape(Scene& scene, Chance& chance, bool)
+{
+    scene.shape[0] = chance.single_between(-0.6, 0.2);
+    scene.shape[1] = chance.single_between(-0.6, 0.6);
+    scene.shape[2] = chance.single_between(-0.4, 0.4);
+    scene.escape = chance.single_between(-0.5, 0.5);
+}
+
+void extreme_shape(Scene& scene, Chance& chance)
+{
+    const double most = chance.one_in(4) ? 4 : 0.7;
+    for (double& value : scene.shape) value = chance.one_in(8) ? 0 : chance.between(-most, most);
+    scene.escape = chance.between(-most, most);
+}
+
+}  // namespace
+
+constexpr Fractal rows::julia{
+    .name = "julia",
+    .nickname = "julia",
+    .rank = 3,
+    .official = official,
+    .shape = {Meaning{"c's real part", -4, 4}, {"c's i part", -4, 4}, {"c's j part", -4, 4}},
+    .escape = {"c's k part", -4, 4},
+    .constants = constants,
+    .hull = {.size = hull, .corner = sphere_corner},
+    .fast = {.root_share = 0.01, .cone_pitch = 40, .neighbour_pitch = 48},
+    .flight = {.growth = growth, .safety = 1, .short_stride = plain_stride},
+    .random = {.extent = 1.2,
+               .nearest = 1.1,
+               .farthest = 2.5,
+               .shape = random_shape,
+               .extreme_shape = extreme_shape,
+               .plain = std::array{-0.25, 0.375, 0.125, 0.0}},
+};
+
+}  // namespace mandelmarch

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/chance.h"
+#include "core/scene/fractals/row.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::string_view official =
+#include "official/paramsBox.dat"
+    ;
+constexpr double huge = 1e6;
+constexpr double farthest_point = 1e4;  // of a sample's coordinates, with room
+constexpr double slow_growth = 1.8;     // more of its orbits need a fifth iteration below
+
+// Of the kernel text: the length at which the sphere fold's factor is 1.
+double unit_of(const Scene& scene) { return std::sqrt(std::abs(scene.shape[0])) * scene.shape[2]; }
+
+std::string_view objection(const Scene& scene)
+{
+    const auto [scale, inner, fixed] = scene.shape;
+    if (scale == 0 || scale == 1) return "scale must not be 0 or 1, expected 2 or -1.5, say";
+    const double ratio = fixed / inner;
+    if (!(std::abs(scale) * ratio * ratio < float_range))
+        return "rMin is too small beside rFixed, expected a larger one";
+    const double farthest = std::max({scene.escape, inner, farthest_point}) / unit_of(scene);
+    if (!(farthest * farthest < float_range))
+        return "rFixed is too small beside the escape time, expected a larger one";
+    return {};
+}
+
+// Where tails of three or four iterations begin; 0 where none is used. Outside, an iteration takes the folded radius r
+// to |s| r less what the box fold turns, at most 2 |s| sqrt 3, and plus p. The factor is tried: nearly all
+// orbits escape in the third or fourth iteration from there. They hardly come back to the spheres if r is about twice
+// the fractal's extent, which no coordinate of p exceeds by much. tests/unit/tail_test.cpp counts those that do not.
+double tail_radius(const Scene& scene)
+{
+    const auto [scale, inner, fixed] = scene.shape;
+    const double s = std::abs(scale);
+    if (s <= 1 || (scale > 0 && scale < slow_growth) || scene.iterations < 6) return 0;
+    const double radius = 0.96 * scene.escape / (s * s * s);
+    const double edge = scale > 0 ? 2 * (s + 1) / (s - 1) : 2;
+    return radius > std::max({1.9 * edge, 2 * inner, 2 * fixed}) ? radius : 0;
+}
+
+FractalConstants constants(const Scene& scene, double, bool tails)
+{
+    const auto [scale, inner, fixed] = scene.shape;
+    const double s = std::abs(scale);
+    const double unit = unit_of(scene);
+    const auto square = [unit](double length) { return length / unit * (length / unit); };
+    const double tail = tails ? tail_radius(scene) : 0;
+    return {
+        .values = {s, std::copysign(1, scale), square(inner), square(std::max(inner, fixed)), 1 / unit, unit,
+                   square(scene.escape), square(tail), std::abs(scale - 1) / unit, std::pow(s, 1 - scene.iterations)},
+        .whole = tail > 0 ? scene.iterations - 4 : 0};
+}
+
+double hull(const Scene& scene, const Sight& view)
+{
+    const auto [scale, inner, fixed] = scene.shape;
+    const double s = std::abs(scale);
+    if (s <= 1 || inner > fixed) return 0;
+    // DE >= share (X - edge) - less at a point whose largest coordinate is X > edge.
+    const double remainder = std::pow(s, 1 - scene.iterations);
+    const double edge = scale > 0 ? 2 * (s + 1) / (s - 1) : 2;
+    const double share = scale > 0 ? s * (s - 1) / (s * s + s + 1) : 1;
+    const double less =
+        scale > 0 ? std::max({0.0, (s - 3) / (s + 1), (s - 1 - edge) / (s * s + s + 1)}) : (s - 1) / (s + 1);
+    const double slope = share - std::sqrt(3.0) * view.slope;
+    if (!(slope > 0)) return 0;
+    return (share * edge + less + remainder + view.slope * view.distance) / slope;
+}
+
+double growth(const Scene& scene) { return std::abs(scene.shape[0]); }
+
+// A cube of half edge 2 (s + 1)/(s - 1) for s > 1 and 2 for s < -1.
+std::optional<Hull> body(const Scene& scene)
+{
+    const double s = scene.shape[0];
+    if (s > 1) return Hull{Hull::Shape::cube, 2 * (s + 1) / (s - 1)};
+    if (s < -1) return Hull{Hull::Shape::cube, 2};
+    return {};
+}
+
+// The cube's 48 symmetries.
+Vector representative(const Scene&, Vector p)
+{
+    std::array<double, 3> c{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
+    std::ranges::sort(c);
+    return {c[0], c[1], c[2]};
+}
+
+bool worth_searching(const Scene&, const Hull& body, Vector p) { return std::min({p.x, p.y, p.z}) > -0.1 * body.size; }
+
+// Scales above and below 0.
+void random_shape(Scene& scene, Chance& chance, bool even)
+{
+    scene.shape[0] = even ? chance.single_between(1.5, 3) : chance.single_between(-2.5, -1.2);
+    scene.shape[1] = chance.single_between(0.2, 0.8);
+    scene.shape[2] = chance.single_between(0.8, 1.5);
+}
+
+void extreme_shape(Scene& scene, Chance& chance)
+{
+    const double scale = chance.one_in(4) ? chance.magnitude(1e-2, 20) : chance.between(1.1, 3);
+    scene.shape[0] = chance.sign() * scale;
+    scene.shape[1] = chance.one_in(4) ? chance.magnitude(1e-4, 1e3) : chance.between(0.1, 1);
+    scene.shape[2] = chance.one_in(4) ? chance.magnitude(1e-3, 1e3) : chance.between(0.7, 1.5);
+    scene.escape = chance.one_in(3) ? chance.magnitude(1, 1e15) : 100;
+}
+
+constexpr std::array iterations{4, 8, 12, 18, 30, 60};
+
+// Chosen by hand by the iterations of fast mode at 270 x 270: of 600 random places right before the surface the dearest
+// in which float and double agree. Why not every place will do: docs/fast-mode.md, "What fast mode misses".
+constexpr FractalStudy::Look close_up{
+    {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
+
+// The estimate is about 3.5 times too small: the free space looks narrower and may be flown through faster.
+constexpr FlightMeasures measures{
+    .roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24, .most_tilt = 0.7};
+constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 25};
+
+}  // namespace
+
+constexpr Fractal rows::mandelbox{
+    .name = "mandelbox",
+    .nickname = "box",
+    .rank = 2,
+    .studied = true,
+    .official = official,
+    .shape = {Meaning{"scale", -huge, huge}, {"rMin", 0, huge, true}, {"rFixed", 0, huge, true}},
+    .escape = {"escape time", 0, 1e15, true},
+    .objection = objection,
+    .constants = constants,
+    .hull = {.size = hull, .corner = cube_corner},
+    .fast = {.root_share = 0.003, .cone_pitch = 8, .neighbour_pitch = 35},
+    .flight = {.growth = growth,
+               .safety = 1,
+               .short_stride = plain_stride,
+               .body = body,
+               .representative = representative,
+               .worth_searching = worth_searching,
+               .measures = measures,
+               .bars = bars},
+    .random = {.extent = 4, .nearest = 3, .farthest = 14, .shape = random_shape, .extreme_shape = extreme_shape},
+    .study = {.iterations = iterations, .close_up = close_up, .off_in_float = 1},
+};
+
+}  // namespace mandelmarch

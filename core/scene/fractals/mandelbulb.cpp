@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/scene/chance.h"
+#include "core/scene/fractals/row.h"
+#include "core/scene/hull.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::string_view official =
+#include "official/paramsBulb.dat"
+    ;
+constexpr double low_power_stride = 0.4;
+
+// The bailout radius is cut so that r^3P stays finite: gradients have products of r^P and its slope.
+FractalConstants constants(const Scene& scene, double most, bool)
+{
+    const double power = scene.shape[2];
+    const double bailout = std::min(scene.shape[1], std::pow(most, 1 / (3 * power)));
+    return {.values = {bailout, power}, .whole = power == std::floor(power) ? static_cast<int>(power) : 0};
+}
+
+double hull(const Scene& scene, const Sight& view)
+{
+    const double escape = scene.shape[1];
+    const double power = scene.shape[2];
+    if (power <= 1) return 0;
+    // The estimator leaves out the last radius, so that the escape must come before.
+    const auto bound = [&](double r) { return least_estimate(r, power, r, 1, escape, scene.iterations - 1); };
+    return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
+}
+
+// At low powers longer steps miss more of what is thin: docs/notes/experiments.md.
+double stride(const Scene& scene) { return scene.shape[2] < 4.5 ? low_power_stride : plain_stride; }
+
+double growth(const Scene& scene) { return scene.shape[2]; }
+
+bool has_whole_power(const Scene& scene)
+{
+    const double power = scene.shape[2];
+    return power == std::floor(power) && power >= 2;
+}
+
+// A sphere of radius 2^(1/(P - 1)).
+std::optional<Hull> body(const Scene& scene)
+{
+    if (!(scene.shape[2] > 1.2)) return {};
+    return Hull{Hull::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
+}
+
+// Mirrored in y; whole P: (P - 1)-fold about z, odd P: also mirrored in z.
+Vector representative(const Scene& scene, Vector p)
+{
+    const double power = scene.shape[2];
+    const bool whole = has_whole_power(scene);
+    double angle = std::abs(std::atan2(p.y, p.x));
+    if (whole) {
+        const double turn = 2 * std::numbers::pi / (power - 1);
+        angle = std::abs(angle - turn * std::round(angle / turn));
+    }
+    const double rho = std::hypot(p.x, p.y);
+    const bool odd = whole && std::fmod(power, 2) == 1;
+    return {rho * std::cos(angle), rho * std::sin(angle), odd ? std::abs(p.z) : p.z};
+}
+
+bool worth_searching(const Scene& scene, const Hull&, Vector p)
+{
+    const double turns = scene.shape[2] - 1;
+    const double wedge = has_whole_power(scene) ? 2.1 * std::numbers::pi / turns : 1.1 * std::numbers::pi;
+    return std::abs(std::atan2(p.y, p.x)) < wedge;
+}
+
+// Whole powers and any.
+void random_shape(Scene& scene, Chance& chance, bool even)
+{
+    scene.shape[1] = chance.single_between(2, 6);
+    scene.shape[2] = even ? std::floor(chance.between(2, 12)) : chance.single_between(2, 12);
+}
+
+void extreme_shape(Scene& scene, Chance& chance)
+{
+    scene.shape[1] = chance.one_in(4) ? chance.magnitude(1e-3, 1e6) : chance.between(1.2, 6);
+    const double power = chance.one_in(5) ? chance.magnitude(0.01, 1000) : chance.between(1, 12);
+    scene.shape[2] = chance.one_in(3) ? 8 : chance.one_in(2) ? std::max(1.0, std::floor(power)) : power;
+}
+
+// Chosen by hand by the iterations of fast mode at 270 x 270: of 300 random places right before the surface and away
+// from the poles the dearest. Why not every place will do: docs/fast-mode.md, "What fast mode misses".
+constexpr FractalStudy::Look close_up{{-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
+
+// A power that is not whole is raised through angles; the picture is all but the official one.
+constexpr FractalStudy::Variant angles{"angles", {0, 0, 1e-5}};
+
+}  // namespace
+
+constexpr Fractal rows::mandelbulb{
+    .name = "mandelbulb",
+    .nickname = "bulb",
+    .rank = 1,
+    .studied = true,
+    .official = official,
+    .shape = {ignored_number, {"bailout", 0, 1e6, true}, {"power", 0, 1000, true}},
+    .escape = ignored_number,
+    .constants = constants,
+    .hull = {.size = hull, .corner = sphere_corner},
+    .fast = {.stride = stride, .root_share = 0.02, .cone_pitch = 40, .neighbour_pitch = 48},
+    .flight = {.growth = growth,
+               .safety = 0.8,
+               .short_stride = 0.6,
+               .body = body,
+               .representative = representative,
+               .worth_searching = worth_searching},
+    .random = {.extent = 1.2, .nearest = 1.1, .farthest = 2.5, .shape = random_shape, .extreme_shape = extreme_shape},
+    // Single pixels depend on the last bit of its trigonometry.
+    .study = {.close_up = close_up, .variant = angles, .off_in_double = 0.01, .off_in_float = 0.1},
+};
+
+}  // namespace mandelmarch

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+
+void check_scene(const Scene& scene, const std::function<std::string(Item)>& where)
+{
+    const Vector view = scene.target - scene.eye;
+    const double distance = std::hypot(view.x, view.y, view.z);
+    if (!(distance > 0)) {
+        throw InputError(where(Item::target) + ": the camera stands on its target, expected another look-at point");
+    }
+    const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
+    if (!(up_length > 0)) throw InputError(where(Item::up) + ": the up vector is zero, expected a direction");
+    const Vector side = cross((1 / distance) * view, (1 / up_length) * scene.up);
+    // The sine of an angle that leaves no digits for the picture's axes.
+    if (!(length(side) > 1e-8)) {
+        throw InputError(where(Item::up) + ": the up vector is parallel to the view, expected another direction");
+    }
+    if (const std::string_view objection = scene.fractal->objection(scene); !objection.empty()) {
+        throw InputError(fmt::format("{}: {}", where(Item::shape), objection));
+    }
+    for (const double value : scene.fractal->constants(scene, float_range, false).values) {
+        if (!(std::abs(value) < float_range)) {
+            throw InputError(where(Item::iterations) +
+                             ": the fractal's constants overflow, expected smaller values (a "
+                             "scale under 1 wants few iterations)");
+        }
+    }
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# mandelmarch_label_tests(): every test of this directory gets a label, `slow` or `quick`. Slow ones take more than some
+# four seconds on two cores. Tests of gtest are known only when ctest runs, so a file that ctest reads labels them.
+set(slow_tests
+    "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer fuzz
+    flight "flight\\.films" "flight\\.files" drivers ".*_faults" "openacc\\.simulated" "programs\\.readme" report
+    ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*" "Hull\\.ChangesNoBitOfRandomScenes"
+    "ExtremeScene\\.GoesFarAndShowsSomething" "Lattices\\.ChangeLittleAndSaveEstimates" "RandomScenes\\..*"
+    "Equivalence\\.EveryBackendDrawsTheSamePicture" "bench\\.equivalence" "bench\\.Random\\..*"
+    "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
+    "bench\\.BenchProgram\\.LinesAreAtMost120Characters")
+list(JOIN slow_tests "|" slow_tests)
+
+function(mandelmarch_label_tests)
+    get_property(tests DIRECTORY PROPERTY TESTS)
+    foreach(test ${tests})
+        if(test MATCHES "^(${slow_tests})$")
+            set_tests_properties(${test} PROPERTIES LABELS slow)
+        else()
+            set_tests_properties(${test} PROPERTIES LABELS quick)
+        endif()
+    endforeach()
+    # gtest_discover_tests() leaves the names of a target's tests in TARGET_TESTS.
+    get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+    set(slow "^(${slow_tests})$")
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/labels.cmake)
+    configure_file(${PROJECT_SOURCE_DIR}/tests/label_tests.cmake.in ${file} @ONLY)
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
+endfunction()
