@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated: the kernel text as OpenCL C, once per fractal.
+// The table of texts. fractals.inc is the list of fractals, a line of MM_FRACTAL for each.
 #include "backends/opencl/texts.h"
 
 namespace mandelmarch::opencl {
 
+#define MM_FRACTAL(name) extern const std::string_view text_##name;
+#include "fractals.inc"
+#undef MM_FRACTAL
+extern const std::string_view text_peak;
+
 std::string_view text_of(std::string_view fractal)
 {
-@cases@    (void)fractal;
+#define MM_FRACTAL(name) \
+    if (fractal == #name) return text_##name;
+#include "fractals.inc"
+#undef MM_FRACTAL
     return {};
 }
 
-std::string_view peak_text() { return R"opencl(@peak_text@)opencl"; }
+std::string_view peak_text() { return text_peak; }
 
 }  // namespace mandelmarch::opencl

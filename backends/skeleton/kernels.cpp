@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated from the list of fractals.
+// The table of kernels. fractals.inc is the list of fractals, a line of MM_FRACTAL for each.
 #include "backends/skeleton/kernel.h"
 
 namespace mandelmarch::skeleton {
 
-@declarations@
+#define MM_FRACTAL(name) extern const Kernel name;
+#include "fractals.inc"
+#undef MM_FRACTAL
+
 const Kernel* kernel_of(std::string_view name)
 {
-@rows@    return nullptr;
+#define MM_FRACTAL(fractal) \
+    if (name == #fractal) return &fractal;
+#include "fractals.inc"
+#undef MM_FRACTAL
+    return nullptr;
 }
 
 }  // namespace mandelmarch::skeleton
