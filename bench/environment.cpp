@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <thread>
 
@@ -85,50 +84,29 @@ Json memory()
     return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
 }
 
-// The drivers that OpenCL's and Vulkan's loaders offer, and the file that each name leads to in the end: it carries the
-// library's version.
-Json icds()
+// The file that a library's name leads to in the end: it carries the version.
+std::string resolved(const std::string& library)
+{
+    std::error_code none;
+    for (const char* folder :
+         {"", "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib"}) {
+        const fs::path path = fs::path(folder) / library;
+        if (path.is_absolute() && fs::exists(path, none)) return fs::canonical(path, none).filename().string();
+    }
+    return {};
+}
+
+// The drivers that backends' loaders offer, and these loaders.
+Json icds(const Registry& registry)
 {
     Json found = Json::array();
-    const auto resolved = [](const std::string& library) -> std::string {
-        std::error_code none;
-        for (const char* folder :
-             {"", "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib"}) {
-            const fs::path path = fs::path(folder) / library;
-            if (path.is_absolute() && fs::exists(path, none)) return fs::canonical(path, none).filename().string();
-        }
-        return {};
-    };
-    const auto files_in = [](const char* folder) {
-        std::set<fs::path> files;
-        std::error_code none;
-        for (const auto& entry : fs::directory_iterator(folder, none)) files.insert(entry.path());
-        return files;
-    };
-    const char* vendors = std::getenv("OCL_ICD_VENDORS");
-    for (const fs::path& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
-        const std::string library = text_of(path);
-        found.push_back({{"api", "opencl"},
-                         {"file", path.filename().string()},
-                         {"library", fs::path(library).filename().string()},
-                         {"resolved", or_null(resolved(library))}});
-    }
-    for (const char* folder : {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"}) {
-        for (const fs::path& path : files_in(folder)) {
-            std::ifstream file(path);
-            const Json json = Json::parse(file, nullptr, false);
-            if (json.is_discarded() || !json.contains("ICD")) continue;
-            const std::string library = json["ICD"].value("library_path", "");
-            found.push_back({{"api", "vulkan"},
-                             {"file", path.filename().string()},
-                             {"library", fs::path(library).filename().string()},
-                             {"resolved", or_null(resolved(library))},
-                             {"api_version", json["ICD"].value("api_version", "")}});
-        }
-    }
-    for (const char* loader : {"libOpenCL.so.1", "libvulkan.so.1"}) {
-        if (const std::string file = resolved(loader); !file.empty()) {
-            found.push_back({{"api", "loader"}, {"file", loader}, {"library", loader}, {"resolved", file}});
+    for (const auto& backend : registry.backends()) {
+        for (const InstalledDriver& driver : backend->installed_drivers()) {
+            found.push_back({{"api", driver.api},
+                             {"file", fs::path(driver.file).filename().string()},
+                             {"library", fs::path(driver.library).filename().string()},
+                             {"resolved", or_null(resolved(driver.library))}});
+            if (!driver.api_version.empty()) found.back()["api_version"] = driver.api_version;
         }
     }
     return found;
@@ -191,7 +169,7 @@ Json environment(const Registry& registry)
           {"kernel", fmt::format("{} {}", system.sysname, system.release)},
           {"architecture", system.machine}}},
         {"backends", backends(registry)},
-        {"icds", icds()},
+        {"icds", icds(registry)},
         {"variables", variables(registry)}};
 }
 

@@ -43,7 +43,7 @@ HWY_NOINLINE vec3 normal_of(const Scene& scene, const Hit& hit)
 {
     const real t = landing(scene, hit);
     const real back = (scene.canonical != 0 ? t : hit.t) * real(scene.tolerance);
-    const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
+    const vec3 p = along(along(pools::wide(scene.eye), hit.direction, t), hit.direction, -back);
     return normal_at(scene, p, is_hit(hit)).direction;
 }
 

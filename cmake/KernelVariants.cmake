@@ -8,24 +8,27 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000)
 endif()
 # Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
-set(MANDELMARCH_OPTIONS_packs -ffp-contract=off ${MANDELMARCH_PACKS})
+set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS})
 
-# mandelmarch_kernel_variants(TARGET TEMPLATE...): adds TEMPLATE.cpp.in, configured for every fractal, precision and mode,
-# to the target, each with its mode's floating-point flags. Templates see fractal, fractal_file, precision, is_float, mode, is_fast and file.
-function(mandelmarch_kernel_variants target)
-    foreach(template ${ARGN})
-        foreach(fractal ${MANDELMARCH_FRACTALS})
-            set(fractal_file ${MANDELMARCH_TEXT_${fractal}})
-            foreach(precision float double)
-                foreach(mode exact fast)
-                    string(COMPARE EQUAL ${precision} float is_float)
-                    string(COMPARE EQUAL ${mode} fast is_fast)
-                    set(file ${CMAKE_CURRENT_BINARY_DIR}/${template}_${fractal}_${precision}_${mode}.cpp)
-                    configure_file(${template}.cpp.in ${file} @ONLY)
-                    target_sources(${target} PRIVATE ${file})
-                    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS
-                        "${MANDELMARCH_FP_${mode}};${MANDELMARCH_OPTIONS_${template}};${MANDELMARCH_SANITIZER_${template}}")
-                endforeach()
+# mandelmarch_kernel_variants(TARGET TEMPLATE [OPTIONS FLAG...]): adds TEMPLATE.cpp.in, configured for every fractal, precision
+# and mode, to the target, each with its mode's floating-point flags and then the options. The template sees fractal,
+# fractal_file, precision, is_float, mode, is_fast and file.
+function(mandelmarch_kernel_variants target template)
+    cmake_parse_arguments(PARSE_ARGV 2 with "" "" "OPTIONS")
+    if(with_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "mandelmarch_kernel_variants(${target} ${template}): what is '${with_UNPARSED_ARGUMENTS}'?")
+    endif()
+    foreach(fractal ${MANDELMARCH_FRACTALS})
+        set(fractal_file ${MANDELMARCH_TEXT_${fractal}})
+        foreach(precision float double)
+            foreach(mode exact fast)
+                string(COMPARE EQUAL ${precision} float is_float)
+                string(COMPARE EQUAL ${mode} fast is_fast)
+                set(file ${CMAKE_CURRENT_BINARY_DIR}/${template}_${fractal}_${precision}_${mode}.cpp)
+                configure_file(${template}.cpp.in ${file} @ONLY)
+                target_sources(${target} PRIVATE ${file})
+                set_source_files_properties(${file} PROPERTIES
+                    COMPILE_OPTIONS "${MANDELMARCH_FP_${mode}};${with_OPTIONS}")
             endforeach()
         endforeach()
     endforeach()

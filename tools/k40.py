@@ -62,7 +62,7 @@ def operation_faults(name, body, precision, mode):
 
 
 def faults(ptx, fractals):
-    """What is wrong with a PTX text, in sentences; nothing if it keeps the policy of cmake/FloatingPoint.cmake."""
+    """What is wrong with a PTX text, in sentences; nothing if it keeps the policy of docs/floating-point.md."""
     found = [f".target {target}" for target in re.findall(r"^\.target (\S+)", ptx, re.M) if target != "sm_35"]
     if re.search(r"^\.(visible )?func ", ptx, re.M):
         found.append("a function that is called instead of inlined")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels: the text compiled for one fractal, precision and mode. kernels.cpp is generated from those lists.
+// The kernels: the text compiled for one fractal, precision and mode. A source is generated for each of these.
 #pragma once
 
 #include <string_view>

@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <fstream>
+
 #include "backends/opencl/peak.h"
 #include "backends/opencl/renderer.h"
+#include "core/base/files.h"
 
 namespace mandelmarch {
 namespace {
@@ -18,6 +22,20 @@ public:
                 .pack = true,
                 .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+
+    // A vendor's file holds the name of its library.
+    std::vector<InstalledDriver> installed_drivers() const override
+    {
+        std::vector<InstalledDriver> found;
+        const char* vendors = std::getenv("OCL_ICD_VENDORS");
+        for (const std::string& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
+            std::string library;
+            std::getline(std::ifstream(path), library);
+            found.push_back({"opencl", path, library, ""});
+        }
+        found.push_back({"loader", "libOpenCL.so.1", "libOpenCL.so.1", ""});
+        return found;
     }
 
     std::optional<std::string> unavailable() const override

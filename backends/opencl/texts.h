@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text as OpenCL C. texts.cpp is generated from the list of fractals.
+// The kernel text as OpenCL C. A source with the text is generated for each fractal.
 #pragma once
 
 #include <string_view>

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/vulkan/vulkan.h"
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "backends/vulkan/instance.h"
 #include "backends/vulkan/peak.h"
 #include "backends/vulkan/renderer.h"
+#include "core/base/files.h"
 
 namespace mandelmarch {
 namespace {
@@ -16,6 +20,26 @@ public:
         return {.has_driver = true,
                 .variables = {"VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+
+    // The loader's manifests, in its usual folders.
+    std::vector<InstalledDriver> installed_drivers() const override
+    {
+        std::vector<InstalledDriver> found;
+        for (const char* folder : {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"}) {
+            for (const std::string& path : files_in(folder)) {
+                std::ifstream file(path);
+                const auto manifest = nlohmann::json::parse(file, nullptr, false);
+                if (!manifest.is_object() || !manifest.contains("ICD")) continue;
+                const auto text = [&](const char* key) {
+                    const auto value = manifest["ICD"].find(key);
+                    return value != manifest["ICD"].end() && value->is_string() ? value->get<std::string>() : "";
+                };
+                found.push_back({"vulkan", path, text("library_path"), text("api_version")});
+            }
+        }
+        found.push_back({"loader", "libvulkan.so.1", "libvulkan.so.1", ""});
+        return found;
     }
 
     std::optional<std::string> unavailable() const override

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <sys/vfs.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -31,6 +32,15 @@ std::optional<struct stat> status_of(const std::string& path)
 bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
 }  // namespace
+
+std::vector<std::string> files_in(const std::string& folder)
+{
+    std::vector<std::string> files;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none)) files.push_back(entry.path().string());
+    std::ranges::sort(files);
+    return files;
+}
 
 std::string folder_of(const std::string& path)
 {

@@ -14,6 +14,9 @@ std::string end_of_links(const std::string& path);
 // True for a name in a folder of /proc: its file is made by the kernel, or open already.
 bool in_proc(const std::string& path);
 
+// The files of a folder, sorted; none where it cannot be read.
+std::vector<std::string> files_in(const std::string& folder);
+
 // The folder of a name, "." where it has none.
 std::string folder_of(const std::string& path);
 

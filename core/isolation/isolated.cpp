@@ -137,6 +137,7 @@ public:
 
     std::string_view name() const override { return backend_->name(); }
     Facts facts() const override { return backend_->facts(); }
+    std::vector<InstalledDriver> installed_drivers() const override { return backend_->installed_drivers(); }
 
     std::optional<std::string> unavailable() const override
     {

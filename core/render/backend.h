@@ -140,6 +140,14 @@ struct Facts {
     BuildFacts build = {};
 };
 
+// A driver, or the loader of drivers, as this system's files name it.
+struct InstalledDriver {
+    std::string api;          // "loader" for the loader
+    std::string file;         // that names it
+    std::string library;      // by its path, or by a name that the linker finds
+    std::string api_version;  // may be empty
+};
+
 class Backend {
 public:
     virtual ~Backend() = default;
@@ -148,6 +156,9 @@ public:
 
     // Asks no device.
     virtual Facts facts() const { return {}; }
+
+    // What its API's loader would open. Reads files, opens no driver.
+    virtual std::vector<InstalledDriver> installed_drivers() const { return {}; }
 
     // Why there is nothing to run on; nullopt if there is.
     virtual std::optional<std::string> unavailable() const = 0;

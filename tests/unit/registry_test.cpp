@@ -21,6 +21,10 @@ public:
 
     std::string_view name() const override { return name_; }
     Facts facts() const override { return facts_; }
+    std::vector<InstalledDriver> installed_drivers() const override
+    {
+        return {{"made", "made.icd", "libmade.so", "1"}};
+    }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {{"made", "", "", has_gpu_}}; }
     std::unique_ptr<Renderer> create(const RendererOptions&) const override { throw Unavailable("it draws nothing"); }
@@ -73,6 +77,7 @@ TEST(Facts, PassThroughTrialsAndIsolationWithoutADevice)
     expect_all(with_trials(std::make_unique<Made>("made", all_facts()))->facts());
     const auto isolated_one = isolated(with_trials(std::make_unique<Crashing>("made", all_facts())));
     expect_all(isolated_one->facts());
+    EXPECT_EQ(isolated_one->installed_drivers().at(0).library, "libmade.so");
     EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not asked for the facts";
     EXPECT_EQ(not_built("made")->facts().build.compiler, "");
 }
