@@ -42,18 +42,13 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         Ray ray = rays[lane];
         if (scene.canonical != 0) ray = counted(stage(Stage::refine), [&] { return refine(scene, ray); });
-        Operations of_normal;
+        Pixel pixel = counted(stage(Stage::shade), [&] { return missed(scene, ray); });
         if (has_hit(scene, ray)) {
             ++to.hits;
-            const real t = landing(scene, ray);
-            const real back = scene.canonical != 0 ? t * scene.tolerance : tolerance(scene, ray);
-            const vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-            counted(of_normal, [&] { return normal_at(scene, p, true); });
+            const ShadingPoint at = counted(stage(Stage::shade), [&] { return shading_point(scene, ray); });
+            const Normal normal = counted(stage(Stage::normal), [&] { return normal_at(scene, at.p, true); });
+            pixel = counted(stage(Stage::shade), [&] { return shade_with(scene, ray, pixel, at, normal); });
         }
-        Operations of_shade;
-        const Pixel pixel = counted(of_shade, [&] { return shade(scene, ray); });
-        stage(Stage::normal) = stage(Stage::normal) + of_normal;
-        stage(Stage::shade) = stage(Stage::shade) + (of_shade - of_normal);
         to.work.steps += static_cast<std::uint64_t>(pixel.steps);
         to.work.estimates += static_cast<std::uint64_t>(pixel.estimates);
         to.work.iterations += static_cast<std::uint64_t>(pixel.iterations);

@@ -88,11 +88,47 @@ FN Pixel missed(Scene scene, Ray ray)
 }
 
 // The normal n of a hit at t, but an eye in the solid sees no surface: in a canonical picture what it sees faces it.
-// shade() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
+// shade_with() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
     return n;
+}
+
+// Where a hit is shaded: at t, with the normal of p, one tolerance before it.
+struct ShadingPoint {
+    real t;
+    vec3 p;
+};
+
+FN ShadingPoint shading_point(Scene scene, Ray ray)
+{
+    ShadingPoint at;
+    at.t = landing(scene, ray);
+    real back = scene.tolerance * at.t;
+    if (scene.canonical == 0) back = tolerance(scene, ray);
+    at.p = along(point_at(scene, ray, at.t), ray.direction, -back);
+    return at;
+}
+
+// The pixel of a miss becomes that of a hit where the ray has hit, by the normal at its shading point.
+FN Pixel shade_with(Scene scene, Ray ray, Pixel pixel, ShadingPoint at, Normal normal)
+{
+    mask hit = has_hit(scene, ray);
+    if (scene.colouring > 1) {
+        vec3 n = facing(scene, ray.direction, normal.direction, at.t);
+        Look seen = look(scene, ray.direction, at.p, n, at.t, hit);
+        pixel.colour = pick3(hit, seen.colour, pixel.colour);
+        pixel.estimates = pixel.estimates + seen.estimates;
+        pixel.iterations = pixel.iterations + seen.iterations;
+    } else {
+        vec3 n = facing(scene, ray.direction, normal.direction, at.t);
+        pixel.colour = pick3(hit, lit(scene, ray.direction, n), pixel.colour);
+    }
+    pixel.depth = pick(hit, at.t, pixel.depth);
+    pixel.estimates = pixel.estimates + normal.estimates;
+    pixel.iterations = pixel.iterations + normal.iterations;
+    return pixel;
 }
 
 // A ray that has ended, to its pixel.
@@ -101,25 +137,9 @@ FN Pixel shade(Scene scene, Ray ray)
     mask hit = has_hit(scene, ray);
     Pixel pixel = missed(scene, ray);
     if (any(hit)) {
-        // The normal is taken one tolerance before the hit.
-        real t = landing(scene, ray);
-        real back = scene.tolerance * t;
-        if (scene.canonical == 0) back = tolerance(scene, ray);
-        vec3 p = along(point_at(scene, ray, t), ray.direction, -back);
-        Normal normal = normal_at(scene, p, hit);
-        if (scene.colouring > 1) {
-            vec3 n = facing(scene, ray.direction, normal.direction, t);
-            Look seen = look(scene, ray.direction, p, n, t, hit);
-            pixel.colour = pick3(hit, seen.colour, pixel.colour);
-            pixel.estimates = pixel.estimates + seen.estimates;
-            pixel.iterations = pixel.iterations + seen.iterations;
-        } else {
-            vec3 n = facing(scene, ray.direction, normal.direction, t);
-            pixel.colour = pick3(hit, lit(scene, ray.direction, n), pixel.colour);
-        }
-        pixel.depth = pick(hit, t, pixel.depth);
-        pixel.estimates = pixel.estimates + normal.estimates;
-        pixel.iterations = pixel.iterations + normal.iterations;
+        ShadingPoint at = shading_point(scene, ray);
+        Normal normal = normal_at(scene, at.p, hit);
+        pixel = shade_with(scene, ray, pixel, at, normal);
     }
     return pixel;
 }
