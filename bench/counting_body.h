@@ -42,18 +42,13 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         Hit hit = stopped(scene, rays[lane]);
         if (scene.canonical != 0) hit = counted(stage(Stage::refine), [&] { return refine(scene, hit); });
-        Operations of_normal;
+        Pixel pixel = counted(stage(Stage::shade), [&] { return missed(scene, hit); });
         if (is_hit(hit)) {
             ++to.hits;
-            const real t = landing(scene, hit);
-            const real back = (scene.canonical != 0 ? t : hit.t) * scene.tolerance;
-            const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
-            counted(of_normal, [&] { return normal_at(scene, p, true); });
+            const ShadingPoint at = counted(stage(Stage::shade), [&] { return shading_point(scene, hit); });
+            const Normal normal = counted(stage(Stage::normal), [&] { return normal_at(scene, at.p, true); });
+            pixel = counted(stage(Stage::shade), [&] { return shade_with(scene, hit, pixel, at, normal); });
         }
-        Operations of_shade;
-        const Pixel pixel = counted(of_shade, [&] { return shade(scene, hit); });
-        stage(Stage::normal) = stage(Stage::normal) + of_normal;
-        stage(Stage::shade) = stage(Stage::shade) + (of_shade - of_normal);
         to.work.steps += static_cast<std::uint64_t>(pixel.steps);
         to.work.estimates += static_cast<std::uint64_t>(pixel.estimates);
         to.work.iterations += static_cast<std::uint64_t>(pixel.iterations);

@@ -196,7 +196,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
         if (auto row = proven(*order[i], yardsticks, rules)) live.push_back(std::move(*row));
     }
     count_all(live, result, phase);
-    if (options.study == "profile") result.stages = profile(options, phase);
+    if (options.study == "profile") result.stages = profile(registry, options, phase);
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));

@@ -50,10 +50,8 @@ inline Hit traced_refine(const Scene& scene, Hit hit, Trace& trace)
 // The normal that shade() takes, one tolerance before the hit.
 inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 {
-    const real t = landing(scene, hit);
-    const real back = scene.canonical != 0 ? scene.tolerance * t : hit.t * scene.tolerance;
-    const vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
-    return three(facing(scene, hit.direction, normal_at(scene, p, true).direction, t));
+    const ShadingPoint at = shading_point(scene, hit);
+    return three(facing(scene, hit.direction, normal_at(scene, at.p, true).direction, at.t));
 }
 
 inline void trace_ray(const Scene& scene, Trace& trace)

@@ -2,18 +2,17 @@
 #include "backends/openmp/openmp.h"
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <vector>
 
+#include "backends/openmp/instructions.h"
 #include "backends/openmp/peak.h"
-#include "backends/openmp/spacing.h"
+#include "backends/openmp/picture.h"
 #include "backends/openmp/stack_size.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
@@ -47,17 +46,11 @@ class BandExecutor : public Executor {
 public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image,
                  std::span<ThreadMemory> memory, Notes<Real>& notes)
-        : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
+        : picture_(scene, options.mode, options.techniques, variant, notes),
           variant_(variant),
           image_(image),
           memory_(memory),
-          notes_(notes),
           threads_(options.threads),
-          lattices_(variant.pack > 1 ? openmp::lattices_of(scene_, *scene.fractal, options.techniques)
-                                     : openmp::all_at_once),
-          spacing_(openmp::spacing_of(scene_)),
-          cones_(openmp::cones_pay(scene_, *scene.fractal, options.techniques)),
-          block_hull_(openmp::block_hull_of(scene_, *scene.fractal)),
           chunk_(std::max(1, options.chunk))
     {
     }
@@ -65,37 +58,16 @@ public:
     void run(Entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
-        const std::size_t pixels = static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(scene_.width);
-        unsigned char* bytes = nullptr;
-        if (image_.has_values()) {
-            reals_.resize(std::max(reals_.size(), real_planes * pixels));
-            wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
-        } else {
-            bytes = image_.bytes().data() +
-                    3 * static_cast<std::size_t>(band.first_row) * static_cast<std::size_t>(scene_.width);
-        }
-        notes_.fit(scene_.width, band.rows);
+        const openmp::Target<Real> target = target_of(band);
         Work band_work;
-        openmp::Canvas<Real> canvas{.first_row = band.first_row,
-                                    .end_row = band.first_row + band.rows,
-                                    .pixels = static_cast<std::ptrdiff_t>(pixels),
-                                    .spacing = spacing_,
-                                    .cones = cones_,
-                                    .block_hull = block_hull_,
-                                    .lattice = {},
-                                    .starts = notes_.starts.data(),
-                                    .hits = notes_.hits.data(),
-                                    .reals = reals_.data(),
-                                    .wholes = wholes_.data(),
-                                    .bytes = bytes};
-        for (const openmp::Lattice& lattice : lattices_) {
-            canvas.lattice = lattice;
-            TileQueue queue(scene_.width, band, chunk_);
+        for (const openmp::Lattice& lattice : picture_.lattices()) {
+            const openmp::Canvas<Real> canvas = picture_.canvas(lattice, band, target);
+            TileQueue queue(image_.width(), band, chunk_);
 #pragma omp parallel num_threads(threads_) reduction(sum : band_work)
             {
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
                 TileQueue::Share share{queue};
-                const openmp::Spent spent = variant_.draw(&scene_, canvas, share.tiles(), memory);
+                const openmp::Spent spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
                 add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
             }
         }
@@ -105,17 +77,18 @@ public:
 
     bool marching(const Band&) override { return false; }
 
+    // Bytes are there already; planes become the image's values.
     void read_back(const Band& band, Image& image) override
     {
+        if (!image.has_values()) return;
         const Clock::time_point start = Clock::now();
-        const auto width = static_cast<std::size_t>(scene_.width);
-        const std::size_t pixels = static_cast<std::size_t>(band.rows) * width;
-        if (!image.has_values()) return;  // its bytes are there
+        const auto width = static_cast<std::size_t>(image.width());
+        const std::size_t pixels = Image::pixels(image.width(), band.rows);
 #pragma omp parallel for num_threads(threads_) schedule(dynamic)
         for (int row = 0; row < band.rows; ++row) {
             const std::size_t from = static_cast<std::size_t>(row) * width;
             const auto planes = planes_of(reals_.data() + from, wholes_.data() + from, pixels, width);
-            image.store(planes, 0, band.first_row + row, scene_.width, 1);
+            image.store(planes, 0, band.first_row + row, image.width(), 1);
         }
         timings.readback += seconds_since(start);
     }
@@ -124,16 +97,23 @@ public:
     Work work;
 
 private:
-    KernelScene<Real> scene_;
+    // Bytes go straight to the image.
+    openmp::Target<Real> target_of(const Band& band)
+    {
+        if (!image_.has_values()) {
+            return {.bytes = image_.bytes().data() + 3 * Image::pixels(image_.width(), band.first_row)};
+        }
+        const std::size_t pixels = Image::pixels(image_.width(), band.rows);
+        reals_.resize(std::max(reals_.size(), real_planes * pixels));
+        wholes_.resize(std::max(wholes_.size(), whole_planes * pixels));
+        return {.reals = reals_.data(), .wholes = wholes_.data()};
+    }
+
+    openmp::Picture<Real> picture_;
     const Variant<Real>& variant_;
     Image& image_;
     std::span<ThreadMemory> memory_;  // each thread's
-    Notes<Real>& notes_;
     int threads_;
-    openmp::Lattices lattices_;
-    Real spacing_;
-    bool cones_;
-    Real block_hull_;
     int chunk_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
@@ -144,41 +124,11 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
-// An instruction set by its maker's name; Highway calls AVX-512 AVX3.
-std::string usual_name(std::string_view highway)
-{
-    constexpr std::string_view avx3 = "AVX3";
-    if (!highway.starts_with(avx3)) return std::string(highway);
-    return fmt::format("AVX-512{}", highway.substr(avx3.size()));
-}
-
-// MANDELMARCH_INSTRUCTIONS in the environment takes a smaller instruction set than the machine's best: SSE4, AVX2 or
-// AVX-512, Highway's names too. Empty counts as not set.
-void choose_instructions()
-{
-    const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
-    hwy::SetSupportedTargetsForTest(0);  // what the machine has
-    if (wanted == nullptr || *wanted == '\0') return;
-    std::string known;
-    for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
-        const std::int64_t target = rest & -rest;
-        const std::string name = usual_name(hwy::TargetName(target));
-        if (name == wanted || std::string_view(hwy::TargetName(target)) == wanted) {
-            hwy::SetSupportedTargetsForTest(target);
-            return;
-        }
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-    }
-    throw InputError(
-        fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
-}
-
 class OpenmpRenderer : public Renderer {
 public:
-    explicit OpenmpRenderer(const RendererOptions& options) : options_(options)
+    explicit OpenmpRenderer(const RendererOptions& options) : options_(options), targets_(openmp::instructions())
     {
         openmp::check_stack_size();
-        choose_instructions();
         if (options_.threads == 0) options_.threads = omp_get_num_procs();
         memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));
     }
@@ -205,7 +155,7 @@ private:
                             .mode = options_.mode,
                             .threads = options_.threads,
                             .pack = variant.pack,
-                            .instruction_set = usual_name(variant.instruction_set),
+                            .instruction_set = openmp::usual_name(variant.instruction_set),
                             .timings = executor.timings,
                             .work = executor.work};
         report.timings.wall = seconds_since(start);
@@ -215,7 +165,7 @@ private:
     template <class Real>
     Variant<Real> choose(const Scene& scene, bool counted) const
     {
-        auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode);
+        auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode, targets_);
         if (counted) std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
         if (options_.pack == 0) return variants.back();
         const auto of_width =
@@ -231,6 +181,7 @@ private:
     }
 
     RendererOptions options_;
+    std::int64_t targets_;
     std::vector<ThreadMemory> memory_;
     std::tuple<Notes<float>, Notes<double>> notes_;
 };

@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include "backends/openmp/instructions.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/render/peak.h"
@@ -11,7 +12,8 @@ namespace mandelmarch::openmp {
 
 double multiply_add_peak(Precision precision, int threads)
 {
-    const PeakKernel kernel = precision == Precision::f32 ? peak_kernel_float() : peak_kernel_double();
+    const PeakKernel kernel =
+        precision == Precision::f32 ? peak_kernel_float(instructions()) : peak_kernel_double(instructions());
     const int team = threads == 0 ? omp_get_num_procs() : threads;
     const PeakRun run = [&](int rounds) {
         const auto start = Clock::now();

@@ -2,6 +2,8 @@
 // The multiply-add peak of this machine's cores, in SIMD registers.
 #pragma once
 
+#include <cstdint>
+
 #include "core/render/backend.h"
 
 namespace mandelmarch::openmp {
@@ -13,8 +15,8 @@ struct PeakKernel {
     double (*run)(int rounds);
 };
 
-PeakKernel peak_kernel_float();
-PeakKernel peak_kernel_double();
+PeakKernel peak_kernel_float(std::int64_t targets);
+PeakKernel peak_kernel_double(std::int64_t targets);
 
 // Operations per second of `threads` threads (0: one a core).
 double multiply_add_peak(Precision precision, int threads);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <new>
 #include <utility>
-#include <vector>
 
 #include "backends/openmp/variant.h"
 #include "core/image/tile.h"
@@ -81,21 +80,6 @@ private:
     int first_row_;
     int chunk_;
     std::atomic<int> taken_ = 0;
-};
-
-// What the rays of a picture's rows leave for later ones (Canvas::starts and hits), kept from picture to picture.
-template <class Real>
-struct Notes {
-    std::vector<Real> starts;
-    std::vector<Real> hits;
-
-    void fit(int width, int rows)
-    {
-        const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
-        const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
-        if (starts.size() < sides(width) * sides(rows)) starts.resize(sides(width) * sides(rows));
-        if (hits.size() < pixels / 2 + 1) hits.resize(pixels / 2 + 1);
-    }
 };
 
 }  // namespace mandelmarch::openmp

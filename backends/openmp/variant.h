@@ -48,13 +48,20 @@ struct Tiles {
 template <class Real>
 using DrawTiles = Spent (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
 
+// The same with a clock between the stages, in seconds; adds those of each stage (stage.h) to `seconds`.
+template <class Real>
+using ProfileTiles = void (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory,
+                              double (*clock)(), double* seconds);
+
 template <class Real>
 struct Variant {
     const char* instruction_set;
     int pack;      // pixels at once
     bool counted;  // whether it counts work and can store planes
     DrawTiles<Real> draw;
-    std::size_t memory;  // bytes that each thread needs, aligned to 64
+    std::size_t memory;                    // bytes that each thread needs, aligned to 64
+    ProfileTiles<Real> profile = nullptr;  // the best variant's; it has the picture of `draw`
+    std::size_t profile_memory = 0;
 };
 
 // Every variant in packs of one fractal, precision and mode that this machine can run, the best last.

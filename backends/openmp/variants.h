@@ -2,16 +2,18 @@
 // Finds variants. variants.cpp is generated from the lists of fractals, precisions and modes.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "backends/openmp/instructions.h"
 #include "backends/openmp/variant.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::openmp {
 
-// The variants of a fractal that this machine can run: the scalar one first, the best last.
+// The variants of a fractal for some instruction sets: the scalar one first, the best last.
 template <class Real>
-std::vector<Variant<Real>> variants_of(std::string_view fractal, Mode mode);
+std::vector<Variant<Real>> variants_of(std::string_view fractal, Mode mode, std::int64_t targets = instructions());
 
 }  // namespace mandelmarch::openmp

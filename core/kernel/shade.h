@@ -88,11 +88,47 @@ FN Pixel missed(Scene scene, Hit hit)
 }
 
 // The normal n of a hit at t, but an eye in the solid sees no surface: in a canonical picture what it sees faces it.
-// shade() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
+// shade_with() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
     return n;
+}
+
+// Where a hit is shaded: at t, with the normal of p, one tolerance before it.
+struct ShadingPoint {
+    real t;
+    vec3 p;
+};
+
+FN ShadingPoint shading_point(Scene scene, Hit hit)
+{
+    ShadingPoint at;
+    at.t = landing(scene, hit);
+    real back = scene.tolerance * at.t;
+    if (scene.canonical == 0) back = hit.t * scene.tolerance;
+    at.p = along(along(wide(scene.eye), hit.direction, at.t), hit.direction, -back);
+    return at;
+}
+
+// The pixel of a miss becomes that of a hit where there is one, by the normal at its shading point.
+FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
+{
+    mask on = is_hit(hit);
+    if (scene.colouring > 1) {
+        vec3 n = facing(scene, hit.direction, normal.direction, at.t);
+        Look seen = look(scene, hit.direction, at.p, n, at.t, on);
+        pixel.colour = pick3(on, seen.colour, pixel.colour);
+        pixel.estimates = pixel.estimates + seen.estimates;
+        pixel.iterations = pixel.iterations + seen.iterations;
+    } else {
+        vec3 n = facing(scene, hit.direction, normal.direction, at.t);
+        pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);
+    }
+    pixel.depth = pick(on, at.t, pixel.depth);
+    pixel.estimates = pixel.estimates + normal.estimates;
+    pixel.iterations = pixel.iterations + normal.iterations;
+    return pixel;
 }
 
 // The pixel of a ray that marches no more.
@@ -101,25 +137,9 @@ FN Pixel shade(Scene scene, Hit hit)
     mask on = is_hit(hit);
     Pixel pixel = missed(scene, hit);
     if (any(on)) {
-        // The normal is taken one tolerance before the hit.
-        real t = landing(scene, hit);
-        real back = scene.tolerance * t;
-        if (scene.canonical == 0) back = hit.t * scene.tolerance;
-        vec3 p = along(along(wide(scene.eye), hit.direction, t), hit.direction, -back);
-        Normal normal = normal_at(scene, p, on);
-        if (scene.colouring > 1) {
-            vec3 n = facing(scene, hit.direction, normal.direction, t);
-            Look seen = look(scene, hit.direction, p, n, t, on);
-            pixel.colour = pick3(on, seen.colour, pixel.colour);
-            pixel.estimates = pixel.estimates + seen.estimates;
-            pixel.iterations = pixel.iterations + seen.iterations;
-        } else {
-            vec3 n = facing(scene, hit.direction, normal.direction, t);
-            pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);
-        }
-        pixel.depth = pick(on, t, pixel.depth);
-        pixel.estimates = pixel.estimates + normal.estimates;
-        pixel.iterations = pixel.iterations + normal.iterations;
+        ShadingPoint at = shading_point(scene, hit);
+        Normal normal = normal_at(scene, at.p, on);
+        pixel = shade_with(scene, hit, pixel, at, normal);
     }
     return pixel;
 }

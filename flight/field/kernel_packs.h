@@ -72,7 +72,6 @@ void casts(const void* data, Points from, Points along_, Reach reach, std::size_
 }
 
 #include "core/kernel/prelude/undefine.h"
-#undef EACH_REGISTER
 
 Kernel kernel() { return {pack_lanes, distances, casts}; }
 

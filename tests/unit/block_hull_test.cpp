@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp paints blocks that no ray of can meet the hull, and draws the same bytes as where it asks every ray.
+// openmp paints blocks of which no ray can meet the hull, and draws the same bytes as where it asks every ray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
-#include <new>
-#include <type_traits>
+#include <vector>
 
-#include "backends/openmp/spacing.h"
+#include "backends/openmp/picture.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/render/kernel_scene.h"
@@ -16,27 +14,6 @@
 
 namespace mandelmarch {
 namespace {
-
-// All tiles of a picture, in rows.
-struct TileList {
-    int width;
-    int height;
-    int at = 0;
-
-    static bool next(void* source, int& left, int& bottom)
-    {
-        auto& list = *static_cast<TileList*>(source);
-        const int columns = (list.width + tile_side - 1) / tile_side;
-        left = list.at % columns * tile_side;
-        bottom = list.at / columns * tile_side;
-        ++list.at;
-        return bottom < list.height;
-    }
-};
-
-struct Freed {
-    void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
-};
 
 template <class Real>
 struct Drawn {
@@ -48,29 +25,20 @@ struct Drawn {
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
-    const auto kernel = kernel_scene<KernelScene<Real>>(scene, mode, {});
     const auto variants = openmp::variants_of<Real>(scene.fractal->name, mode);
     const auto& variant = *std::ranges::find_if(variants.rbegin(), variants.rend(), &openmp::Variant<Real>::counted);
-    const std::unique_ptr<void, Freed> memory(::operator new (variant.memory, std::align_val_t{64}));
     Drawn<Real> drawn;
-    drawn.bytes.resize(3 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+    drawn.bytes.resize(3 * Image::pixels(scene.width, scene.height));
     openmp::Notes<Real> notes;
-    notes.fit(scene.width, scene.height);
-    const openmp::Canvas<Real> canvas{
-        .first_row = 0,
-        .end_row = scene.height,
-        .pixels = static_cast<std::ptrdiff_t>(scene.width) * scene.height,
-        .spacing = openmp::spacing_of(kernel),
-        .cones = false,  // they begin at the block hull, which changes where samples are
-        .block_hull = static_cast<Real>(share) * openmp::block_hull_of(kernel, *scene.fractal),
-        .lattice = {0, 1},
-        .starts = notes.starts.data(),
-        .hits = notes.hits.data(),
-        .reals = nullptr,
-        .wholes = nullptr,
-        .bytes = drawn.bytes.data()};
-    TileList tiles{scene.width, scene.height};
-    drawn.spent = variant.draw(&kernel, canvas, {TileList::next, &tiles}, memory.get());
+    openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
+    const Band band{.first_row = 0, .rows = scene.height};
+    openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});
+    canvas.cones = false;  // they begin at the block hull, which changes where samples are
+    canvas.block_hull *= static_cast<Real>(share);
+    openmp::TileQueue queue(scene.width, band, 1);
+    openmp::TileQueue::Share tiles{queue};
+    openmp::ThreadMemory memory;
+    drawn.spent = variant.draw(&picture.kernel_scene(), canvas, tiles.tiles(), memory.of_size(variant.memory));
     return drawn;
 }
 

@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
-#include <new>
 #include <vector>
 
 #include "backends/all.h"
-#include "backends/openmp/spacing.h"
+#include "backends/openmp/picture.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/image/compare.h"
-#include "core/render/kernel_scene.h"
 #include "core/render/registry.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
@@ -27,10 +24,6 @@ using openmp::Notes;
 
 constexpr float not_drawn = -7;  // no depth
 
-struct Freed {
-    void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
-};
-
 // Without vectors the scalar text draws all at once.
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
@@ -39,35 +32,23 @@ class Drawn {
 public:
     explicit Drawn(const Scene& scene)
         : scene_(scene),
-          kernel_(kernel_scene<layout_f32::Scene>(scene, Mode::fast, {})),
-          pixels_(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)),
+          variant_(counted_packs(scene)),
+          picture_(scene, Mode::fast, {}, variant_, notes),
+          pixels_(Image::pixels(scene.width, scene.height)),
           reals_(real_planes * pixels_, not_drawn),
           wholes_(whole_planes * pixels_)
     {
-        notes.fit(scene.width, scene.height);
     }
 
     void draw(Lattice lattice)
     {
-        const auto variants = openmp::variants_of<float>(scene_.fractal->name, Mode::fast);
-        const auto& variant = *std::ranges::find_if(variants.rbegin(), variants.rend(),
-                                                    [](const auto& one) { return one.counted && one.pack > 1; });
-        const std::unique_ptr<void, Freed> memory(::operator new (variant.memory, std::align_val_t{64}));
-        const openmp::Canvas<float> canvas{.first_row = 0,
-                                           .end_row = scene_.height,
-                                           .pixels = static_cast<std::ptrdiff_t>(pixels_),
-                                           .spacing = openmp::spacing_of(kernel_),
-                                           .cones = openmp::cones_pay(kernel_, *scene_.fractal, {}),
-                                           .block_hull = openmp::block_hull_of(kernel_, *scene_.fractal),
-                                           .lattice = lattice,
-                                           .starts = notes.starts.data(),
-                                           .hits = notes.hits.data(),
-                                           .reals = reals_.data(),
-                                           .wholes = wholes_.data(),
-                                           .bytes = nullptr};
-        openmp::TileQueue queue(scene_.width, {0, scene_.height}, 1);
+        const Band band{.first_row = 0, .rows = scene_.height};
+        const openmp::Canvas<float> canvas =
+            picture_.canvas(lattice, band, {.reals = reals_.data(), .wholes = wholes_.data()});
+        openmp::TileQueue queue(scene_.width, band, 1);
         openmp::TileQueue::Share share{queue};
-        steps_ += variant.draw(&kernel_, canvas, share.tiles(), memory.get()).steps;
+        openmp::ThreadMemory memory;
+        steps_ += variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory.of_size(variant_.memory)).steps;
     }
 
     float depth(int x, int y) const
@@ -95,8 +76,16 @@ public:
     Notes<float> notes;
 
 private:
+    static openmp::Variant<float> counted_packs(const Scene& scene)
+    {
+        const auto variants = openmp::variants_of<float>(scene.fractal->name, Mode::fast);
+        return *std::ranges::find_if(variants.rbegin(), variants.rend(),
+                                     [](const auto& one) { return one.counted && one.pack > 1; });
+    }
+
     Scene scene_;
-    layout_f32::Scene kernel_;
+    openmp::Variant<float> variant_;
+    openmp::Picture<float> picture_;
     std::size_t pixels_;
     std::vector<float> reals_;
     std::vector<int> wholes_;

@@ -14,7 +14,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 #define FN_CALLED HWY_API
 #endif
 // Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
-#undef MM_IN_REGISTER
 #define MM_IN_REGISTER(number, ...) \
     {                               \
         constexpr int u = number;   \

@@ -15,4 +15,6 @@
 #undef MM_HAS_ROUGH
 #undef over_root
 #undef MM_NEAREST
+#undef EACH_REGISTER
+#undef MM_IN_REGISTER
 #undef while

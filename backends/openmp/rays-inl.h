@@ -1,5 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs of rays and of hits to and from pools. Included by samples.h, in its namespace; no guard.
+// Packs of rays and of hits to and from pools.
+
+// Guard: once for each pack.
+#if defined(MM_RAYS_INL_H) == defined(MM_PACK_TOGGLE)
+#ifdef MM_RAYS_INL_H
+#undef MM_RAYS_INL_H
+#else
+#define MM_RAYS_INL_H
+#endif
+
+#include <cstddef>
+
+#include "backends/openmp/pack-inl.h"
+#include "backends/openmp/ray_pool.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
@@ -16,10 +35,6 @@ struct Arrival {
     Hit hit;
     whole pixel;
 };
-
-// Lambdas that stay calls cost more than what they do.
-#undef MM_INLINED
-#define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 
 // Some of a Traveller's or an Arrival's fields, a bit for the number of each.
 struct Fields {
@@ -164,7 +179,6 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 }
 
 // Where compressing is one instruction it is cheapest in place; elsewhere it is too much code for every place.
-#undef MM_APPEND
 #if HWY_TARGET <= HWY_AVX3
 #define MM_APPEND HWY_INLINE
 #else
@@ -216,3 +230,10 @@ HWY_INLINE whole lane_numbers()
     EACH_REGISTER(a.of[u] = hn::Iota(Wholes(), static_cast<Int>(u * register_lanes));)
     return a;
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

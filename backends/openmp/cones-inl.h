@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cones before rays: how far the rays of a block can go together, Included by pool.h, in its
-// namespace; no guard.
+// Cones before rays: how far the rays of a block can go together.
 
-constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
+// Guard: once for each pack with pools.
+#if defined(MM_CONES_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_CONES_INL_H
+#undef MM_CONES_INL_H
+#else
+#define MM_CONES_INL_H
+#endif
 
-// What stands at each lane's place.
-template <class D>
-HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> places)
-{
-    return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
-}
+#include "backends/openmp/blocks-inl.h"
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/passes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 HWY_INLINE void count_cones(const effort& estimates, const effort& iterations, const mask& on, Spent& spent)
 {
@@ -65,3 +73,10 @@ HWY_NOINLINE void march_cones(Drawing& d)
             [&](Traveller& a, const mask& stopped) MM_INLINED { end_cones(d, a, stopped); });
     }
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,5 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays begin: those of some tiles, after the cones of their blocks. Included by pool.h, in its namespace; no guard.
+// Rays begin: those of some tiles, after the cones of their blocks.
+
+// Guard: once for each pack with pools.
+#if defined(MM_BEGIN_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_BEGIN_INL_H
+#undef MM_BEGIN_INL_H
+#else
+#define MM_BEGIN_INL_H
+#endif
+
+#include <cstddef>
+
+#include "backends/openmp/blocks-inl.h"
+#include "backends/openmp/cones-inl.h"
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/sites-inl.h"
+#include "core/image/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
+
+constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
 // Where cones of blocks end, to Canvas::starts, for the first call of a picture; and paints the blocks where no ray
 // hits.
@@ -134,3 +158,10 @@ HWY_NOINLINE bool begin_tiles(Drawing& d)
     }
     return more;
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,5 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finished pixels, from packs to the canvas. Included by samples.h, in its namespace; no guard.
+// Finished pixels, from packs to the canvas.
+
+// Guard: once for each pack.
+#if defined(MM_PIXELS_INL_H) == defined(MM_PACK_TOGGLE)
+#ifdef MM_PIXELS_INL_H
+#undef MM_PIXELS_INL_H
+#else
+#define MM_PIXELS_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "backends/openmp/rays-inl.h"
+#include "backends/openmp/variant.h"
+#include "core/image/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 // The lanes that are on, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
@@ -108,3 +129,10 @@ HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const 
     static_cast<void>(spent);
 #endif
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pools ask of a pack width: samples, and finished pixels. Included in a namespace of its own, with MM_REGISTERS,
-// the registers of a pack; no guard.
-#include "core/kernel/prelude/pack.h"
-#include "core/kernel/text.h"
+// What pools ask of a pack width: samples, and finished pixels.
 
-// Each of these needs the one before.
-#include "backends/openmp/rays.h"
+// Guard: once for each pack.
+#if defined(MM_SAMPLES_INL_H) == defined(MM_PACK_TOGGLE)
+#ifdef MM_SAMPLES_INL_H
+#undef MM_SAMPLES_INL_H
+#else
+#define MM_SAMPLES_INL_H
+#endif
 
-#include "backends/openmp/pixels.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
+#include "backends/openmp/width-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 // The next sample of each ray or hit of a pack that is on; `on` has a mask for each register.
 HWY_NOINLINE void probe_pack(const void* data, const Pool& pool, int from, const hn::Mask<Reals>* on,
@@ -37,3 +47,10 @@ HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, cons
 }
 
 constexpr Width width{MM_REGISTERS, probe_pack, shade_rays};
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,5 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of pixels whose rays begin together. Included by pool.h, in its namespace; no guard.
+// Blocks of pixels whose rays begin together.
+
+// Guard: once for each pack with pools.
+#if defined(MM_BLOCKS_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_BLOCKS_INL_H
+#undef MM_BLOCKS_INL_H
+#else
+#define MM_BLOCKS_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "core/image/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 constexpr int block_pixels = block_side * block_side;
 constexpr int tile_blocks = tile_pixels / block_pixels;
@@ -66,3 +87,10 @@ HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& 
 
 // True where a block of background needs no rays: it is of one colour, and nothing but bytes is asked for.
 HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

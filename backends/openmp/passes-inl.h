@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done to all rays of a pool: marching, refining, shading. Included by pool.h, in its namespace; no guard.
+// What is done to all rays of a pool: marching, refining, shading.
 
-// Empty pools. A look at a hit, and differences, take samples of their own, which want wide packs.
-HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, Pools& pools,
-                           const Width& wide)
-{
-    pools.refining = pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
-    const bool sampling = scene.colouring > 1 || scene.differences != 0;
-    Scene around_blocks = scene;
-    around_blocks.hull = canvas.block_hull;
-    return {scene, around_blocks, canvas, tiles, pools, wide, sampling ? wide : width, {0, 0, 0}};
-}
+// Guard: once for each pack with pools.
+#if defined(MM_PASSES_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_PASSES_INL_H
+#undef MM_PASSES_INL_H
+#else
+#define MM_PASSES_INL_H
+#endif
+
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 // The lanes of a pack that are on, a mask for each of its registers.
 struct PackLanes {
@@ -202,3 +209,10 @@ HWY_INLINE void march_pool(Drawing& d)
         march_rays<false>(d);
     }
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,5 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays begin together at the sites of a square. Included by pool.h, in its namespace; no guard.
+// Rays begin together at the sites of a square.
+
+// Guard: once for each pack with pools.
+#if defined(MM_SITES_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_SITES_INL_H
+#undef MM_SITES_INL_H
+#else
+#define MM_SITES_INL_H
+#endif
+
+#include "backends/openmp/blocks-inl.h"
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/passes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
 
 // Pixels of a square, `across` x `across` of them, `apart` from each other.
 struct Sites {
@@ -13,6 +31,13 @@ struct Sites {
     int across() const { return 1 << log2_across; }
     int count() const { return 1 << 2 * log2_across; }
 };
+
+// What stands at each lane's place.
+template <class D>
+HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> places)
+{
+    return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
+}
 
 // The places in the picture of a square's columns or rows.
 struct Places {
@@ -85,3 +110,10 @@ HWY_NOINLINE void begin_sites(Drawing& d, const Sites& sites, bool painted)
         }
     }
 }
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture on its way: the kernel's scene, what follows from it for every canvas, and the canvases.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "backends/openmp/spacing.h"
+#include "backends/openmp/variant.h"
+#include "core/render/backend.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/schedule.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::openmp {
+
+// What the rays of a picture's rows leave for later ones (Canvas::starts and hits), kept from picture to picture.
+template <class Real>
+struct Notes {
+    std::vector<Real> starts;
+    std::vector<Real> hits;
+
+    void fit(int width, int rows)
+    {
+        const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
+        const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+        if (starts.size() < sides(width) * sides(rows)) starts.resize(sides(width) * sides(rows));
+        if (hits.size() < pixels / 2 + 1) hits.resize(pixels / 2 + 1);
+    }
+};
+
+// Where a band's pixels go: `bytes`, or, where that is null, planes.
+template <class Real>
+struct Target {
+    unsigned char* bytes = nullptr;
+    Real* reals = nullptr;
+    int* wholes = nullptr;
+};
+
+template <class Real>
+class Picture {
+public:
+    Picture(const Scene& scene, Mode mode, const Techniques& techniques, const Variant<Real>& variant,
+            Notes<Real>& notes)
+        : scene_(mandelmarch::kernel_scene<KernelScene<Real>>(scene, mode, techniques)),
+          notes_(notes),
+          lattices_(variant.pack > 1 ? lattices_of(scene_, *scene.fractal, techniques) : all_at_once),
+          spacing_(spacing_of(scene_)),
+          cones_(cones_pay(scene_, *scene.fractal, techniques)),
+          block_hull_(block_hull_of(scene_, *scene.fractal))
+    {
+    }
+
+    const KernelScene<Real>& kernel_scene() const { return scene_; }
+    // In which its pixels are drawn, one after the other.
+    const Lattices& lattices() const { return lattices_; }
+
+    // A lattice of a band. All lattices of one band come before those of another.
+    Canvas<Real> canvas(const Lattice& lattice, const Band& band, const Target<Real>& target)
+    {
+        notes_.fit(scene_.width, band.rows);
+        return {.first_row = band.first_row,
+                .end_row = band.first_row + band.rows,
+                .pixels = static_cast<std::ptrdiff_t>(scene_.width) * band.rows,
+                .spacing = spacing_,
+                .cones = cones_,
+                .block_hull = block_hull_,
+                .lattice = lattice,
+                .starts = notes_.starts.data(),
+                .hits = notes_.hits.data(),
+                .reals = target.reals,
+                .wholes = target.wholes,
+                .bytes = target.bytes};
+    }
+
+private:
+    KernelScene<Real> scene_;
+    Notes<Real>& notes_;
+    Lattices lattices_;
+    Real spacing_;
+    bool cones_;
+    Real block_hull_;
+};
+
+}  // namespace mandelmarch::openmp

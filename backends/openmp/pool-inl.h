@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scheduler around the text that keeps lanes busy. Included in a namespace of its own, with MM_REGISTERS 1; no
+// guard.
+//
+// A pool of rays, structure of arrays, is marched some steps at a time, and the rays that go on are stored without
+// gaps. Rays that hit wait in a second pool until whole packs of them can be refined and shaded. When the first pool
+// runs low it takes the rays of another tile. No lane waits for a slow neighbour but within one call of the estimator.
+//
+// All of it handles one register at a time, which leaves values in registers, but for samples: there the registers of a
+// wide pack hide each other's latency.
+
+// Guard: once for each pack with pools.
+#if defined(MM_POOL_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_POOL_INL_H
+#undef MM_POOL_INL_H
+#else
+#define MM_POOL_INL_H
+#endif
+
+#include "backends/openmp/begin-inl.h"
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/passes-inl.h"
+#include "backends/openmp/stage.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
+
+// What draw_tiles() says after each pass: nothing listens.
+struct NoClock {
+    HWY_INLINE void after(Drawing&, Stage) const {}
+    HWY_INLINE void finish(Drawing& d) const { shade_pool(d, true); }
+};
+
+// Draws tiles until there are no more; `clock` hears of each pass and shades what is left.
+template <class Clock>
+HWY_INLINE void draw_with(Drawing& d, Clock clock)
+{
+    bool more = true;
+    while (more || d.pools.marching.size > 0) {
+        more = more && begin_tiles(d);
+        clock.after(d, Stage::begin);
+        march_pool(d);
+        clock.after(d, Stage::march);
+        while (d.pools.hits.size > pool_rays / 2) {
+            refine_pool(d);
+            clock.after(d, Stage::refine);
+        }
+    }
+    while (d.pools.hits.size > 0) {
+        refine_pool(d);
+        clock.after(d, Stage::refine);
+    }
+    clock.finish(d);
+}
+
+HWY_MAYBE_UNUSED Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory,
+                                  const Width& wide)
+{
+    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, *static_cast<Pools*>(memory), wide);
+    draw_with(d, NoClock());
+    return d.spent;
+}
+
+// The same with samples in packs of one width.
+template <const Width& wide>
+Spent draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+{
+    return draw_tiles(scene, canvas, tiles, memory, wide);
+}
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

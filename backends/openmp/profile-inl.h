@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// The profile: tiles as pool-inl.h draws them, with a clock between the stages. Hits are shaded in three passes, so
+// that each can be timed.
+
+// Guard: once for each pack with pools.
+#if defined(MM_PROFILE_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_PROFILE_INL_H
+#undef MM_PROFILE_INL_H
+#else
+#define MM_PROFILE_INL_H
+#endif
+
+#include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/passes-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/pool-inl.h"
+#include "backends/openmp/stage.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
+
+constexpr int most_packs = pool_rays / pack_lanes + 2;
+
+// A thread's memory for a profile.
+struct ProfileMemory {
+    Pools pools;
+    Normal normals[most_packs];
+    Pixel pixels[most_packs];
+};
+
+// A pack of finished hits; lanes beyond the last one hit nothing.
+HWY_INLINE Hit finished(const Drawing& d, int pack)
+{
+    const Pool& ended = d.pools.ended;
+    Hit hit = load<Arrival, arrived>(ended, pack * pack_lanes).hit;
+    hit.state = pick(first_lanes(ended.size - pack * pack_lanes), hit.state, no_hit());
+    return hit;
+}
+
+// The three passes of shading, out of line: a call for thousands of rays.
+HWY_NOINLINE HWY_MAYBE_UNUSED void take_normals(const Drawing& d, int packs, Normal* normals)
+{
+    for (int k = 0; k < packs; ++k) {
+        const Hit hit = finished(d, k);
+        normals[k] = normal_at(d.scene, shading_point(d.scene, hit).p, is_hit(hit));
+    }
+}
+
+HWY_NOINLINE HWY_MAYBE_UNUSED void shade_packs(const Drawing& d, int packs, const Normal* normals, Pixel* pixels)
+{
+    for (int k = 0; k < packs; ++k) {
+        const Hit hit = finished(d, k);
+        pixels[k] = shade_with(d.scene, hit, missed(d.scene, hit), shading_point(d.scene, hit), normals[k]);
+    }
+}
+
+HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixel* pixels)
+{
+    const Pool& ended = d.pools.ended;
+    for (int k = 0; k < packs; ++k) {
+        const whole places = load<Arrival, arrived>(ended, k * pack_lanes).pixel;
+        store_pixels(pixels[k], places, first_lanes(ended.size - k * pack_lanes), d.canvas, d.spent);
+    }
+}
+
+// Times the passes, and shades what has ended before a pass of refinement has to, but for rare rays.
+class StageClock {
+public:
+    StageClock(ProfileMemory& memory, double (*now)(), double* seconds)
+        : memory_(memory), now_(now), seconds_(seconds), last_(now())
+    {
+    }
+
+    void after(Drawing& d, Stage stage)
+    {
+        took(stage);
+        if (d.pools.ended.size > pool_rays / 4) shade(d, d.pools.ended.size / pack_lanes);
+    }
+
+    void finish(Drawing& d) { shade(d, (d.pools.ended.size + pack_lanes - 1) / pack_lanes); }
+
+private:
+    void took(Stage stage)
+    {
+        const double here = now_();
+        seconds_[static_cast<int>(stage)] += here - last_;
+        last_ = here;
+    }
+
+    void shade(Drawing& d, int packs)
+    {
+        take_normals(d, packs, memory_.normals);
+        took(Stage::normal);
+        shade_packs(d, packs, memory_.normals, memory_.pixels);
+        took(Stage::shade);
+        store_packs(d, packs, memory_.pixels);
+        keep_rest(d.pools.ended, packs * pack_lanes);
+        took(Stage::output);
+    }
+
+    ProfileMemory& memory_;
+    double (*now_)();
+    double* seconds_;
+    double last_;
+};
+
+// Draws tiles until there are no more, with samples in packs of one width.
+template <const Width& wide>
+void profile(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*clock)(),
+             double* seconds)
+{
+    ProfileMemory& memory = *static_cast<ProfileMemory*>(at);
+    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, memory.pools, wide);
+    draw_with(d, StageClock(memory, clock, seconds));
+}
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif

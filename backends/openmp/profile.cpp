@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "backends/openmp/profile.h"
+
+#include <chrono>
+
+#include "backends/openmp/picture.h"
+#include "backends/openmp/threads.h"
+#include "backends/openmp/variants.h"
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+
+namespace mandelmarch::openmp {
+namespace {
+
+double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+template <class Real>
+class ProfilerOf : public Profiler {
+public:
+    ProfilerOf(const Scene& scene, Mode mode)
+        : variant_(variants_of<Real>(scene.fractal->name, mode).back()), picture_(scene, mode, {}, variant_, notes_)
+    {
+        if (variant_.profile == nullptr)
+            throw Unavailable("backend openmp: it has no packs on this machine, only scalars");
+    }
+
+    StageSeconds draw(Image& image) override
+    {
+        StageSeconds seconds;
+        void* const profile_memory = profile_memory_.of_size(variant_.profile_memory);
+        each_lattice(image, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
+            variant_.profile(&picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
+        });
+        // The same picture once more, elsewhere: what was profiled stays.
+        Image whole(image.width(), image.height(), Image::Layers::bytes);
+        void* const memory = memory_.of_size(variant_.memory);
+        const double start = now();
+        each_lattice(whole, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
+            variant_.draw(&picture_.kernel_scene(), canvas, tiles, memory);
+        });
+        seconds.in_one_go = now() - start;
+        return seconds;
+    }
+
+private:
+    template <class Draw>
+    void each_lattice(Image& image, Draw draw)
+    {
+        const Band band{.first_row = 0, .rows = image.height()};
+        for (const Lattice& lattice : picture_.lattices()) {
+            TileQueue queue(image.width(), band, 1);
+            TileQueue::Share share{queue};
+            draw(picture_.canvas(lattice, band, {.bytes = image.bytes().data()}), share.tiles());
+        }
+    }
+
+    Variant<Real> variant_;
+    Notes<Real> notes_;
+    Picture<Real> picture_;
+    ThreadMemory profile_memory_;
+    ThreadMemory memory_;
+};
+
+}  // namespace
+
+std::unique_ptr<Profiler> make_profiler(const Scene& scene, Precision precision, Mode mode)
+{
+    if (precision == Precision::f32) return std::make_unique<ProfilerOf<float>>(scene, mode);
+    return std::make_unique<ProfilerOf<double>>(scene, mode);
+}
+
+}  // namespace mandelmarch::openmp

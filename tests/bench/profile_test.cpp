@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The profile draws openmp's own picture, and says so in one line where it does not.
+#include "bench/profile.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "backends/all.h"
+#include "backends/openmp/openmp.h"
+#include "backends/openmp/profile.h"
+#include "backends/openmp/variants.h"
+#include "core/base/error.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+bool has_packs() { return openmp::variants_of<float>("mandelbox", Mode::fast).back().pack > 1; }
+
+// Every look, scenes whose eye is in the solid, and sides that are no whole number of tiles.
+std::vector<NamedScene> scenes()
+{
+    std::vector<NamedScene> all = odd_scenes();
+    for (const char* name : {"bulb", "box", "julia"}) {
+        for (const int colouring : {0, 1, 2, 3, 4}) {
+            Scene scene = official_scene(name, 133, 77);
+            scene.colouring = colouring;
+            all.push_back({fmt::format("{}, colouring {}", name, colouring), scene});
+        }
+    }
+    return all;
+}
+
+Image by_stages(const Scene& scene, Precision precision, Mode mode)
+{
+    Image image(scene.width, scene.height, Image::Layers::bytes);
+    openmp::make_profiler(scene, precision, mode)->draw(image);
+    return image;
+}
+
+class ProfiledPicture : public testing::TestWithParam<std::tuple<Precision, Mode>> {};
+
+TEST_P(ProfiledPicture, IsTheBackendsOwn)
+{
+    const auto [precision, mode] = GetParam();
+    const Registry registry = all_backends();
+    const auto renderer = registry.find("openmp")->create(
+        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false}});
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
+    for (const auto& [name, scene] : scenes()) {
+        Image own(scene.width, scene.height, Image::Layers::bytes);
+        renderer->render(scene, own);
+        EXPECT_EQ(by_stages(scene, precision, mode).bytes(), own.bytes()) << name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProfiledPicture,
+                         testing::Combine(testing::Values(Precision::f32, Precision::f64),
+                                          testing::Values(Mode::exact, Mode::fast)));
+
+// openmp with one wrong bit in its pictures.
+class WrongBackend : public Backend {
+public:
+    std::string_view name() const override { return "openmp"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return inner_->devices(); }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        return std::make_unique<Wrong>(inner_->create(options));
+    }
+
+private:
+    class Wrong : public Renderer {
+    public:
+        explicit Wrong(std::unique_ptr<Renderer> inner) : inner_(std::move(inner)) {}
+        RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+        {
+            RenderReport report = inner_->render(scene, image, progress);
+            image.bytes().back() ^= 1;
+            return report;
+        }
+
+    private:
+        std::unique_ptr<Renderer> inner_;
+    };
+
+    std::unique_ptr<Backend> inner_ = make_openmp_backend();
+};
+
+// What the profile says when openmp is `backend`; empty where it is fine.
+std::string complaint(std::unique_ptr<Backend> backend)
+{
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(std::move(backend));
+    const Registry registry(std::move(backends));
+    Options options;
+    options.fractal = "box";
+    options.mode = "fast";
+    options.size = "48x40";
+    options.study = "profile";
+    options.repetitions = 1;
+    try {
+        profile(registry, options, [](const std::string&, double) {});
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(Profile, RefusesAPictureThatIsNotTheBackendsTwin)
+{
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
+    EXPECT_EQ(complaint(make_openmp_backend()), "");
+    EXPECT_EQ(
+        complaint(std::make_unique<WrongBackend>()),
+        "study profile: mandelbox, double, fast: the picture is wrong: 1 of 1920 pixels differ from openmp's own");
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
