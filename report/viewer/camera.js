@@ -39,41 +39,20 @@ class Camera {
     }
 }
 
-// The functions of the programs' formulas, which are expressions of shape, escape, iterations and largest
-// (core/scene/formula.h).
-const FORMULA_FUNCTIONS = { min: Math.min, max: Math.max, pow: Math.pow, sqrt: Math.sqrt, abs: Math.abs, floor: Math.floor,
-    sign: Math.sign, pick: (on, a, b) => (on ? a : b) };
-const FORMULA_INPUTS = ["shape", "escape", "iterations", "largest"];
-
-function compiledFormula(text) {
-    const made = new Function(...Object.keys(FORMULA_FUNCTIONS), ...FORMULA_INPUTS, `return ${text};`);
-    return (s, largest) => made(...Object.values(FORMULA_FUNCTIONS), s.shape, s.escape, s.iterations, largest);
-}
-
-// The programs' table (bin/render --list-fractals --json): `rules` hold of every scene, `rows` are fractals by name, with
-// their formulas as functions.
-function fractalTable(json) {
-    const rows = {};
-    for (const row of json.fractals) {
-        rows[row.name] = { ...row, constants: row.constants.map(compiledFormula), whole: compiledFormula(row.whole),
-            stride: compiledFormula(row.stride) };
-    }
-    return { rules: json.scene, rows };
-}
-
 // The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them in float (bin/render
-// --print-scene).
+// --print-scene). table: what report/mandelreport/fractal_table.py made of the programs' table: `rules` hold of every
+// scene, `rows` are fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
-    const row = rows[fractal];
-    const stride = fast ? Math.min(rules.plain_stride, row.stride(s, rules.largest)) : rules.plain_stride;
+    const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest];
+    const stride = fast ? Math.min(rules.plain_stride, row.stride(...inputs)) : rules.plain_stride;
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
-    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(s, rules.largest),
+    return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float has no digits for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
         tolerance: Math.pow(10, Math.fround(s.detail)), stride,
         relaxation: fast && stride >= rules.plain_stride ? rules.longest_relaxed : stride, end: rules.end, miss: Infinity,
-        brightness: s.brightness, root_share: row.root_share, fractal: row.constants.map((constant) => constant(s, rules.largest)),
+        brightness: s.brightness, root_share: row.root_share, fractal: row.constants(...inputs),
         eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }

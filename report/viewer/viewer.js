@@ -227,7 +227,7 @@ const Viewer = (() => {
     function start() {
         canvas = find("viewer-canvas");
         data = JSON.parse(find("viewer-data").textContent);
-        data.table = fractalTable(data.table);
+        data.table = FRACTAL_TABLE;
         painter = Painter.on(canvas, data);
         if (!painter) {
             find("viewer-none").hidden = false;

@@ -15,7 +15,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-CAMERA = Path(__file__).resolve().parents[2] / "report" / "viewer" / "camera.js"
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "report"))
+
+from mandelreport import fractal_table  # noqa: E402
+
+CAMERA = ROOT / "report" / "viewer" / "camera.js"
 CLOSE = {"float": 1e-6, "double": 1e-14}  # relative: a rounding or two
 LARGEST = {"float": 1e37, "double": 1e300}
 # Beside the official scene: the numbers of line 7, and the last one of line 8.
@@ -67,7 +72,7 @@ def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) ->
 def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
     """camera.js's own fields."""
     script = CAMERA.read_text(encoding="utf-8") + f"""
-        const table = fractalTable({json.dumps(table)}), scene = fromParameters({json.dumps(text)});
+        const table = {fractal_table.script(table)}, scene = fromParameters({json.dumps(text)});
         const fields = sceneFields(table, {json.dumps(name)}, scene, new Camera(scene), ...scene.size, {json.dumps(fast)},
             table.rules.max_steps);
         process.stdout.write(JSON.stringify({{ ...fields, miss: "Infinity" }}));"""

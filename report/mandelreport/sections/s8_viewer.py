@@ -8,6 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from .. import fractal_table
 from ..blocks import Missing
 from ..shaders import TEXTS, missing_tools, shader
 from . import Material
@@ -27,4 +28,8 @@ def section(material: Material) -> dict[str, Any]:
         return {"missing": Missing("The viewer's table of fractals, which bin/render prints", "make build")}
     names = [row["name"] for row in table["fractals"] if row["name"] in TEXTS]
     texts = {fractal: shader(fractal, material.work / "shaders") for fractal in names}
-    return {"data": _embedded({"shaders": texts, "table": table}), "fractals": names}
+    return {
+        "data": _embedded({"shaders": texts}),
+        "table": Markup(fractal_table.script(table, names)),
+        "fractals": names,
+    }
