@@ -45,28 +45,6 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
 
 }  // namespace
 
-std::string Row::name() const
-{
-    if (fractal == "all") return backend;
-    return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
-                       point.empty() ? "" : "/", point);
-}
-
-bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
-
-std::string Result::reference() const
-{
-    const auto backends = environment.find("backends");
-    if (backends != environment.end() && backends->is_array()) {
-        for (const auto& backend : *backends) {
-            if (backend.is_object() && backend.value("role", "") == name_of(Role::reference)) {
-                return backend.value("name", "");
-            }
-        }
-    }
-    return "reference";  // in results without roles, which are older
-}
-
 bool same_picture(const Setting& a, const Setting& b)
 {
     return a.width == b.width && a.height == b.height && a.iterations == b.iterations && a.detail == b.detail &&

@@ -90,17 +90,7 @@ Result merged(std::vector<Result> results)
             if (same->failure.empty()) same->failure = row.failure;
             same->proof.fine = same->proof.fine && (row.proof.fine || !row.unavailable.empty());
         }
-        for (const Peak& peak : one.peaks) {
-            const auto same = std::ranges::find_if(all.peaks, [&](const Peak& p) {
-                return p.platform == peak.platform && p.backend == peak.backend && p.device == peak.device &&
-                       p.precision == peak.precision;
-            });
-            if (same == all.peaks.end()) {
-                all.peaks.push_back(peak);
-            } else {
-                same->rate = std::max(same->rate, peak.rate);
-            }
-        }
+        raise_peaks(all.peaks, one.peaks);
         for (StageTime& time : one.stages) {
             for (StageTime& to : all.stages) {
                 if (to.fractal == time.fractal && to.precision == time.precision && to.mode == time.mode &&

@@ -51,11 +51,11 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
 {
     const Backend& reference = registry.with(Role::reference);
     if (reference.draws(scene)) return reference.create({.mode = Mode::fast});
-    return registry.with(Role::host).create(
-        {.mode = Mode::fast,
-         .threads = 1,
-         .pack = 1,
-         .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
+    return registry.with(Role::host)
+        .create({.mode = Mode::fast,
+                 .threads = 1,
+                 .pack = 1,
+                 .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
 }
 
 // A renderer is one thread here: as many scenes at once as there are cores.

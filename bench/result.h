@@ -64,8 +64,8 @@ struct Row {
     double context = 0, build = 0;  // seconds, of the first picture
     // Of the proven picture's trial (RenderReport); 0 and 0 without one.
     double stride = 0, unsettled = 0;
-    Work work;                      // of one picture
-    double operations = 0;          // of one picture, from the counted text; 0: not known
+    Work work;              // of one picture
+    double operations = 0;  // of one picture, from the counted text; 0: not known
     std::vector<Sample> samples;
 
     // "mandelbulb/double/exact/openmp/0", and "/threads=2" behind it in a sweep; "vulkan" for a backend without a
@@ -83,6 +83,9 @@ struct Peak {
     Precision precision = Precision::f64;
     double rate = 0;  // operations per second
 };
+
+// Takes those of new devices, and of known ones the greater rate.
+void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from);
 
 // What the text of one fractal does, counted.
 struct Counted {

@@ -126,20 +126,6 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
     }
 }
 
-void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
-{
-    for (const Peak& peak : from) {
-        const auto found = std::ranges::find_if(to, [&](const Peak& p) {
-            return p.backend == peak.backend && p.device == peak.device && p.precision == peak.precision;
-        });
-        if (found == to.end()) {
-            to.push_back(peak);
-        } else {
-            found->rate = std::max(found->rate, peak.rate);
-        }
-    }
-}
-
 }  // namespace
 
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase)

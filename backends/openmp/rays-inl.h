@@ -42,7 +42,7 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{~0U, ~0U};
-constexpr Fields alone{0x1ff, ~0U};                         // of a ray that leaves nothing for those between
+constexpr Fields alone{0x1ff, ~0U};  // of a ray that leaves nothing for those between
 constexpr Fields direction_and_t{0x017, 0};
 constexpr Fields arrived{0x1ff, MM_COUNTED ? ~0U : ~1U};  // of an Arrival
 // What a step of marching changes, where rays leave something and where not, and a step of refining.

@@ -25,7 +25,8 @@ constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 25
 inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
 
-// The size of a Ray and of a Hit as std430 lays them out: a vec3, six reals and three ints, to a multiple of four reals.
+// The size of a Ray and of a Hit as std430 lays them out: a vec3, six reals and three ints, to a multiple of four
+// reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
 static_assert(sizeof(layout_f64::Ray) == 11 * 8 && sizeof(layout_f64::Hit) == 11 * 8);  // without the rest of four
@@ -74,7 +75,7 @@ public:
             return;
         }
         const int refining = scene_.canonical != 0 ? stage_refine : 0;
-        const int stages = entry == Entry::draw ? stage_begin | stage_march | stage_stop | refining | stage_shade
+        const int stages = entry == Entry::draw     ? stage_begin | stage_march | stage_stop | refining | stage_shade
                            : entry == Entry::march  ? begins_ | stage_march
                            : entry == Entry::refine ? stops_ | stage_refine
                                                     : stops_ | stage_shade;

@@ -11,6 +11,7 @@
 
 #include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::isolation {
@@ -36,7 +37,6 @@ Process::~Process()
 
 std::optional<Packet> Process::heard(const char* doing)
 {
-    using Clock = std::chrono::steady_clock;
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit());
     for (;;) {
         std::array<pollfd, 2> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0}};

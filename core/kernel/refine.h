@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel text, part 8: from a ray that marches no more to the place where it meets the surface. stopped -> refine (any
-// number of times, in canonical pictures) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t between
-// a ray's last two samples.
+// number of times, in canonical pictures) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t
+// between a ray's last two samples.
 
 // States of a Hit.
-FN real no_hit() { return 0; }       // the ray has left the scene, or made all its steps
-FN real settled() { return 1; }      // t is the hit: a first sample, of a plain picture, or no number is left in the bracket
+FN real no_hit() { return 0; }  // the ray has left the scene, or made all its steps
+FN real settled()
+{
+    return 1;
+}  // t is the hit: a first sample, of a plain picture, or no number is left in the bracket
 FN real untried() { return 2; }      // no root was tried yet
 FN real tried_below() { return 3; }  // the last root that was tried lies below the surface
 FN real tried_above() { return 4; }  // above it

@@ -44,8 +44,8 @@ struct Ray {
     effort iterations;     // iterations in all those calls
 };
 
-// A ray that marches no more, and where it has hit. f(t) = DE(t) - tolerance t; only canonical pictures ask for it. It can
-// be stored after any try and taken up again by another pass.
+// A ray that marches no more, and where it has hit. f(t) = DE(t) - tolerance t; only canonical pictures ask for it. It
+// can be stored after any try and taken up again by another pass.
 struct Hit {
     vec3 direction;     // unit vector
     real state;         // one of refine.h's

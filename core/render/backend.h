@@ -91,8 +91,8 @@ struct RenderReport {
     int threads = 1;
     int pack = 1;
     std::string instruction_set;  // or device architecture; may be empty
-    // Of a trial (core/render/trial.h): the stride that it chose, in distance estimates, and the share of its pixels that
-    // shorter steps would still change visibly, where that is more than a few. 0 and 0 without one.
+    // Of a trial (core/render/trial.h): the stride that it chose, in distance estimates, and the share of its pixels
+    // that shorter steps would still change visibly, where that is more than a few. 0 and 0 without one.
     double stride = 0;
     double unsettled = 0;
     Timings timings;

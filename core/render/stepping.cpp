@@ -11,13 +11,14 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
 {
     const Fractal& fractal = *scene.fractal;
     const bool fast = mode == Mode::fast;
-    const double stride = std::min(scene.limits.stride, fast ? fractal.fast.stride.value(inputs_of(scene)) : plain_stride);
+    const double stride =
+        std::min(scene.limits.stride, fast ? fractal.fast.stride.value(inputs_of(scene)) : plain_stride);
     // A scene whose steps are to be short gets no longer ones.
     const bool relaxed = fast && techniques.relaxation && stride >= plain_stride;
-    return {.stride = stride,
-            .relaxation = relaxed ? longest_relaxed : stride,
-            .root_share =
-                techniques.root ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
+    return {
+        .stride = stride,
+        .relaxation = relaxed ? longest_relaxed : stride,
+        .root_share = techniques.root ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
 }
 
 StepLimits film_limits(const Scene& scene)

@@ -28,9 +28,8 @@ public:
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
         Timings spent;
-        const Trial trial = try_steps(scene, [&](const Scene& small, Image& picture) {
-            spent += renderer_->render(small, picture).timings;
-        });
+        const Trial trial = try_steps(
+            scene, [&](const Scene& small, Image& picture) { spent += renderer_->render(small, picture).timings; });
         Scene tried = scene;
         tried.limits.stride = trial.stride;
         RenderReport report = renderer_->render(tried, image, progress);

@@ -19,8 +19,8 @@ struct Trial {
     bool settled() const;  // shorter steps would change little
 };
 
-// Which stride of fast mode draws the scene. `draw` draws a small picture. The usual stride is compared with the next of
-// shorter_strides (core/render/stepping.h):
+// Which stride of fast mode draws the scene. `draw` draws a small picture. The usual stride is compared with the next
+// of shorter_strides (core/render/stepping.h):
 // 1. The two pictures differ in a few pixels at most: the longer stride is fine.
 // 2. They differ in more: the shorter stride is compared with the next one.
 // 3. The differences do not shrink: digits are short, and the usual stride is as good as any.

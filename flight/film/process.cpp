@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 
 namespace mandelmarch {
 namespace {
@@ -138,14 +139,13 @@ bool Process::write(const void* data, std::size_t size)
 // The child's status at its end, which comes within the limit.
 int Process::wait()
 {
-    using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     int status = 0;
     for (;;) {
         const pid_t ended = waitpid(child_, &status, limit_ ? WNOHANG : 0);
         if (ended > 0 || (ended < 0 && errno != EINTR)) return status;
         if (!limit_) continue;
-        if (!hung_ && std::chrono::duration<double>(Clock::now() - start).count() > *limit_) {
+        if (!hung_ && seconds_since(start) > *limit_) {
             hung_ = true;
             kill();
         }

@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double footprint = 1;  // pixel heights
+constexpr double footprint = 1;             // pixel heights
 constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
 constexpr int spare_iterations = 1;
 

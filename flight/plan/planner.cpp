@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
@@ -225,9 +225,8 @@ double faults(const Audit& audit)
 
 Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const Log& log)
 {
-    using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto seconds = [&] { return seconds_since(start); };
     const auto say = [&](const std::string& text) {
         if (log) log(fmt::format("{:5.1f} s  {}", seconds(), text));
     };

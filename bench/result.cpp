@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mandelmarch::bench {
+
+std::string Row::name() const
+{
+    if (fractal == "all") return backend;
+    return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
+                       point.empty() ? "" : "/", point);
+}
+
+bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
+
+std::string Result::reference() const
+{
+    const auto backends = environment.find("backends");
+    if (backends != environment.end() && backends->is_array()) {
+        for (const auto& backend : *backends) {
+            if (backend.is_object() && backend.value("role", "") == name_of(Role::reference)) {
+                return backend.value("name", "");
+            }
+        }
+    }
+    return "reference";  // in results without roles, which are older
+}
+
+void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
+{
+    for (const Peak& peak : from) {
+        const auto same = std::ranges::find_if(to, [&](const Peak& p) {
+            return p.platform == peak.platform && p.backend == peak.backend && p.device == peak.device &&
+                   p.precision == peak.precision;
+        });
+        if (same == to.end()) {
+            to.push_back(peak);
+        } else {
+            same->rate = std::max(same->rate, peak.rate);
+        }
+    }
+}
+
+}  // namespace mandelmarch::bench
