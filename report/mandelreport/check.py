@@ -106,7 +106,8 @@ class Checker:
             s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
 
     def _against_render(self, fractal: str, mode: str) -> None:
-        """The viewer's picture beside what bin/render draws from the parameter file that the viewer hands out."""
+        """The viewer's picture beside what bin/render draws, with openmp as the fastest that needs no device, from the
+        parameter file that the viewer hands out."""
         seen = base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2])
         name = f"viewer-{fractal}-{mode}"
         write_whole(self.pictures / f"{name}.png", seen)
