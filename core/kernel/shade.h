@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 7: from a ray's hit to a pixel's colour.
+// Kernel text, part 8: from a ray's hit to a pixel's colour.
 
 struct Normal {
     vec3 direction;  // unit vector
