@@ -14,6 +14,7 @@
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/cones-inl.h"
 #include "backends/openmp/drawing-inl.h"
+#include "backends/openmp/rays-inl.h"
 #include "backends/openmp/squares-inl.h"
 #include "core/image/tile.h"
 

@@ -12,6 +12,8 @@
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/passes-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {

@@ -47,7 +47,7 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{direction_bits | end_bit | sample_bits | room_bit, every_whole};
-constexpr Fields roomless{direction_bits | end_bit | sample_bits, every_whole};    // of a ray that no neighbour asks
+constexpr Fields roomless{direction_bits | end_bit | sample_bits, every_whole};    // of a ray that leaves no depth
 constexpr Fields finishing{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // of one that has hit
 // What a step changes: of marching, with the room and without, and of refining.
 constexpr Fields marched_with_room{sample_bits | room_bit, steps_bit | work_bits};

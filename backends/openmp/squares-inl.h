@@ -2,16 +2,18 @@
 // The pixels of a square, some of a lattice, whose rays begin together.
 
 // Guard: once for each pack with pools.
-#if defined(MM_SITES_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_SITES_INL_H
-#undef MM_SITES_INL_H
+#if defined(MM_SQUARES_INL_H) == defined(MM_POOL_TOGGLE)
+#ifdef MM_SQUARES_INL_H
+#undef MM_SQUARES_INL_H
 #else
-#define MM_SITES_INL_H
+#define MM_SQUARES_INL_H
 #endif
 
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/passes-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {
@@ -89,7 +91,7 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         a.pixel = load_lanes(lanes.pixel) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const real from = load_lanes(square.block_start + n);
         const real start = load_lanes(square.neighbour_start + n);
-        // The pixels of the lattice that are left of the picture's rows and columns.
+        // How many columns and rows of the lattice there are from here to the picture's edges.
         const int columns = ((scene.width - 1 - x0) >> square.log2_apart) + 1;
         const int rows = ((d.canvas.end_row - 1 - y0) >> square.log2_apart) + 1;
         mask on = x < whole(static_cast<Int>(columns)) && y < whole(static_cast<Int>(rows));
