@@ -75,17 +75,10 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     if (study == "packs") return points("pack", &Setting::pack, std::array{1, 2, 4, 8, 16, 24, 32, 48, 64});
     if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
-        for (const auto& [name, techniques] : {std::pair("hull", "hull"),
-                                               {"relax", "relaxation"},
-                                               {"cones", "cones"},
-                                               {"near", "neighbours"},
-                                               {"trial", "trial"},
-                                               {"tail", "tail"},
-                                               {"root", "root"},
-                                               {"normal", "normal"},
-                                               {"all", "hull,relaxation,cones,neighbours"}}) {
-            made.push_back({fmt::format("without={}", name), {.without = techniques}});
+        for (const char* technique : {"hull", "relaxation", "cones", "neighbours", "trial", "tail", "root", "normal"}) {
+            made.push_back({fmt::format("without={}", technique), {.without = technique}});
         }
+        made.push_back({"without=all-four", {.without = "hull,relaxation,cones,neighbours"}});
         return made;
     }
     if (study == "threads") {

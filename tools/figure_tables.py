@@ -11,7 +11,8 @@ AIMS = {
     ("box", "double", "fast"): 60, ("box", "float", "fast"): 180,
 }
 TECHNIQUES = {  # points of the ablation study
-    "hull": "hull", "relax": "over-relaxation", "cones": "cones", "near": "neighbours", "all": "these four together",
+    "hull": "hull", "relaxation": "over-relaxation", "cones": "cones", "neighbours": "neighbours",
+    "all-four": "these four together",
     "trial": "trials", "tail": "tails", "root": "the root refined", "normal": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study

@@ -11,7 +11,7 @@ import sys
 
 from table_file import put
 
-REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # of a pack: backends/openmp/widths.h
+REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # of a pack: core/kernel/fractals and backends/openmp/packs.h
 # The way round the loop that draws the official scene is the shortest one with so many of these in each register: the
 # sphere fold's reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power doubles; and
 # whether the orbit has escaped.

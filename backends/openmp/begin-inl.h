@@ -14,7 +14,8 @@
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/cones-inl.h"
 #include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/sites-inl.h"
+#include "backends/openmp/rays-inl.h"
+#include "backends/openmp/squares-inl.h"
 #include "core/image/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,13 +26,13 @@ namespace MM_PACK {
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
-// Where cones of blocks end, to Canvas::starts, for the first call of a picture; and paints the blocks where no ray
-// hits.
+// Where cones of blocks end, to Canvas::block_start, for the first call of a picture; and paints the blocks where no
+// ray hits.
 HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
     const bool paints = paints_background(d);
     if (!paints && !d.canvas.cones) {
-        for (int block = 0; block < blocks.count; ++block) d.canvas.starts[blocks.number[block]] = 0;
+        for (int block = 0; block < blocks.count; ++block) d.canvas.block_start[blocks.number[block]] = 0;
         return;
     }
     begin_cones(d, blocks);
@@ -39,17 +40,18 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
     if (!paints) return;
     const PaintedRow row(missed(d.scene, stopped(d.scene, begin_at(d.scene, 0, 0))).colour);
     for (int block = 0; block < blocks.count; ++block) {
-        if (d.canvas.starts[blocks.number[block]] > d.scene.end)
+        if (d.canvas.block_start[blocks.number[block]] > d.scene.end)
             paint(d, blocks.left[block], blocks.bottom[block], row);
     }
 }
 
-// What its lattice has left of a square's corners, row by row, one more than it has cells; nothing outside the picture.
+// The depths of the neighbours at the corners of a square's cells, row by row: one more than it has cells. Those
+// outside the picture are unclear.
 template <int across>
-struct Corners {
+struct Neighbours {
     MM_REAL at[across + 1][across + 1];
 
-    HWY_INLINE Corners(const Drawing& d, int left, int bottom)
+    HWY_INLINE Neighbours(const Drawing& d, int left, int bottom)
     {
         const int apart = d.canvas.lattice.before;
         const int columns = (d.scene.width - 1 - left) / apart + 1;
@@ -57,47 +59,48 @@ struct Corners {
         for (int j = 0; j <= across; ++j) {
             const std::ptrdiff_t row = std::ptrdiff_t{bottom + j * apart - d.canvas.first_row} * d.scene.width + left;
             for (int i = 0; i <= across; ++i) {
-                at[j][i] = i < columns && j < rows ? d.canvas.hits[(row + i * apart) / 2] : 0;
+                at[j][i] = i < columns && j < rows ? d.canvas.neighbour_depth[(row + i * apart) / 2] : unclear_miss();
             }
         }
     }
 };
 
-// Where the rays in the cells of a square may begin.
+// Where the rays in the cells of a square begin by their neighbours.
 template <int across>
-HWY_NOINLINE void start_between_corners(const Drawing& d, int left, int bottom, MM_REAL* start)
+HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, MM_REAL* start)
 {
-    const Corners<across> corners(d, left, bottom);
-    MM_REAL first[block_pixels];
-    MM_REAL last[block_pixels];
+    const Neighbours<across> neighbours(d, left, bottom);
+    MM_REAL least[block_pixels];
+    MM_REAL greatest[block_pixels];
     const auto less = [](MM_REAL a, MM_REAL b) { return a < b ? a : b; };
     const auto more = [](MM_REAL a, MM_REAL b) { return a < b ? b : a; };
     for (int j = 0; j < across; ++j) {
-        const MM_REAL* a = corners.at[j];
-        const MM_REAL* b = corners.at[j + 1];
+        const MM_REAL* a = neighbours.at[j];
+        const MM_REAL* b = neighbours.at[j + 1];
         for (int i = 0; i < across; ++i) {
-            first[j * across + i] = less(less(a[i], a[i + 1]), less(b[i], b[i + 1]));
-            last[j * across + i] = more(more(a[i], a[i + 1]), more(b[i], b[i + 1]));
+            least[j * across + i] = less(less(a[i], a[i + 1]), less(b[i], b[i + 1]));
+            greatest[j * across + i] = more(more(a[i], a[i + 1]), more(b[i], b[i + 1]));
         }
     }
     for (int n = 0; n < across * across; n += pack_lanes) {
-        store_lanes(start_between(d.scene, load_lanes(first + n), load_lanes(last + n)), start + n);
+        store_lanes(neighbour_start(d.scene, load_lanes(least + n), load_lanes(greatest + n)), start + n);
     }
 }
 
-// Where the blocks of a tile begin, for the sites of a square.
-HWY_INLINE bool starts_of(const Drawing& d, int left, int bottom, Sites& sites)
+// Where the blocks of a square begin, for each of its pixels; true where no ray of them hits.
+HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
-    const int side = sites.across() << sites.log2_apart;
-    const int log2_sites = log2_of(block_side) - sites.log2_apart;  // of a block
+    const int side = square.across() << square.log2_apart;
+    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // of a block
     bool all_gone = true;
     for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
         for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {
-            const MM_REAL start = d.canvas.starts[block_number(d, left + x, bottom + y)];
+            const MM_REAL start = d.canvas.block_start[block_number(d, left + x, bottom + y)];
             all_gone = all_gone && start > d.scene.end;
-            MM_REAL* to = sites.from + ((y >> sites.log2_apart) << sites.log2_across) + (x >> sites.log2_apart);
-            for (int j = 0; j < 1 << log2_sites; ++j) {
-                for (int i = 0; i < 1 << log2_sites; ++i) to[(j << sites.log2_across) + i] = start;
+            MM_REAL* to =
+                square.block_start + ((y >> square.log2_apart) << square.log2_across) + (x >> square.log2_apart);
+            for (int j = 0; j < 1 << log2_pixels; ++j) {
+                for (int i = 0; i < 1 << log2_pixels; ++i) to[(j << square.log2_across) + i] = start;
             }
         }
     }
@@ -110,37 +113,37 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     const Lattice lattice = d.canvas.lattice;
     const bool painted = paints_background(d);
     const int apart = lattice.before > 0 ? lattice.before : lattice.apart;
-    Sites sites;
-    sites.log2_apart = log2_of(apart);
-    sites.log2_across = apart == 4 ? 2 : 3;
-    const int side = sites.across() << sites.log2_apart;
-    for (int n = 0; n < sites.count(); ++n) sites.start[n] = 0;
+    Square square;
+    square.log2_apart = log2_of(apart);
+    square.log2_across = apart == 4 ? 2 : 3;
+    const int side = square.across() << square.log2_apart;
+    for (int n = 0; n < square.count(); ++n) square.neighbour_start[n] = 0;
     for (int y = bottom; y < bottom + tile_side && y < d.canvas.end_row; y += side) {
         for (int x = left; x < left + tile_side && x < d.scene.width; x += side) {
-            if (starts_of(d, x, y, sites) && painted) continue;
-            if (lattice.before == 4) start_between_corners<4>(d, x, y, sites.start);
-            if (lattice.before == 2) start_between_corners<8>(d, x, y, sites.start);
-            // Those at the corners of the cells of `before` pixels are there.
+            if (find_block_starts(d, x, y, square) && painted) continue;
+            if (lattice.before == 4) find_neighbour_starts<4>(d, x, y, square.neighbour_start);
+            if (lattice.before == 2) find_neighbour_starts<8>(d, x, y, square.neighbour_start);
+            // The neighbours themselves, at the corners of the cells, are drawn.
             for (int k = lattice.before > 0 ? 1 : 0; k < (lattice.before > 0 ? 4 : 1); ++k) {
-                sites.left = x + k % 2 * lattice.apart;
-                sites.bottom = y + k / 2 * lattice.apart;
-                begin_sites(d, sites, painted);
+                square.left = x + k % 2 * lattice.apart;
+                square.bottom = y + k / 2 * lattice.apart;
+                begin_square(d, square, painted);
             }
         }
     }
 }
 
-// A picture's first lattice: nothing is left yet but that where a block is painted all is clear.
-HWY_INLINE void clear_hits(const Drawing& d, const Blocks& blocks)
+// Before a picture's first lattice: all neighbours are unclear but those of painted blocks.
+HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
 {
-    const MM_REAL clear = hn::GetLane(all_clear().of[0]);
     for (int block = 0; block < blocks.count; ++block) {
-        const MM_REAL what = d.canvas.starts[blocks.number[block]] > d.scene.end ? clear : 0;
+        const MM_REAL depth = d.canvas.block_start[blocks.number[block]] > d.scene.end ? clear_miss() : unclear_miss();
         const int left = static_cast<int>(blocks.left[block]);
         const int bottom = static_cast<int>(blocks.bottom[block]);
         for (int y = bottom; y < bottom + block_side && y < d.canvas.end_row; y += 2) {
-            MM_REAL* row = d.canvas.hits + (std::ptrdiff_t{y - d.canvas.first_row} * d.scene.width + left) / 2;
-            for (int x = 0; x < block_side / 2 && left + 2 * x < d.scene.width; ++x) row[x] = what;
+            MM_REAL* row =
+                d.canvas.neighbour_depth + (std::ptrdiff_t{y - d.canvas.first_row} * d.scene.width + left) / 2;
+            for (int x = 0; x < block_side / 2 && left + 2 * x < d.scene.width; ++x) row[x] = depth;
         }
     }
 }
@@ -153,7 +156,7 @@ HWY_NOINLINE bool begin_tiles(Drawing& d)
         Blocks blocks;
         more = take_tiles(d, blocks);
         if (d.canvas.lattice.before == 0) begin_blocks(d, blocks);
-        if (d.canvas.lattice.before == 0 && d.canvas.lattice.apart > 1) clear_hits(d, blocks);
+        if (d.canvas.lattice.before == 0 && d.canvas.lattice.apart > 1) clear_neighbours(d, blocks);
         for (int tile = 0; tile < blocks.tiles; ++tile) begin_tile(d, blocks.tile_left[tile], blocks.tile_bottom[tile]);
     }
     return more;

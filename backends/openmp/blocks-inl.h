@@ -30,7 +30,7 @@ struct Blocks {
     int count = 0;
     Int left[most_blocks + register_lanes] = {};  // whole registers can be read and written
     Int bottom[most_blocks + register_lanes] = {};
-    Int number[most_blocks + register_lanes] = {};  // in Canvas::starts
+    Int number[most_blocks + register_lanes] = {};  // in Canvas::block_start
     int tiles = 0;
     int tile_left[most_blocks];
     int tile_bottom[most_blocks];

@@ -12,6 +12,8 @@
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/passes-inl.h"
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {
@@ -33,9 +35,9 @@ HWY_NOINLINE void end_cones(Drawing& d, const Traveller& a, const mask& on)
     Int places[places_room] = {};
     MM_REAL starts[places_room] = {};
     store_compact(a.pixel, on, places);
-    store_compact(pick(a.ray.t <= a.ray.end, a.ray.t, 2 * d.scene.end), on, starts);
+    store_compact(pick(a.ray.t <= a.ray.end, a.ray.t, beyond_scene(d.scene)), on, starts);
     const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) d.canvas.starts[places[i]] = starts[i];
+    for (int i = 0; i < lanes; ++i) d.canvas.block_start[places[i]] = starts[i];
     count_cones(a.ray.estimates, a.ray.iterations, on, d.spent);
 }
 
@@ -52,7 +54,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
         mask ended = first_lanes(blocks.count - from);
         if (d.canvas.cones) {
             const mask go = ended && a.ray.t <= a.ray.end;
-            append<alone>(d.pools.cones, a, go);
+            append<roomless>(d.pools.cones, a, go);
             ended = ended && !go;
         }
         if (any(ended)) end_cones(d, a, ended);
@@ -64,7 +66,7 @@ HWY_NOINLINE void march_cones(Drawing& d)
 {
     const scalar span = d.canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
     while (d.pools.cones.size > 0) {
-        sample_pool<Traveller, alone, marched>(
+        sample_pool<Traveller, roomless, marched>(
             d, d.pools.cones, steps_at_once,
             [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
                 a.ray = advanced_cone(d.scene, a.ray, span, here, on);

@@ -19,11 +19,11 @@
 #include "backends/openmp/end_pack.h"
 
 #ifndef MANDELMARCH_ONE_WIDTH
-// Four registers hide the arithmetic's latency, at the price of some spilled values. In fast mode an iteration of the
-// Mandelbulb takes long enough for three, which spill less (docs/notes/experiments.md).
+// Four registers hide the arithmetic's latency, at the price of some spilled values; a fractal can ask for less in fast
+// mode.
 #undef MM_WIDE_REGISTERS
-#if MM_FAST && defined(MM_FRACTAL_mandelbulb) && HWY_TARGET <= HWY_AVX3
-#define MM_WIDE_REGISTERS 3
+#if MM_FAST && defined(MM_WIDE_REGISTERS_FAST) && HWY_TARGET <= HWY_AVX3
+#define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_FAST
 #else
 #define MM_WIDE_REGISTERS 4
 #endif

@@ -150,15 +150,15 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     d.pools.refining = d.pools.hits.size;
 }
 
-// Leaves for the pixels between what became of rays of a lattice.
-HWY_INLINE void leave(const Drawing& d, const Traveller& a, const real& t, const mask& on)
+// Leaves the depths of rays of a lattice for the pixels between.
+HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};
     MM_REAL ts[places_room] = {};
     store_compact(a.pixel, on, places);
     store_compact(t, on, ts);
     const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) d.canvas.hits[places[i] / 2] = ts[i];
+    for (int i = 0; i < lanes; ++i) d.canvas.neighbour_depth[places[i] / 2] = ts[i];
 }
 
 // What becomes of rays that neither go on nor are off.
@@ -170,7 +170,7 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
     const mask gone = on && !hit;
     if (d.canvas.lattice.apart > 1) {
         const mask roomy = gone && a.room > 0 && a.ray.t > a.ray.end;
-        leave(d, a, pick(hit, a.ray.last_t, all_clear()), hit || roomy);
+        leave_depths(d, a, pick(hit, a.ray.last_t, clear_miss()), hit || roomy);
     }
     if (any(gone)) store_pixels(missed(scene, b.hit), b.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, b, hit);
@@ -179,21 +179,21 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 }
 
 // Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.
-template <bool of_lattice>
+template <bool keeps_room>
 HWY_NOINLINE void march_rays(Drawing& d)
 {
     const Scene& scene = d.scene;
     const bool between = d.canvas.lattice.before > 0;
     const real width = MM_REAL(0.5) * static_cast<MM_REAL>(d.canvas.lattice.apart) * d.canvas.spacing;
-    sample_pool<Traveller, of_lattice ? every_field : alone, of_lattice ? marched_for_others : marched>(
+    sample_pool<Traveller, keeps_room ? every_field : roomless, keeps_room ? marched_with_room : marched>(
         d, d.pools.marching, steps_at_once,
         [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
-            if (of_lattice) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
+            if (keeps_room) a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
             a.ray = advanced(scene, a.ray, here, on);
             mask stay = on && marching(scene, a.ray);
             if (between && any(on && !stay)) {
-                const mask late = on && began_late(scene, a.ray);
-                a.ray = begun_again(scene, a.ray, late);
+                const mask late = on && begun_too_late(scene, a.ray);
+                a.ray = begun_alone(scene, a.ray, late);
                 stay = stay || late;
             }
             return stay;

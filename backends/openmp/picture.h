@@ -7,6 +7,7 @@
 
 #include "backends/openmp/spacing.h"
 #include "backends/openmp/variant.h"
+#include "core/image/image.h"
 #include "core/render/backend.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
@@ -14,18 +15,19 @@
 
 namespace mandelmarch::openmp {
 
-// What the rays of a picture's rows leave for later ones (Canvas::starts and hits), kept from picture to picture.
+// What the rays of a picture's rows leave for later ones, as Canvas has it; kept from picture to picture.
 template <class Real>
 struct Notes {
-    std::vector<Real> starts;
-    std::vector<Real> hits;
+    std::vector<Real> block_start;
+    std::vector<Real> neighbour_depth;
 
     void fit(int width, int rows)
     {
         const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
-        const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
-        if (starts.size() < sides(width) * sides(rows)) starts.resize(sides(width) * sides(rows));
-        if (hits.size() < pixels / 2 + 1) hits.resize(pixels / 2 + 1);
+        const std::size_t blocks = sides(width) * sides(rows);
+        const std::size_t depths = Image::pixels(width, rows) / 2 + 1;
+        if (block_start.size() < blocks) block_start.resize(blocks);
+        if (neighbour_depth.size() < depths) neighbour_depth.resize(depths);
     }
 };
 
@@ -66,8 +68,8 @@ public:
                 .cones = cones_,
                 .block_hull = block_hull_,
                 .lattice = lattice,
-                .starts = notes_.starts.data(),
-                .hits = notes_.hits.data(),
+                .block_start = notes_.block_start.data(),
+                .neighbour_depth = notes_.neighbour_depth.data(),
                 .reals = target.reals,
                 .wholes = target.wholes,
                 .bytes = target.bytes};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scheduler around the text that keeps lanes busy. Included in a namespace of its own, with MM_REGISTERS 1; no
-// guard.
+// The scheduler around the text that keeps lanes busy.
 //
 // A pool of rays, structure of arrays, is marched some steps at a time, and the rays that go on are stored without
 // gaps. Rays that hit wait in a second pool until whole packs of them can be refined and shaded. When the first pool

@@ -14,6 +14,7 @@
 #include "backends/openmp/passes-inl.h"
 #include "backends/openmp/pixels-inl.h"
 #include "backends/openmp/pool-inl.h"
+#include "backends/openmp/rays-inl.h"
 #include "backends/openmp/stage.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -27,7 +27,7 @@ static_assert(pack_lanes <= most_lanes);
 struct Traveller {
     Ray ray;
     whole pixel;
-    real room;  // the least that a sample had beside the way of the pixels around
+    real room;  // the least that a sample had beside the way of the rays between neighbours
 };
 
 // A ray that marches no more, likewise.
@@ -36,19 +36,32 @@ struct Arrival {
     whole pixel;
 };
 
-// Some of a Traveller's or an Arrival's fields, a bit for the number of each.
+// A bit for each field of a Traveller or an Arrival in a pool, at the number of its row there. Reals:
+constexpr unsigned direction_bits = 7 << 0;  // x, y, z
+constexpr unsigned end_bit = 1 << 3;         // of a ray; a hit's state
+constexpr unsigned t_bit = 1 << 4;           // where the next sample is taken, of both
+constexpr unsigned sample_bits = 0xf << 5;   // t and the estimate of the last sample and of the one before; the bracket
+constexpr unsigned room_bit = 1 << 9;
+// Wholes:
+constexpr unsigned steps_bit = 1 << 0;
+constexpr unsigned pixel_bit = 1 << 1;
+constexpr unsigned work_bits = 3 << 2;  // estimates, iterations
+constexpr unsigned every_whole = steps_bit | pixel_bit | work_bits;
+
+// Some of the fields.
 struct Fields {
     unsigned reals;
     unsigned wholes;
 };
-constexpr Fields every_field{~0U, ~0U};
-constexpr Fields alone{0x1ff, ~0U};  // of a ray that leaves nothing for those between
-constexpr Fields direction_and_t{0x017, 0};
-constexpr Fields arrived{0x1ff, MM_COUNTED ? ~0U : ~1U};  // of an Arrival
-// What a step of marching changes, where rays leave something and where not, and a step of refining.
-constexpr Fields marched_for_others{0x3f0, ~2U};
-constexpr Fields marched{0x1f0, ~2U};
-constexpr Fields refined{0x1f8, ~3U};
+constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
+constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
+                          every_whole};                                          // of a ray that leaves no depth
+constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // of an Arrival
+constexpr Fields probed{direction_bits | t_bit, 0};                              // what a sample needs
+// What a step changes: of marching, with the room and without, and of refining.
+constexpr Fields marched_with_room{t_bit | sample_bits | room_bit, steps_bit | work_bits};
+constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
+constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
 // Calls on_real(number of the field, its pack) or on_whole() for each field of some. A direction, and the t where a
 // sample is taken, have the same numbers in both kinds.

@@ -25,7 +25,7 @@ HWY_NOINLINE void probe_pack(const void* data, const Pool& pool, int from, const
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     // Of either kind: both have these fields at the same places.
-    const Hit next = load<Arrival, direction_and_t>(pool, from).hit;
+    const Hit next = load<Arrival, probed>(pool, from).hit;
     mask lanes;
     EACH_REGISTER(lanes.of[u] = on[u];)
     const Estimate here = probe_root(scene, next, lanes);

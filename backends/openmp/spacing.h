@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "backends/openmp/lattice.h"
+#include "backends/openmp/neighbours.h"
 #include "backends/openmp/ray_pool.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"

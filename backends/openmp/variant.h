@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "backends/openmp/lattice.h"
+#include "backends/openmp/neighbours.h"
 #include "backends/openmp/ray_pool.h"
 #include "core/image/tile.h"
 
@@ -23,8 +23,8 @@ struct Canvas {
     bool cones;             // whether blocks begin with cones
     Real block_hull;        // the middle ray of a block meets it where a ray of the block meets the scene's; 0: none
     Lattice lattice;        // its pixels are drawn, counted from first_row
-    Real* starts;           // a number for each block: no ray of it hits before
-    Real* hits;             // of the pixels in even columns and rows, at half their number: for start_between()
+    Real* block_start;      // for each block: no ray of it hits before
+    Real* neighbour_depth;  // of the pixels in even columns and rows, at half their number (core/kernel/march.h)
     Real* reals;
     int* wholes;
     unsigned char* bytes;

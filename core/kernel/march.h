@@ -105,33 +105,21 @@ FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 // True while the cone has not ended: it has room, and the scene and its steps are not at their end.
 FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
 
-// Pixels of a lattice can be drawn before those between them, and leave for these where they hit: t, or all_clear()
-// where a ray missed with room on all sides, else 0. `first` and `last` are the least and greatest of four around a
-// pixel: its ray begins before all of their hits, by a tolerance and a quarter of how far they lie apart; beyond the
-// scene where all are clear; else as if it were alone. (Something thin may stand between them: docs/fast-mode.md. For
-// fast mode.)
-FN real all_clear() { return -1; }
-FN real start_between(Scene scene, real first, real last)
-{
-    real start = first - R(0.25) * (last - first) - scene.tolerance * first;
-    return pick(first > 0, start, pick(last < 0, 2 * scene.end, 0));
-}
-
-// Begins a ray there.
-FN Ray begun_between(Ray ray, real start)
+// Begins a ray where its neighbours say.
+FN Ray begun_by_neighbours(Ray ray, real start)
 {
     ray.last_t = pick(start > ray.t, ray.t, 0);
     ray.t = larger(start, ray.t);
     return ray;
 }
 
-// True where the first sample is a hit after all: the ray begins again as if it were alone.
-FN mask began_late(Scene scene, Ray ray)
+// True where the first sample is a hit after all: the ray begins again, alone.
+FN mask begun_too_late(Scene scene, Ray ray)
 {
     return has_hit(scene, ray) && ray.before_t > 0 && ray.before_distance == scene.end;
 }
 
-FN Ray begun_again(Scene scene, Ray ray, mask on)
+FN Ray begun_alone(Scene scene, Ray ray, mask on)
 {
     ray.t = pick(on, ray.before_t, ray.t);
     ray.last_t = pick(on, 0, ray.last_t);

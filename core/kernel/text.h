@@ -8,6 +8,7 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
+#undef MM_WIDE_REGISTERS_FAST  // for fractals that define it
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
 #include "core/kernel/march.h"

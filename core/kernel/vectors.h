@@ -50,10 +50,13 @@ FN real rough_root(real a) { return quick_root(a); }
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
-// s / root(a), and a count of work with the lanes that are on.
-#ifndef MM_HAS_TALLY
+#ifndef MM_HAS_INVERSE_ROOT
+// s / root(a)
 FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_root(a)); }
+#endif
 
+#ifndef MM_HAS_TALLY
+// A count of work with the lanes that are on.
 FN effort tally(effort a, mask on) { return a + count(on); }
 #endif
 

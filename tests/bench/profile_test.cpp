@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "backends/all.h"
-#include "backends/openmp/openmp.h"
 #include "backends/openmp/profile.h"
 #include "backends/openmp/variants.h"
 #include "core/base/error.h"
+#include "tests/bench/broken_backend.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch::bench {
@@ -60,44 +60,16 @@ INSTANTIATE_TEST_SUITE_P(All, ProfiledPicture,
                          testing::Combine(testing::Values(Precision::f32, Precision::f64),
                                           testing::Values(Mode::exact, Mode::fast)));
 
-// openmp with one wrong bit in its pictures.
-class WrongBackend : public Backend {
-public:
-    std::string_view name() const override { return "openmp"; }
-    std::optional<std::string> unavailable() const override { return std::nullopt; }
-    std::vector<Device> devices() const override { return inner_->devices(); }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
-    {
-        return std::make_unique<Wrong>(inner_->create(options));
-    }
-
-private:
-    class Wrong : public Renderer {
-    public:
-        explicit Wrong(std::unique_ptr<Renderer> inner) : inner_(std::move(inner)) {}
-        RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
-        {
-            RenderReport report = inner_->render(scene, image, progress);
-            image.bytes().back() ^= 1;
-            return report;
-        }
-
-    private:
-        std::unique_ptr<Renderer> inner_;
-    };
-
-    std::unique_ptr<Backend> inner_ = make_openmp_backend();
-};
-
-// What the profile says when openmp is `backend`; empty where it is fine.
-std::string complaint(std::unique_ptr<Backend> backend)
+// What the profile says of openmp with a defect; empty where it is fine.
+std::string complaint(Defect defect)
 {
     std::vector<std::unique_ptr<Backend>> backends;
-    backends.push_back(std::move(backend));
+    backends.push_back(std::make_unique<BrokenBackend>(defect, "openmp"));
     const Registry registry(std::move(backends));
     Options options;
     options.fractal = "box";
     options.mode = "fast";
+    options.precision = "float";
     options.size = "48x40";
     options.study = "profile";
     options.repetitions = 1;
@@ -109,13 +81,12 @@ std::string complaint(std::unique_ptr<Backend> backend)
     return {};
 }
 
-TEST(Profile, RefusesAPictureThatIsNotTheBackendsTwin)
+TEST(Profile, RefusesAPictureThatIsNotTheBackendsOwn)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
-    EXPECT_EQ(complaint(make_openmp_backend()), "");
-    EXPECT_EQ(
-        complaint(std::make_unique<WrongBackend>()),
-        "study profile: mandelbox, double, fast: the picture is wrong: 1 of 1920 pixels differ from openmp's own");
+    EXPECT_EQ(complaint(Defect::none), "");
+    EXPECT_EQ(complaint(Defect::one_byte),
+              "study profile: mandelbox, float, fast: the picture is wrong: 1 of 1920 pixels differ from openmp's own");
 }
 
 }  // namespace

@@ -7,75 +7,16 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
 #include "bench/report.h"
 #include "core/base/error.h"
+#include "tests/bench/broken_backend.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-enum class Defect { none, one_byte, not_a_number, upside_down, wrong_later, stale, dies_later, refuses, hidden };
-
-// openmp, with a defect.
-class BrokenRenderer : public Renderer {
-public:
-    BrokenRenderer(std::unique_ptr<Renderer> inner, Defect defect) : inner_(std::move(inner)), defect_(defect) {}
-
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
-    {
-        const bool first = pictures_++ == 0;
-        if (defect_ == Defect::stale && !first) return report_;
-        if (defect_ == Defect::dies_later && !first) throw Error("the device is lost");
-        report_ = inner_->render(scene, image, progress);
-        report_.backend = "broken";
-        if (defect_ == Defect::one_byte || (defect_ == Defect::wrong_later && !first)) {
-            image.bytes()[100] ^= 1;
-            if (image.has_values()) image.values()[33].green += 1 / 255.0;
-        }
-        if (defect_ == Defect::not_a_number && image.has_values()) {
-            image.values()[33].green = std::numeric_limits<double>::quiet_NaN();
-        }
-        if (defect_ == Defect::upside_down) {
-            std::ranges::reverse(image.bytes());
-            std::ranges::reverse(image.values());
-        }
-        return report_;
-    }
-
-private:
-    std::unique_ptr<Renderer> inner_;
-    Defect defect_;
-    RenderReport report_;
-    int pictures_ = 0;
-};
-
-class BrokenBackend : public Backend {
-public:
-    explicit BrokenBackend(Defect defect) : inner_(make_openmp_backend()), defect_(defect) {}
-    std::string_view name() const override { return "broken"; }
-    std::optional<std::string> unavailable() const override
-    {
-        if (defect_ == Defect::hidden) return "hidden on purpose";
-        return std::nullopt;
-    }
-    std::vector<Device> devices() const override
-    {
-        return defect_ == Defect::hidden ? std::vector<Device>{} : inner_->devices();
-    }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
-    {
-        if (defect_ == Defect::refuses && options.precision == Precision::f64) throw Unavailable("it has no double");
-        return std::make_unique<BrokenRenderer>(inner_->create(options), defect_);
-    }
-
-private:
-    std::unique_ptr<Backend> inner_;
-    Defect defect_;
-};
 
 struct Ran {
     int code = 0;

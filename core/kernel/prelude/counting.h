@@ -33,20 +33,20 @@ struct real {
     real(scalar v) : value(v) {}
 };
 
-#define MM_COUNTED(name, kind, expression)  \
-    inline real name(real left, real right) \
-    {                                       \
-        ++MM_OPERATIONS.kind;               \
-        const scalar a = left.value;        \
-        const scalar b = right.value;       \
-        return expression;                  \
+#define COUNTED_OPERATION(name, kind, expression) \
+    inline real name(real left, real right)       \
+    {                                             \
+        ++MM_OPERATIONS.kind;                     \
+        const scalar a = left.value;              \
+        const scalar b = right.value;             \
+        return expression;                        \
     }
-MM_COUNTED(operator+, sums, a + b)
-MM_COUNTED(operator-, sums, a - b)
-MM_COUNTED(operator*, products, a* b)
-MM_COUNTED(quotient, quotients, a / b)
-MM_COUNTED(quick_quotient, quotients, a / b)
-#undef MM_COUNTED
+COUNTED_OPERATION(operator+, sums, a + b)
+COUNTED_OPERATION(operator-, sums, a - b)
+COUNTED_OPERATION(operator*, products, a* b)
+COUNTED_OPERATION(quotient, quotients, a / b)
+COUNTED_OPERATION(quick_quotient, quotients, a / b)
+#undef COUNTED_OPERATION
 
 inline real operator-(real a) { return -a.value; }
 inline mask operator<(real a, real b) { return a.value < b.value; }

@@ -34,6 +34,7 @@ FN real clipped(real a, scalar most)
 }
 #endif
 
+#define MM_HAS_INVERSE_ROOT
 #if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
 // From the hardware's 12 or 14 bits by Newton's steps: a third of the time that division and root take.
 FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)

@@ -103,7 +103,7 @@ def ablation(bench: Bench) -> Figure | None:
                 )
                 said.append(f"{fractal}, {name}, without {row.value}: {digits(row.kernel.median / base)}")
         axis.axhline(1, color="black", linewidth=0.8)
-        axis.set_xticks(range(len(points)), [point.replace(",", ",\n") for point in points])
+        axis.set_xticks(range(len(points)), points, rotation=30, ha="right", fontsize=7)
         axis.grid(axis="x", visible=False)
         axis.set(xlabel="switched off", title=fractal)
         if j == 0:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of a picture's pixels in fast mode: first those in columns and rows that are multiples of 4, then those of
-// 2, then all others, whose rays begin near the hits around them (core/kernel/march.h, start_between()). Plain data: it
-// is shared with translation units that are compiled for one instruction set.
+// Neighbours: the order of a picture's pixels in fast mode. Those in columns and rows that are multiples of 4 are drawn
+// first, then those of 2, then all others; the rays of the later ones begin near the hits of the earlier ones around
+// them (core/kernel/march.h, neighbour_start()). Plain data: it is shared with translation units that are compiled for
+// one instruction set.
 #pragma once
 
 namespace mandelmarch::openmp {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp draws fast pictures lattice by lattice: every pixel once, and nearly the picture of rays that begin alone.
+// openmp draws fast pictures lattice by lattice, so that rays begin near their neighbours' hits: every pixel once, and
+// nearly the picture of rays that begin alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,7 +107,7 @@ bool drawn_are_multiples(const Drawn& drawn, const Scene& scene, int apart)
     return true;
 }
 
-TEST(Lattices, DrawTheirPixelsAndNoOthers)
+TEST(Neighbours, AreDrawnLatticeByLattice)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     std::vector<Scene> scenes;
@@ -138,15 +139,15 @@ TEST(Lattices, DrawTheirPixelsAndNoOthers)
     }
 }
 
-// What is off a picture drawn all at once where what lattices leave is changed by `change` before the last one.
-Comparison off(const Scene& scene, const std::function<void(float& hit)>& change)
+// What is off a picture drawn all at once where `change` has changed the neighbours' depths before the last lattice.
+Comparison off(const Scene& scene, const std::function<void(float& depth)>& change)
 {
     Drawn alone(scene);
     alone.draw({0, 1});
     Drawn drawn(scene);
     for (const Lattice& lattice : lattices) {
         if (lattice.apart == 1) {
-            for (float& hit : drawn.notes.hits) change(hit);
+            for (float& depth : drawn.notes.neighbour_depth) change(depth);
         }
         drawn.draw(lattice);
     }
@@ -158,7 +159,7 @@ double percent(std::uint64_t count, const Comparison& c)
     return 100.0 * static_cast<double>(count) / static_cast<double>(c.pixels);
 }
 
-TEST(Lattices, LeaveWhatHoldsForPixelsBetween)
+TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     for (const char* name : {"bulb", "box"}) {
@@ -168,19 +169,19 @@ TEST(Lattices, LeaveWhatHoldsForPixelsBetween)
         EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
         // Rays that begin beyond the surface begin again.
         const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
-        const Comparison late = off(scene, [&](float& hit) { hit *= hit > 0 ? 1 + 4 * tolerance : 1; });
+        const Comparison late = off(scene, [&](float& depth) { depth *= depth > 0 ? 1 + 4 * tolerance : 1; });
         EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
         EXPECT_LE(percent(late.hit_or_miss, late), 0.02) << name;
         // The twins: hits behind the fractal, and none at all.
-        const Comparison behind = off(scene, [](float& hit) { hit *= hit > 0 ? 10 : 1; });
+        const Comparison behind = off(scene, [](float& depth) { depth *= depth > 0 ? 10 : 1; });
         EXPECT_GT(percent(behind.hit_or_miss, behind), 10) << name;
-        const Comparison clear = off(scene, [](float& hit) { hit = -1; });
+        const Comparison clear = off(scene, [](float& depth) { depth = -1; });
         EXPECT_GT(percent(clear.hit_or_miss, clear), 10) << name;
     }
 }
 
 // Random scenes in which pixels are few tolerances apart, as far as they are.
-TEST(Lattices, ChangeLittleAndSaveEstimates)
+TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     const Registry registry = all_backends();
