@@ -14,7 +14,6 @@ ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {
     "apps/mandelbox.cpp": "the program of that name",
     "apps/mandelbulb.cpp": "the program of that name",
-    "backends/openmp/widths.h": "registers of a pack",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
     "report/mandelreport/check.py": "odd parameters, which the viewer is tried at",

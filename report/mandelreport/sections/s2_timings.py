@@ -164,7 +164,7 @@ def _machine(bench: Bench, backends: Backends) -> dict[str, Any]:
             "double / float, kernel time",
             "Float against double: how many times longer double takes, round by round, with 95 % intervals.",
         ),
-        "box": timings.ratios(
+        "box_to_bulb": timings.ratios(
             bench,
             backends,
             "mandelbox_to_mandelbulb",
