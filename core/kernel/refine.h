@@ -4,11 +4,8 @@
 // between a ray's last two samples.
 
 // States of a Hit.
-FN real no_hit() { return 0; }  // the ray has left the scene, or made all its steps
-FN real settled()
-{
-    return 1;
-}  // t is the hit: a first sample, of a plain picture, or no number is left in the bracket
+FN real no_hit() { return 0; }       // the ray has left the scene, or made all its steps
+FN real settled() { return 1; }      // t is the hit: of a plain picture, or with no bracket, or with none left
 FN real untried() { return 2; }      // no root was tried yet
 FN real tried_below() { return 3; }  // the last root that was tried lies below the surface
 FN real tried_above() { return 4; }  // above it
