@@ -45,6 +45,9 @@ echo "bench random draws it"
 python random.json "assert {scene['fractal'] for scene in data['scenes']} == {data['sums'][0]['fractal']}
 assert len(data['scenes']) == 2 * 4 * 2"
 
+echo "the viewer computes what the programs draw"
+python3 "$2/../report/viewer_test.py" "$bin/render"
+
 echo "flythrough plans a flight through it, and makes pictures of one"
 "$bin/flythrough" plan --fractal "$name" --frames 90 --output path.json >table
 python path.json "assert data['fractal'] == '$name' and len(data['frames']) == 90"
