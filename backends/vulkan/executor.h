@@ -29,7 +29,7 @@ inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
 // reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
-static_assert(sizeof(layout_f64::Ray) == 11 * 8 && sizeof(layout_f64::Hit) == 11 * 8);  // without the rest of four
+static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the rest of four
 
 // Rounds of loops of one invocation, in one pass. lavapipe silently cuts loops off after 65,535, counted over all of
 // them and with the loops of branches that are not taken, once each. Elsewhere a watchdog may end a pass that takes
