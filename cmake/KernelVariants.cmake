@@ -6,6 +6,10 @@ include(Fractals)
 # GCC takes structures of packs apart, into registers, only up to a size that they are beyond by far.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000)
+    # GCC 12 crashes (in fre, where it compares calls of pure functions) on packs of one instruction set alone.
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND MANDELMARCH_INSTRUCTIONS STREQUAL "native")
+        list(APPEND MANDELMARCH_PACKS -fno-ipa-pure-const)
+    endif()
 endif()
 # Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
 set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS})
