@@ -7,7 +7,10 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <functional>
+#include <mutex>
 #include <new>
+#include <set>
 
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -67,7 +70,16 @@ void Process::listen()
 
 void Process::repeat_said()
 {
-    say(said_);
+    // Every process of a driver says the same: a line is for the user once.
+    static std::set<std::string, std::less<>> repeated;
+    static std::mutex one;
+    const std::scoped_lock lock(one);
+    for (std::size_t begin = 0; begin < said_.size();) {
+        const std::size_t end = std::min(said_.find('\n', begin), said_.size() - 1) + 1;
+        const auto [line, is_new] = repeated.insert(said_.substr(begin, end - begin));
+        if (is_new) say(*line);
+        begin = end;
+    }
     said_.clear();
 }
 
