@@ -1,137 +1,137 @@
 # SPDX-License-Identifier: Apache-2.0
-# Thin targets over the CMake presets. `make demo`, `make test` and `make setup` install what is missing on Debian 12; all
-# others say what is missing.
+# Thin targets over the CMake presets; `make help` lists them. `make demo`, `make test`, `make mandelbulb` and `make setup`
+# install what is missing on Debian 12 and 13; the others say what is missing.
 PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
+# Programs that only this machine will run have packs for its own instruction set alone, which takes less time to build.
+# Where a release build is there, or PRESET is given, they come from that.
+HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/flythrough),release,native),$(PRESET))
+# $(call take,PRESET,PROGRAM...): programs from their build to where people run them.
+take = mkdir -p bin && cp $(addprefix build/$(1)/bin/,$(2)) bin/
+DEMO := demo render imgdiff flythrough
 
-.PHONY: build check mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
+.PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)
 
-build:
+build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox
 	@tools/build $(PRESET) programs
-	@mkdir -p bin && cp $(BUILD)/bin/render $(BUILD)/bin/imgdiff $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/flythrough bin/
+	@$(call take,$(PRESET),$(DEMO) bench)
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
-mandelbulb mandelbox:
-	@tools/build $(PRESET) $@
-	@cp $(BUILD)/bin/$@ $@
+help: ## this list; times are those of two cores
+	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
-# Draws both official scenes on every backend, proves that they agree and prints the times.
-demo: setup
-	@$(MAKE) --no-print-directory build
-	@bin/demo
+mandelbulb mandelbox: ## the program that draws paramsBulb.dat or paramsBox.dat
+	@tools/setup build || true
+	@tools/build $(HERE) $@
+	@cp build/$(HERE)/bin/$@ $@
 
-# The standard study, by three processes one after the other: some eight minutes. docs/benchmarking.md explains it.
+demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html
+	@tools/setup programs
+	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
+	@$(call take,$(HERE),$(DEMO))
+	@cp build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
+	@tools/demo bin demo/index.html
+
+test: ## every test, with clang's and sanitizers' builds and a minute of each fuzzer
+	@tools/setup
+	@tools/build $(PRESET) all
+	@$(MAKE) --no-print-directory build python
+	ctest --preset $(PRESET)
+
+check: ## the quick tests
+	@tools/build $(PRESET) all
+	ctest --preset $(PRESET) -L quick
+
+# docs/benchmarking.md explains the study.
 LAUNCHES ?= 3
-bench: build
+bench: build ## the standard study, by three processes one after the other: report/results/bench.json
 	@mkdir -p report/results
 	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
 
-# Exact pictures of random scenes at the edges of the format on every backend, bit for bit: some minutes.
-# SCENES=5000, SCENES_SEED=2; the parameter files of scenes that differ come into build/equivalence.
+# The parameter files of scenes that differ come into build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
-equivalence: build
+equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
-flythrough:
-	@tools/build $(PRESET) flythrough
-	@mkdir -p bin && cp $(BUILD)/bin/flythrough bin/
+flythrough: ## the program that makes films
+	@tools/build $(HERE) flythrough
+	@$(call take,$(HERE),flythrough)
 
-# The film: a title, then four minutes. An interrupted run goes on where it stopped. AUTHORS is the title's second line.
+# An interrupted film goes on where it stopped. AUTHORS is the title's second line.
 FRACTAL ?= bulb
 SEED ?= 1
 FRAMES ?= 7200
 SIZE ?= 1920x1080
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough
+video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=1920x1080
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 
-# A first look: ten seconds, small.
-video-preview: flythrough
+video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp4
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
-# A small frame of every tenth second of video.mp4, the title first, and what the film's making said, for the report.
-contact-sheet:
+contact-sheet: ## frames of video.mp4, and what its making said, for the report
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
 	    -frames:v 1 report/results/contact.jpg
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-# Ten seeds of both fractals planned and audited, in a table; what anti-aliasing is worth and costs; what a segment costs.
+# Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.
 SEEDS ?= 10
-flight-study: build
+flight-study: build ## SEEDS=10 flights through both fractals planned and audited, for docs/flight.md
 	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
 	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
 	@python3 tools/flight_overhead.py bin/flythrough report/results
 
-# A film killed at twenty random moments is the same film.
-kill-test: flythrough
+kill-test: flythrough ## a film killed at twenty random moments is the same film
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
-# Everything, the builds with clang++ and under sanitizers and a minute of each fuzzer included.
-test: setup
-	@tools/build $(PRESET) all
-	@$(MAKE) --no-print-directory build python
-	ctest --preset $(PRESET)
-
-# The quick tests, in two minutes on a built tree.
-check:
-	@tools/build $(PRESET) all
-	ctest --preset $(PRESET) -L quick
-
-# A longer search for inputs that break the readers: make fuzz SECONDS=3600
 SECONDS ?= 600
-fuzz:
+fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers
 	@tools/build asan fuzzers render
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
 
-# The equivalence tests with a second OpenCL CPU device, which this installs (large).
-intel-opencl: build
+intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large)
 	@tools/intel_opencl $(BUILD)
 
-lint:
+lint: ## clang-format and clang-tidy on every source
 	@tools/lint
 
-# What NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the time of a frame that follows from it.
-k40: mandelbulb python
+k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
 	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
 	    --table report/results/k40_expected.txt
 
-# What the loops of openmp's estimators consist of on this build, and how near the multiply-add peak that lets them come.
-loop-mix: build
+loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
-# The figures of README and docs, from report/results.
-docs-figures:
+docs-figures: ## the figures of README and docs, anew from report/results
 	@python3 tools/figures.py README.md docs/*.md
 
-# The report on what report/results has, with the pictures that bin/render draws: report/out. docs/report.md explains it.
 RESULTS ?= report/results
-report: build python
+report: build python ## a report on report/results, with pictures that bin/render draws: report/out/report.html
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 
-# The report in a headless browser: no errors, the slider, the viewer beside bin/render. Screenshots in build/report/check.
-report-check:
+report-check: ## the report in a headless browser: errors, the slider, the viewer beside bin/render
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
-install: build
+install: build ## programs, libraries and headers into PREFIX=/usr/local
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
-clean:
-	rm -rf build bin mandelbulb mandelbox video*.mp4.parts
+clean: ## removes what was built
+	rm -rf build bin demo mandelbulb mandelbox video*.mp4.parts
 
-setup:
+setup: ## installs what building and testing need
 	@tools/setup
 
-python:
+python: ## the report's pinned Python packages, into build/venv
 	@tools/python_packages
