@@ -3,10 +3,13 @@
 // pictures agree and prints a table of times. Exit code 1 where a picture fails.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <thread>
 
+#include "apps/demo_folder.h"
+#include "apps/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/cpu.h"
@@ -20,8 +23,8 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr int side = 540;       // pixels
 constexpr int repetitions = 5;  // the table shows the fastest
+constexpr double enough = 1.0;  // seconds of one row, after which no further picture is begun
 
 // Most pixels, in a hundred, that may be visibly off the reference picture of the same mode. Exact double is the
 // reference's own schedule.
@@ -34,76 +37,110 @@ double allowed_percent(const Scene& scene, const RendererOptions& options)
 
 class Demo {
 public:
-    // Draws, compares and prints one row; false where the picture fails.
-    bool row(const Backend& backend, const Scene& scene, const RendererOptions& options)
+    Demo(int side, const std::string& folder) : side_(side), folder_(folder) {}
+
+    // Draws, compares and prints one row.
+    void row(const Backend& backend, const Scene& scene, const RendererOptions& options)
     {
-        const std::string head = fmt::format("{:<11} {:<10} {:<7} {:<6} ", scene.fractal->name,
-                                             fmt::format("{}{}", backend.name(), options.pack == 1 ? " 1" : ""),
-                                             name_of(options.precision), name_of(options.mode));
+        DemoRow row;
+        row.fractal = scene.fractal->name;
+        row.backend = backend.name();
+        row.pack = options.pack;
+        row.precision = options.precision;
+        row.mode = options.mode;
+        draw(row, backend, scene, options);
+        rows_.push_back(row);
+        const std::string head = fmt::format("{:<11} {:<10} {:<7} {:<6} ", row.fractal,
+                                             fmt::format("{}{}", row.backend, row.pack == 1 ? " 1" : ""),
+                                             name_of(row.precision), name_of(row.mode));
+        if (!row.drawn) {
+            print("{}{}: {}\n", head, row.fine ? "unavailable" : "FAILED", row.said);
+        } else if (row.fine) {
+            print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * row.seconds, row.speed_up, row.said);
+        } else {
+            print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", row.said);
+        }
+        flush_stdout();
+    }
+
+    // A backend without a device.
+    void absent(const Backend& backend, const Scene& scene, const Listing& listing)
+    {
+        DemoRow row;
+        row.fractal = scene.fractal->name;
+        row.backend = backend.name();
+        row.fine = listing.failure.empty();
+        row.said = listing.unavailable + listing.failure;
+        rows_.push_back(row);
+        print("{:<11} {:<10} {}: {}\n", row.fractal, row.backend, row.fine ? "unavailable" : "FAILED", row.said);
+    }
+
+    // Writes the table; true where no row failed.
+    bool finish() const
+    {
+        folder_.table(rows_, side_, repetitions);
+        return std::all_of(rows_.begin(), rows_.end(), [](const DemoRow& row) { return row.fine; });
+    }
+
+private:
+    void draw(DemoRow& row, const Backend& backend, const Scene& scene, const RendererOptions& options)
+    {
         const bool is_reference = backend.facts().role == Role::reference;
-        RenderReport report;
         Image image;
         try {
             const auto renderer = backend.create(options);
             image = Image(scene.width, scene.height, Image::Layers::all);
-            report = renderer->render(scene, image);
-            for (int i = 1; i < (is_reference ? 1 : repetitions); ++i) {
-                report.timings.wall = std::min(report.timings.wall, renderer->render(scene, image).timings.wall);
+            const RenderReport report = renderer->render(scene, image);
+            row.device = report.device.name;
+            row.seconds = report.timings.wall;
+            double spent = report.timings.wall;
+            for (int i = 1; i < repetitions && !is_reference && spent < enough; ++i) {
+                const double wall = renderer->render(scene, image).timings.wall;
+                row.seconds = std::min(row.seconds, wall);
+                spent += wall;
             }
         } catch (const Unavailable& error) {
-            print("{}unavailable: {}\n", head, error.what());
-            return true;
+            row.said = error.what();
+            return;
         } catch (const Error& error) {
-            print("{}FAILED: {}\n", head, error.what());
-            return false;
+            row.said = error.what();
+            row.fine = false;
+            return;
         }
-        const auto key = std::pair(scene.fractal->name, options.mode);
-        if (is_reference) reference_[key] = {image, report.timings.wall};
-        const auto& [expected, ignored] = reference_.at(key);
-        const double seconds = reference_.at({scene.fractal->name, Mode::exact}).second;
+        row.drawn = true;
+        if (is_reference) reference_[{row.fractal, options.mode}] = {image, row.seconds};
+        row.speed_up = reference_.at({row.fractal, Mode::exact}).second / row.seconds;
         if (is_reference) {
-            print("{}{:9.1f} {:>9.2f}   yardstick\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall);
-            return true;
-        }
-        const Comparison c = compare(expected, image);
-        const double percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
-        bool fine = percent <= allowed_percent(scene, options);
-        std::string proof = fmt::format("{:.3f} % off the reference", percent);
-        if (options.mode == Mode::exact) {
-            // All backends draw the same bits in exact mode; the first one to draw sets them.
-            const auto [first, is_first] = exact_.try_emplace({scene.fractal->name, options.precision}, image);
-            const bool same = compare(first->second, image).same();
-            fine = fine && same;
-            proof += is_first ? "" : same ? ", same bits" : ", OTHER BITS";
-        }
-        if (fine) {
-            print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * report.timings.wall, seconds / report.timings.wall, proof);
+            row.said = "yardstick";
         } else {
-            print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", proof);
+            prove(row, scene, options, image);
         }
-        return fine;
+        folder_.picture(row, image);
     }
 
-private:
-    std::map<std::pair<std::string_view, Mode>, std::pair<Image, double>> reference_;
-    std::map<std::pair<std::string_view, Precision>, Image> exact_;
+    void prove(DemoRow& row, const Scene& scene, const RendererOptions& options, const Image& image)
+    {
+        const Comparison c = compare(reference_.at({row.fractal, options.mode}).first, image);
+        const double percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
+        row.fine = percent <= allowed_percent(scene, options);
+        row.said = fmt::format("{:.3f} % off the reference", percent);
+        if (options.mode != Mode::exact) return;
+        // All backends draw the same bits in exact mode; the first one to draw sets them.
+        const auto [first, is_first] = exact_.try_emplace({row.fractal, options.precision}, image);
+        const bool same = compare(first->second, image).same();
+        row.fine = row.fine && same;
+        row.said += is_first ? "" : same ? ", same bits" : ", OTHER BITS";
+    }
+
+    int side_;
+    DemoFolder folder_;
+    std::vector<DemoRow> rows_;
+    std::map<std::pair<std::string, Mode>, std::pair<Image, double>> reference_;
+    std::map<std::pair<std::string, Precision>, Image> exact_;
 };
 
-int body(int argc, char** argv)
+void draw_all(Demo& demo, const Registry& registry, int side)
 {
-    if (argc == 2 && std::string_view(argv[1]) == "--version") {
-        print("{}\n", version_line("demo"));
-        return exit_fine;
-    }
-    if (argc > 1) throw InputError("demo: it takes no arguments but --version");
-    const Registry registry = all_backends(Drivers::isolated);
-    print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
-    print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {} 1: the text as scalar C++\n", side, side,
-          repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());
-    print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms", "speed-up",
-          "picture");
-    Demo demo;
-    bool fine = true;
     for (const Fractal& fractal : fractals()) {
         const Scene scene = official_scene(fractal, side, side);
         if (!registry.with(Role::reference).draws(scene)) continue;
@@ -111,22 +148,48 @@ int body(int argc, char** argv)
             const Role role = backend->facts().role;
             const Listing listing = listing_of(*backend);
             if (listing.devices.empty()) {
-                fine = fine && listing.failure.empty();
-                print("{:<11} {:<10} {}{}\n", fractal.name, backend->name(),
-                      listing.failure.empty() ? "unavailable: " : "FAILED: ", listing.unavailable + listing.failure);
+                demo.absent(*backend, scene, listing);
                 continue;
             }
             for (const Mode mode : {Mode::exact, Mode::fast}) {
                 for (const Precision precision : {Precision::f64, Precision::f32}) {
                     if (role == Role::reference && precision == Precision::f32) continue;
-                    fine = demo.row(*backend, scene, {.precision = precision, .mode = mode}) && fine;
-                    if (role != Role::host) continue;
-                    fine = demo.row(*backend, scene, {.precision = precision, .mode = mode, .pack = 1}) && fine;
+                    demo.row(*backend, scene, {.precision = precision, .mode = mode});
+                    if (role == Role::host)
+                        demo.row(*backend, scene, {.precision = precision, .mode = mode, .pack = 1});
                 }
             }
         }
     }
-    return fine ? exit_fine : exit_failure;
+}
+
+int body(int argc, char** argv)
+{
+    CLI::App app("demo: draws both official scenes on every backend, compares the pictures and prints the times.");
+    app.set_version_flag("--version", version_line("demo"));
+    std::string side_text = "540";
+    std::string folder;
+    app.add_option("--side", side_text, "pixels of a picture's side")->capture_default_str();
+    app.add_option("--folder", folder, "where the pictures go, with demo.json: the table");
+    app.footer("Exit codes: 0 fine, 1 a picture or a device failed, 2 bad input.");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answer) {  // --help, --version
+        return app.exit(answer);
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("demo: {} (--help lists the options)", error.what()));
+    }
+    const int side = whole_option("side", side_text, 16, 4096);
+
+    const Registry registry = all_backends(Drivers::isolated);
+    print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
+    print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {} 1: the text as scalar C++\n", side, side,
+          repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());
+    print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms", "speed-up",
+          "picture");
+    Demo demo(side, folder);
+    draw_all(demo, registry, side);
+    return demo.finish() ? exit_fine : exit_failure;
 }
 
 }  // namespace

@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import jinja2
-from markupsafe import Markup
 
+from . import viewer
 from .sections import Material, s1_pictures, s2_timings, s3_parallel, s4_flight, s5_why, s6_summary, s7_reproduce, s8_viewer
 
 FOLDER = Path(__file__).parents[1]
@@ -24,11 +24,6 @@ SECTIONS = [
 ]
 
 
-def _raw(name: str) -> Markup:
-    """A style sheet or script, as it is."""
-    return Markup((FOLDER / name).read_text(encoding="utf-8"))
-
-
 def render(material: Material) -> str:
     """The whole page. The same results and programs give the same text."""
     environment = jinja2.Environment(
@@ -43,9 +38,7 @@ def render(material: Material) -> str:
     return environment.get_template("page.html.j2").render(
         contents=contents,
         machines=machines,
-        style=_raw("templates/style.css"),
-        slider=_raw("templates/slider.js"),
-        viewer=_raw("viewer/viewer.js"),
-        camera=_raw("viewer/camera.js"),
-        painter=_raw("viewer/painter.js"),
+        style=viewer.raw("templates/style.css"),
+        slider=viewer.raw("templates/slider.js"),
+        viewer=viewer.scripts(),
     )

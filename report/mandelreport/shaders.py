@@ -9,9 +9,9 @@ import subprocess
 from pathlib import Path
 
 from .errors import InputError
-from .pictures import ROOT
 
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
+ROOT = Path(__file__).parents[2]
 FLATTEN = ROOT / "report" / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
 # The kernel text of each fractal. The environment names further folders as the build's option of that name does.

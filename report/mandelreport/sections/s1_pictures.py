@@ -155,6 +155,10 @@ def section(material: Material) -> dict[str, Any]:
         "side": SIDE,
         "drawn": len(pictures),
         "stored": stored,
+        "choices": {
+            fractal: [(picture.name, str(key)) for picture in shown for key in picture.keys]
+            for fractal, shown in stored.items()
+        },
         "count": sum(len(shown) for shown in stored.values()),
         "tables": tables,
         "float": _float_against_double(material, pictures),

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""python3 -m mandelreport.demo: one page of what bin/demo drew: pictures, differences, times, a film and the viewer.
+
+Needs no package but Jinja. Exit codes: 0 fine, 1 a file cannot be written, 2 wrong arguments or bad input."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from . import viewer
+from .blocks import Missing, data_uri
+from .errors import InputError, write_whole
+from .shaders import missing_tools
+
+LARGEST = 20 * 2**20  # bytes of the page
+
+
+@dataclass
+class Picture:
+    """Pictures with the same bytes are stored once. `rows`: those of the table that drew it."""
+
+    name: str  # in the page
+    source: str
+    rows: list[dict[str, Any]] = field(default_factory=list)
+
+
+def label(row: dict[str, Any]) -> str:
+    return f"{row['backend']}{' 1' if row['pack'] == 1 else ''}, {row['precision']}, {row['mode']}"
+
+
+def read_table(folder: Path) -> dict[str, Any]:
+    path = folder / "demo.json"
+    try:
+        table = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: {error}: bin/demo --folder {folder} makes it") from error
+    if not isinstance(table, dict) or table.get("schema") != 1:
+        raise InputError(f"{path}: no table of schema 1: bin/demo --folder {folder} makes one")
+    return table
+
+
+def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
+    found: dict[str, Picture] = {}
+    for row in rows:
+        if row["picture"]:
+            data = (folder / row["picture"]).read_bytes()
+            digest = hashlib.sha256(data).hexdigest()
+            name = f"{row['fractal']}-{len(found)}"
+            found.setdefault(digest, Picture(name, data_uri("image/png", data))).rows.append(row)
+    return list(found.values())
+
+
+def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The times of each precision and mode, as shares of the longest; the reference's are too long for bars."""
+    timed = [row for row in rows if row["drawn"] and row["fine"] and row["said"] != "yardstick"]
+    longest = max((row["wall_seconds"] for row in timed), default=1.0)
+    kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
+    return [
+        {
+            "title": f"{precision}, {mode}",
+            "rows": [
+                {"row": row, "name": label(row).split(",")[0], "per_cent": 100 * row["wall_seconds"] / longest}
+                for row in timed
+                if (row["precision"], row["mode"]) == (precision, mode)
+            ],
+        }
+        for precision, mode in kinds
+    ]
+
+
+def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
+    result = []
+    for name in dict.fromkeys(row["fractal"] for row in table["rows"]):
+        rows = [row for row in table["rows"] if row["fractal"] == name]
+        pictures = pictures_of(folder, rows)
+        exact = [row for row in rows if row["picture"] and (row["precision"], row["mode"]) == ("double", "exact")]
+        result.append(
+            {
+                "name": name,
+                "rows": rows,
+                "pictures": pictures,
+                "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
+                "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
+                "yardstick": [row for row in rows if row["said"] == "yardstick"],
+                "bars": bars_of(rows),
+                "failed": [row for row in rows if not row["fine"]],
+                "absent": [row for row in rows if not row["drawn"] and row["fine"]],
+            }
+        )
+    return result
+
+
+def live(programs: Path, work: Path) -> dict[str, Any]:
+    """The viewer's values, or why there is none."""
+    absent = missing_tools()
+    if absent:
+        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "make demo")}
+    run = subprocess.run([programs / "render", "--list-fractals", "--json"], capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        raise InputError(f"{programs / 'render'}: {run.stderr.strip()}")
+    return viewer.material(json.loads(run.stdout), work)
+
+
+def page(folder: Path, programs: Path) -> str:
+    table = read_table(folder)
+    film = folder / "film.mp4"
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(viewer.FOLDER / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    return environment.get_template("demo.html.j2").render(
+        table=table,
+        fractals=fractals_of(folder, table),
+        film=data_uri("video/mp4", film.read_bytes()) if film.exists() else None,
+        s=live(programs, folder / "shaders"),
+        style=viewer.raw("templates/style.css"),
+        slider=viewer.raw("templates/slider.js"),
+        viewer=viewer.scripts(),
+    )
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="mandelreport.demo", description=__doc__)
+    parser.add_argument("--folder", type=Path, default=Path("build/demo"), help="what bin/demo wrote (%(default)s)")
+    parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render (%(default)s)")
+    parser.add_argument("--output", type=Path, default=Path("demo/index.html"), help="the page (%(default)s)")
+    arguments = parser.parse_args()
+    try:
+        html = page(arguments.folder, arguments.programs.absolute()).encode()
+        if len(html) > LARGEST:
+            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}: a smaller --side of bin/demo?")
+        write_whole(arguments.output, html)
+    except InputError as error:
+        print(f"demo: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"demo: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
