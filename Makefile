@@ -100,6 +100,9 @@ fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers
 intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large)
 	@tools/intel_opencl $(BUILD)
 
+compilers: build ## the same bits from every other g++-N and clang++-N that is installed
+	@tools/compilers bin
+
 lint: ## clang-format and clang-tidy on every source
 	@tools/lint
 
