@@ -134,7 +134,7 @@ const Viewer = (() => {
             label.append(name, slider, value);
             Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
             slider.dataset.parameter = key;
-            value.textContent = read();
+            value.textContent = Number(read().toPrecision(6));  // of a float
             slider.addEventListener("input", () => {
                 const number = Number(slider.value);
                 if (at !== undefined) scene[field][at] = number;
