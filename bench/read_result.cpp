@@ -269,7 +269,7 @@ Result result_of(const Json& json)
 
 }  // namespace
 
-Result from_json(const Json& json, const std::string& name)
+Result result_from_json(const Json& json, const std::string& name)
 {
     try {
         return result_of(json);
@@ -285,7 +285,7 @@ Result parse_result(const std::string& text, const std::string& name)
     check_json_depth(text, name);
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
-    return from_json(json, name);
+    return result_from_json(json, name);
 }
 
 Result read_result(const std::string& path)

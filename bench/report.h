@@ -18,7 +18,7 @@ nlohmann::ordered_json to_json(const Result& result);
 
 // Reads what to_json wrote; derived figures are left out, as they follow from the samples. `name` is what messages call
 // the file. Throws InputError where it is no result, one of another version, or holds values that no study has.
-Result from_json(const nlohmann::ordered_json& json, const std::string& name);
+Result result_from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);
 

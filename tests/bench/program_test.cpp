@@ -204,21 +204,21 @@ TEST(BenchProgram, LinesAreAtMost120Characters)
 TEST(BenchProgram, AResultIsReadAsItWasWritten)
 {
     const Ran ran = run(Defect::upside_down, small("exact"));
-    const Result result = from_json(ran.json, "file");
+    const Result result = result_from_json(ran.json, "file");
     EXPECT_EQ(to_json(result), ran.json);
     auto other = ran.json;
     other["version"] = schema_version + 1;
-    EXPECT_THROW(from_json(other, "file"), InputError);
+    EXPECT_THROW(result_from_json(other, "file"), InputError);
     other = ran.json;
     other["rows"][0].erase("samples");
-    EXPECT_THROW(from_json(other, "file"), InputError);
-    EXPECT_THROW(from_json(nlohmann::ordered_json::array(), "file"), InputError);
+    EXPECT_THROW(result_from_json(other, "file"), InputError);
+    EXPECT_THROW(result_from_json(nlohmann::ordered_json::array(), "file"), InputError);
 }
 
 TEST(BenchProgram, TheCsvHasALineARow)
 {
     const Ran ran = run(Defect::hidden, small("exact"));
-    std::istringstream csv(to_csv(from_json(ran.json, "file")));
+    std::istringstream csv(to_csv(result_from_json(ran.json, "file")));
     std::string line;
     std::getline(csv, line);
     EXPECT_TRUE(line.starts_with("problem,application,platform,fom,")) << line;
