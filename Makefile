@@ -5,7 +5,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 
-.PHONY: build check mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
+.PHONY: build bundle check mandelbulb mandelbox demo test bench equivalence fuzz intel-opencl lint k40 loop-mix docs-figures flythrough video video-preview contact-sheet flight-study kill-test report report-check install clean setup python
 
 build:
 	@tools/build $(PRESET) programs
@@ -15,6 +15,14 @@ build:
 mandelbulb mandelbox:
 	@tools/build $(PRESET) $@
 	@cp $(BUILD)/bin/$@ $@
+
+# A folder and a .tar.xz that run where nothing can be installed: build/bundle. DRIVERS=OFF leaves out the drivers for CPUs,
+# FFMPEG=FILE carries a static ffmpeg. docs/bundle.md says the rest.
+DRIVERS ?= ON
+FFMPEG ?=
+bundle:
+	@tools/build $(PRESET) bundle_program
+	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
 # Draws both official scenes on every backend, proves that they agree and prints the times.
 demo: setup
