@@ -77,7 +77,8 @@ fs::path folder_of_links(const std::vector<fs::path>& files)
     return folder;
 }
 
-void add_opencl(const fs::path& pocl)
+// PoCL calls ld for each kernel; `tools` has one that works without glibc's development files.
+void add_opencl(const fs::path& pocl, const fs::path& tools)
 {
     if (!is_there(pocl) || is_set("OCL_ICD_VENDORS") || is_set("OPENCL_VENDOR_PATH")) return;
     std::vector<fs::path> files = files_of("/etc/OpenCL/vendors", ".icd");
@@ -87,7 +88,10 @@ void add_opencl(const fs::path& pocl)
     const bool alone = files.empty();
     files.push_back(pocl);
     const fs::path folder = alone ? pocl.parent_path() : folder_of_links(files);
-    if (!folder.empty()) setenv("OCL_ICD_VENDORS", folder.c_str(), 1);
+    if (folder.empty()) return;
+    setenv("OCL_ICD_VENDORS", folder.c_str(), 1);
+    const std::string others = is_set("PATH") ? std::getenv("PATH") : "/usr/local/bin:/usr/bin:/bin";
+    setenv("PATH", (tools.string() + ":" + others).c_str(), 1);
 }
 
 void add_vulkan(const fs::path& lavapipe)
@@ -117,7 +121,7 @@ void use_carried(const fs::path& bundle)
     const fs::path share = bundle / "share";
     name_file("MANDELMARCH_FONT", share / "fonts/DejaVuSans.ttf");
     name_file("MANDELMARCH_FFMPEG", bundle / "libexec/ffmpeg");
-    add_opencl(share / "OpenCL/vendors/pocl.icd");
+    add_opencl(share / "OpenCL/vendors/pocl.icd", bundle / "libexec/pocl");
     add_vulkan(share / "vulkan/icd.d/lvp_icd.json");
 }
 
