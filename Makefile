@@ -43,6 +43,13 @@ check: ## the quick tests
 	@tools/build $(PRESET) all
 	ctest --preset $(PRESET) -L quick
 
+# DRIVERS=OFF leaves out the drivers for CPUs, FFMPEG=FILE carries a static ffmpeg. docs/bundle.md says the rest.
+DRIVERS ?= ON
+FFMPEG ?=
+bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle
+	@tools/build $(PRESET) bundle_program
+	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
+
 # docs/benchmarking.md explains the study.
 LAUNCHES ?= 3
 bench: build ## the standard study, by three processes one after the other: report/results/bench.json

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 
@@ -49,11 +50,12 @@ private:
     int descriptor_;
 };
 
-// Runs this program with its standard output in `output`; returns the exit code, or 128 and a signal's number.
+// Runs this program, by the name that it was called, with its standard output in `output`; returns the exit code, or 128
+// and a signal's number.
 int run(const std::vector<std::string>& arguments, int output)
 {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    std::vector<std::string> words{program};
+    std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -D SETTINGS=build/release/packaging/settings.cmake -D BUNDLE=FOLDER [-D DRIVERS=OFF] [-D FFMPEG=FILE] -P bundle.cmake:
+# makes the folder anew from what is built and installed here. `make bundle` does that and packs it.
+cmake_minimum_required(VERSION 3.25)
+include(${SETTINGS})
+include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/licences.cmake)
+if(NOT DEFINED DRIVERS)
+    set(DRIVERS ON)
+endif()
+
+# What is missing is said before anything is made, in one line.
+find_program(PATCHELF patchelf)
+find_program(DPKG_QUERY dpkg-query)
+set(font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
+set(wanted patchelf:PATCHELF dpkg:DPKG_QUERY fonts-dejavu-core:font)
+if(DEFINED BUNDLE_GOMP_NVPTX)
+    list(APPEND wanted libgomp-plugin-nvptx1:BUNDLE_GOMP_NVPTX)
+endif()
+if(DEFINED BUNDLE_VULKAN_LOADER)
+    list(APPEND wanted libvulkan1:BUNDLE_VULKAN_LOADER)
+endif()
+if(DRIVERS)
+    list(APPEND wanted pocl-opencl-icd:BUNDLE_POCL mesa-vulkan-drivers:BUNDLE_LAVAPIPE binutils:BUNDLE_LINKER)
+endif()
+set(missing "")
+foreach(want ${wanted})
+    string(REPLACE ":" ";" want ${want})
+    list(GET want 0 package)
+    list(GET want 1 variable)
+    if(NOT ${variable} OR NOT EXISTS ${${variable}})
+        list(APPEND missing ${package})
+    endif()
+endforeach()
+if(missing)
+    list(JOIN missing " " missing)
+    say_and_end("missing: ${missing}; on Debian apt-get install ${missing}")
+endif()
+if(FFMPEG AND NOT EXISTS ${FFMPEG})
+    say_and_end("no file ${FFMPEG}, expected a static ffmpeg")
+endif()
+
+file(REMOVE_RECURSE ${BUNDLE})
+file(MAKE_DIRECTORY ${BUNDLE}/bin ${BUNDLE}/lib ${BUNDLE}/share)
+
+# The programs.
+set(program ${BUNDLE}/bin/mandelmarch)
+file(COPY_FILE ${FOLDER}/mandelmarch ${program})
+must_run(${CMAKE_STRIP} ${program})
+foreach(name ${programs})
+    file(CREATE_LINK mandelmarch ${BUNDLE}/bin/${name} SYMBOLIC)
+endforeach()
+
+# Their libraries: what they link, then what they load by name. libgomp looks for its plugin, OpenCL's loader for PoCL, by
+# the paths of their own files.
+set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
+carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
+if(DRIVERS)
+    get_filename_component(pocl_folder ${BUNDLE_POCL} DIRECTORY)
+    file(GLOB pocl_devices ${pocl_folder}/pocl/libpocl-devices-*.so)
+    carry_libraries(lib/drivers "$ORIGIN:$ORIGIN/.." "" "${BUNDLE_POCL};${BUNDLE_LAVAPIPE}")
+    foreach(device ${pocl_devices})
+        carry_library(lib/drivers/pocl "$ORIGIN:$ORIGIN/..:$ORIGIN/../.." ${device})
+    endforeach()
+    # PoCL links its kernels with the first ld on PATH, which carried.cpp sets.
+    carry_libraries(lib/drivers "$ORIGIN:$ORIGIN/.." ${BUNDLE_LINKER} "")
+    carry_library(libexec/pocl "$ORIGIN/../../lib/drivers:$ORIGIN/../../lib" ${BUNDLE_LINKER})
+    file(COPY ${CMAKE_CURRENT_LIST_DIR}/ld DESTINATION ${BUNDLE}/libexec/pocl)
+    # PoCL finds its texts at ../../share/pocl from its own folder.
+    carry_files(share/pocl /usr/share/pocl)
+    file(WRITE ${BUNDLE}/share/OpenCL/vendors/pocl.icd "libpocl.so.2\n")
+    file(WRITE ${BUNDLE}/share/vulkan/icd.d/lvp_icd.json [[
+{
+    "file_format_version": "1.0.0",
+    "ICD": {"library_path": "../../../lib/drivers/libvulkan_lvp.so", "api_version": "1.1.230"}
+}
+]])
+endif()
+carry_files(share/fonts ${font})
+if(FFMPEG)
+    file(MAKE_DIRECTORY ${BUNDLE}/libexec)
+    file(COPY_FILE ${FFMPEG} ${BUNDLE}/libexec/ffmpeg)
+    file(CHMOD ${BUNDLE}/libexec/ffmpeg PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+        WORLD_EXECUTE)
+endif()
+
+# The scenes, Slurm's scripts, what makes containers of this folder.
+file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
+file(COPY ${scenes} DESTINATION ${BUNDLE})
+file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/Containerfile ${CMAKE_CURRENT_LIST_DIR}/mandelmarch.def DESTINATION ${BUNDLE}/container)
+
+write_licences()
+needed_glibc(glibc)
+execute_process(COMMAND ${program} render --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+set(drivers_carried "no driver for CPUs is carried: `openmp` and `reference` run everywhere, `opencl` and `vulkan` where the
+system has a driver")
+if(DRIVERS)
+    set(drivers_carried "PoCL (`opencl`) and lavapipe (`vulkan`) are carried, so that every backend but `openacc` runs on any CPU")
+endif()
+set(ffmpeg_carried "ffmpeg is not carried")
+if(FFMPEG)
+    set(ffmpeg_carried "ffmpeg is carried as libexec/ffmpeg; its licence is that of whoever built it")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/README.md.in ${BUNDLE}/README.md @ONLY)
+message(STATUS "${BUNDLE}: ${version}, glibc ${glibc}")

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "packaging/carried.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_set(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+}
+
+bool is_there(const fs::path& path)
+{
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+void name_file(const char* variable, const fs::path& file)
+{
+    if (!is_set(variable) && is_there(file)) setenv(variable, file.c_str(), 1);
+}
+
+std::vector<fs::path> files_of(const fs::path& folder, const char* extension)
+{
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (at->path().extension() == extension) files.push_back(at->path());
+    }
+    return files;
+}
+
+std::string contents(const fs::path& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A folder of links to all of `files`, or nothing: OpenCL's loader reads one folder, and the bundle's may be read-only. It
+// is the user's alone: in a folder that others can write to, it may be somebody else's.
+fs::path folder_of_links(const std::vector<fs::path>& files)
+{
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error) / ("mandelmarch-opencl-" + std::to_string(geteuid()));
+    if (error) return {};
+    mkdir(folder.c_str(), 0700);
+    struct stat status {};
+    if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != geteuid() ||
+        (status.st_mode & 077) != 0) {
+        return {};
+    }
+    for (const fs::path& link : files_of(folder, ".icd")) {
+        if (!is_there(link)) fs::remove(link, error);
+    }
+    for (const fs::path& file : files) {
+        const fs::path link = folder / file.filename();
+        if (fs::read_symlink(link, error) == file) continue;
+        // Renamed, as another program may read the folder now.
+        const fs::path fresh = folder / (file.filename().string() + "." + std::to_string(getpid()));
+        fs::create_symlink(file, fresh, error);
+        fs::rename(fresh, link, error);
+        if (error) return {};
+    }
+    return folder;
+}
+
+// PoCL calls ld for each kernel; `tools` has one that works without glibc's development files.
+void add_opencl(const fs::path& pocl, const fs::path& tools)
+{
+    if (!is_there(pocl) || is_set("OCL_ICD_VENDORS") || is_set("OPENCL_VENDOR_PATH")) return;
+    std::vector<fs::path> files = files_of("/etc/OpenCL/vendors", ".icd");
+    for (const fs::path& file : files) {
+        if (contents(file).find("libpocl") != std::string::npos) return;
+    }
+    const bool alone = files.empty();
+    files.push_back(pocl);
+    const fs::path folder = alone ? pocl.parent_path() : folder_of_links(files);
+    if (folder.empty()) return;
+    setenv("OCL_ICD_VENDORS", folder.c_str(), 1);
+    const std::string others = is_set("PATH") ? std::getenv("PATH") : "/usr/local/bin:/usr/bin:/bin";
+    setenv("PATH", (tools.string() + ":" + others).c_str(), 1);
+}
+
+void add_vulkan(const fs::path& lavapipe)
+{
+    if (!is_there(lavapipe)) return;
+    constexpr std::array folders{"/etc/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/usr/share/vulkan/icd.d"};
+    for (const char* folder : folders) {
+        for (const fs::path& file : files_of(folder, ".json")) {
+            if (contents(file).find("libvulkan_lvp") != std::string::npos) return;
+        }
+    }
+    const std::string others = is_set("VK_ADD_DRIVER_FILES") ? std::getenv("VK_ADD_DRIVER_FILES") + std::string(":") : "";
+    if (others.find(lavapipe.string() + ":") != std::string::npos) return;
+    setenv("VK_ADD_DRIVER_FILES", (others + lavapipe.string()).c_str(), 1);
+}
+
+}  // namespace
+
+fs::path bundle_folder()
+{
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+}
+
+void use_carried(const fs::path& bundle)
+{
+    const fs::path share = bundle / "share";
+    name_file("MANDELMARCH_FONT", share / "fonts/DejaVuSans.ttf");
+    name_file("MANDELMARCH_FFMPEG", bundle / "libexec/ffmpeg");
+    add_opencl(share / "OpenCL/vendors/pocl.icd", bundle / "libexec/pocl");
+    add_vulkan(share / "vulkan/icd.d/lvp_icd.json");
+}
+
+}  // namespace mandelmarch

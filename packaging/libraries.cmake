@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+# Libraries into the bundle, with relative paths. Wants BUNDLE, PATCHELF, CMAKE_OBJDUMP.
+
+# say_and_end(TEXT): one line, which is all that packaging/bundle shows of what ends here.
+function(say_and_end text)
+    message(NOTICE "bundle: ${text}")
+    message(FATAL_ERROR "${text}")
+endfunction()
+
+function(must_run)
+    execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# A file's origin, for the licences: ORIGINS has "file in the bundle|file of the system".
+function(note_origin file origin)
+    set_property(GLOBAL APPEND PROPERTY ORIGINS "${file}|${origin}")
+endfunction()
+
+# carry_library(FOLDER RPATH FILE): with the name by which others ask for it.
+function(carry_library folder rpath file)
+    get_filename_component(name ${file} NAME)
+    get_filename_component(real ${file} REALPATH)
+    set(copy ${BUNDLE}/${folder}/${name})
+    file(MAKE_DIRECTORY ${BUNDLE}/${folder})
+    file(COPY_FILE ${real} ${copy})
+    file(CHMOD ${copy} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    must_run(${PATCHELF} --set-rpath ${rpath} ${copy})
+    note_origin(${folder}/${name} ${real})
+endfunction()
+
+# carry_libraries(FOLDER RPATH PROGRAM FILES): all that PROGRAM and FILES need and is not carried yet, and FILES, but for what
+# glibc's package has.
+function(carry_libraries folder rpath program files)
+    file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${program} LIBRARIES ${files}
+        PRE_EXCLUDE_REGEXES "^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\\.so"
+        RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR unknown)
+    if(unknown)
+        list(JOIN unknown " " unknown)
+        say_and_end("not found: ${unknown}")
+    endif()
+    list(APPEND files ${found})
+    foreach(file ${files})
+        get_filename_component(name ${file} NAME)
+        if(NOT EXISTS ${BUNDLE}/lib/${name} AND NOT EXISTS ${BUNDLE}/${folder}/${name})
+            carry_library(${folder} ${rpath} ${file})
+        endif()
+    endforeach()
+endfunction()
+
+# carry_files(FOLDER PATH): a file or a folder's contents.
+function(carry_files folder path)
+    set(files ${path})
+    set(base ${path})
+    if(IS_DIRECTORY ${path})
+        file(GLOB_RECURSE files ${path}/*)
+    else()
+        get_filename_component(base ${path} DIRECTORY)
+    endif()
+    foreach(file ${files})
+        file(RELATIVE_PATH name ${base} ${file})
+        get_filename_component(into ${BUNDLE}/${folder}/${name} DIRECTORY)
+        file(MAKE_DIRECTORY ${into})
+        file(COPY_FILE ${file} ${BUNDLE}/${folder}/${name})
+        note_origin(${folder}/${name} ${file})
+    endforeach()
+endfunction()
+
+# needed_glibc(VARIABLE): the newest version of glibc's symbols that any file of the bundle wants.
+function(needed_glibc variable)
+    file(GLOB_RECURSE files ${BUNDLE}/bin/mandelmarch ${BUNDLE}/lib/*)
+    execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${files} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX MATCHALL "GLIBC_[0-9.]+" versions "${text}")
+    list(TRANSFORM versions REPLACE "GLIBC_" "")
+    list(REMOVE_DUPLICATES versions)
+    list(SORT versions COMPARE NATURAL ORDER DESCENDING)
+    list(GET versions 0 newest)
+    set(${variable} ${newest} PARENT_SCOPE)
+endfunction()
