@@ -187,9 +187,13 @@ int cuMemGetAddressRange(uint64_t* begin, size_t* bytes, uint64_t address)
 }
 int cuMemAllocHost_v2(void** address, size_t bytes) { return *address = malloc(bytes), SUCCESS; }
 int cuMemAllocHost(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
+int cuMemHostAlloc(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
 int cuMemFreeHost(void* address) { return free(address), SUCCESS; }
 int cuMemHostGetDevicePointer_v2(void) { return NOT_SUPPORTED; }
 int cuMemHostGetDevicePointer(void) { return NOT_SUPPORTED; }
+int cuMemcpy2D_v2(void) { return NOT_SUPPORTED; }
+int cuMemcpy2DUnaligned_v2(void) { return NOT_SUPPORTED; }
+int cuMemcpy3D_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy(uint64_t to, uint64_t from, size_t bytes) { return memcpy((void*)to, (void*)from, bytes), SUCCESS; }
 int cuMemcpyHtoD_v2(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }
 int cuMemcpyHtoD(uint64_t to, const void* from, size_t bytes) { return cuMemcpy(to, (uint64_t)from, bytes); }

@@ -130,7 +130,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
 TEST_P(SameBits, EveryInstructionSet)
 {
     std::set<std::string> ran;
-    for (const char* name : {"SCALAR", "EMU128", "SSE4", "AVX2", "AVX-512"}) {
+    for (const char* name : {"SCALAR", "EMU128", "SSE2", "SSE4", "AVX2", "AVX-512"}) {
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
         for (const auto& [scene_name, scene] : scenes()) {
             Image packed(scene.width, scene.height, Image::Layers::all);

@@ -50,7 +50,8 @@ FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
     BoxOrbit a;
     a.z = p;
     a.k = 1;
-    a.late = on && !on;
+    mask off = !on;
+    a.late = on && off;
     a.iterations = 0;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
