@@ -121,10 +121,17 @@ cp -r cache whole
 break_cache() {
     local file
     for file in cache/mandelmarch/*.bin; do "$@" "$file"; done
+    rm -rf broken
+    cp -r cache broken
     draw bulb again.exr || fail "cache after $*: $(cat stderr)"
     [ -s stderr ] && fail "cache after $*: $(cat stderr)"
     same first.exr again.exr
-    diff -r cache whole >/dev/null || fail "cache after $*: not rebuilt"
+    # Not every driver makes the same bytes again.
+    for file in whole/mandelmarch/*.bin; do
+        file=mandelmarch/${file##*/}
+        [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||
+            fail "cache after $*: not rebuilt"
+    done
 }
 flip() { printf '\377' | dd of="$1" bs=1 seek=20 conv=notrunc status=none; }
 empty() { : >"$1"; }
@@ -168,8 +175,15 @@ for scene in deep-*.dat; do
         fail "openmp"
     draw box a.exr --precision float && same a.exr true/deep.exr || fail "$scene: another picture"
 done
-# A driver that cuts loops off and does not say so is found out; where it cuts none the picture is right.
-if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *0:' | grep -q llvmpipe; then
+# A driver that cuts loops off and does not say so is found out; where it cuts none, as newer lavapipes, the picture is right.
+scene=deep-18.dat
+"$bin/render" --fractal box $scene --size 40x30 --backend openmp --pack 1 --precision float --output true/deep-18.exr ||
+    fail "openmp"
+if with unknown_driver draw box a.exr --precision float; then
+    same a.exr true/deep-18.exr
+    unset scene
+else
+    unset scene
     for scene in long.dat deep-18.dat; do
         fractal=$([ $scene = long.dat ] && echo bulb || echo box)
         for mode in exact fast; do
