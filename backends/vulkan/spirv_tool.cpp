@@ -24,10 +24,12 @@ constexpr std::size_t header_words = 5;
 constexpr std::uint32_t no_contraction = 42;
 constexpr std::uint32_t op_decorate = 71;
 
-// FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices.
+// FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices. Where a float
+// quotient is computed in double, Mesa 25 would leave out the rounding to float before the next one.
 bool is_arithmetic(std::uint32_t opcode)
 {
-    static const std::set<std::uint32_t> opcodes{127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148};
+    static const std::set<std::uint32_t> opcodes{115, 127, 129, 131, 133, 136, 140, 141,
+                                                 142, 143, 144, 145, 146, 147, 148};
     return opcodes.contains(opcode);
 }
 
