@@ -13,46 +13,46 @@ DEMO := demo render imgdiff flythrough
 
 .PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)
 
-build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox
+build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox (7 min)
 	@tools/build $(PRESET) programs
 	@$(call take,$(PRESET),$(DEMO) bench)
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
-help: ## this list; times are those of two cores
+help: ## this list; times are some of two cores, beside those of the build
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
-mandelbulb mandelbox: ## the program that draws paramsBulb.dat or paramsBox.dat
+mandelbulb mandelbox: ## the program that draws paramsBulb.dat or paramsBox.dat (3 min with set-up and build)
 	@tools/setup build || true
 	@tools/build $(HERE) $@
 	@cp build/$(HERE)/bin/$@ $@
 
-demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html
+demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (5 min with set-up and build)
 	@tools/setup programs
 	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
 	@$(call take,$(HERE),$(DEMO))
 	@cp build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
-test: ## every test, with clang's and sanitizers' builds and a minute of each fuzzer
+test: ## every test, with clang's and sanitizers' builds and a minute of each fuzzer (half an hour from nothing)
 	@tools/setup
 	@tools/build $(PRESET) all
 	@$(MAKE) --no-print-directory build python
 	ctest --preset $(PRESET)
 
-check: ## the quick tests
+check: ## the quick tests (2 min)
 	@tools/build $(PRESET) all
 	ctest --preset $(PRESET) -L quick
 
 # DRIVERS=OFF leaves out the drivers for CPUs, FFMPEG=FILE carries a static ffmpeg. docs/bundle.md says the rest.
 DRIVERS ?= ON
 FFMPEG ?=
-bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle
+bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle (2 min)
 	@tools/build $(PRESET) bundle_program
 	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
 # docs/benchmarking.md explains the study.
 LAUNCHES ?= 3
-bench: build ## the standard study, by three processes one after the other: report/results/bench.json
+bench: build ## the standard study, by three processes one after the other: report/results/bench.json (8 min)
 	@mkdir -p report/results
 	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
 
@@ -78,7 +78,7 @@ video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=bo
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 
-video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp4
+video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp4 (20 s)
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
@@ -99,7 +99,7 @@ kill-test: flythrough ## a film killed at twenty random moments is the same film
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 SECONDS ?= 600
-fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers
+fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers (half an hour)
 	@tools/build asan fuzzers render
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
@@ -107,10 +107,10 @@ fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers
 intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large)
 	@tools/intel_opencl $(BUILD)
 
-compilers: build ## the same bits from every other g++-N and clang++-N that is installed
+compilers: build ## the same bits from every other g++-N and clang++-N that is installed (2 min each)
 	@tools/compilers bin
 
-lint: ## clang-format and clang-tidy on every source
+lint: ## clang-format and clang-tidy on every source (over 10 min)
 	@tools/lint
 
 k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected
