@@ -50,8 +50,8 @@ private:
     int descriptor_;
 };
 
-// Runs this program, by the name that it was called, with its standard output in `output`; returns the exit code, or 128
-// and a signal's number.
+// Runs this program, by the name that it was called, with its standard output in `output`; returns the exit code, or
+// 128 and a signal's number.
 int run(const std::vector<std::string>& arguments, int output)
 {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

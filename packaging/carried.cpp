@@ -49,8 +49,8 @@ std::string contents(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A folder of links to all of `files`, or nothing: OpenCL's loader reads one folder, and the bundle's may be read-only. It
-// is the user's alone: in a folder that others can write to, it may be somebody else's.
+// A folder of links to all of `files`, or nothing: OpenCL's loader reads one folder, and the bundle's may be read-only.
+// It is the user's alone: in a folder that others can write to, it may be somebody else's.
 fs::path folder_of_links(const std::vector<fs::path>& files)
 {
     std::error_code error;
@@ -103,7 +103,8 @@ void add_vulkan(const fs::path& lavapipe)
             if (contents(file).find("libvulkan_lvp") != std::string::npos) return;
         }
     }
-    const std::string others = is_set("VK_ADD_DRIVER_FILES") ? std::getenv("VK_ADD_DRIVER_FILES") + std::string(":") : "";
+    const std::string others =
+        is_set("VK_ADD_DRIVER_FILES") ? std::getenv("VK_ADD_DRIVER_FILES") + std::string(":") : "";
     if (others.find(lavapipe.string() + ":") != std::string::npos) return;
     setenv("VK_ADD_DRIVER_FILES", (others + lavapipe.string()).c_str(), 1);
 }
