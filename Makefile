@@ -46,7 +46,7 @@ check: ## the quick tests (2 min)
 # DRIVERS=OFF leaves out the drivers for CPUs, FFMPEG=FILE carries a static ffmpeg. docs/bundle.md says the rest.
 DRIVERS ?= ON
 FFMPEG ?=
-bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle (2 min)
+bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle (4 min)
 	@tools/build $(PRESET) bundle_program
 	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
