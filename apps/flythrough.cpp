@@ -35,6 +35,7 @@ Scene scene_of(const Flythrough& options)
     Scene scene = options.parameters.empty() ? official_scene(fractal, 16, 9)
                                              : read_parameters(options.parameters, fractal).scene;
     scene.colouring = options.look.value_or(film_look);
+    scene.conservative = options.conservative;
     return scene;
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "apps/backend_option.h"
+#include "apps/estimate_option.h"
 #include "apps/option_values.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -22,8 +23,9 @@ namespace {
 constexpr int most_frames = 10'000'000;
 
 struct Texts {
-    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "1.5", device, threads = "0", look,
-                         segments, every = "1", precision = "float", mode = "fast", kind = "png";
+    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "1", device, threads = "0", look,
+                         segments, every = "1", precision = "float", mode = "fast", kind = "png",
+                         estimate = "conservative";
 };
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)
@@ -38,6 +40,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--params", options.parameters,
                    "a parameter file (.dat): its fractal, not its camera, is flown through");
     app.add_option("--seed", texts.seed, "chooses the tour")->capture_default_str();
+    add_estimate_option(app, texts.estimate);
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
     app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
@@ -121,6 +124,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     options.frames = whole_option("frames", texts.frames, 2, most_frames);
     std::tie(options.width, options.height) =
         pair_option("size", texts.size, 'x', 1, max_side, "WIDTHxHEIGHT with even sides, 1920x1080, say");
+    options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
     options.threads = whole_option("threads", texts.threads, 0, 1024);
     options.device_given = !texts.device.empty();

@@ -28,7 +28,8 @@ struct Flythrough {
     std::uint64_t seed = 1;
     int frames = 7200;
     int width = 1920, height = 1080;
-    double samples = 1.5;
+    double samples = 1;
+    bool conservative = true;  // the estimate of what is planned; a path file says its own
     std::string backend = "auto";
     RendererOptions renderer;
     bool device_given = false;

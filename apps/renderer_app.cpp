@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "apps/backend_option.h"
+#include "apps/estimate_option.h"
 #include "apps/option_values.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_json.h"
@@ -43,6 +44,7 @@ struct Options {
     std::string output;
     std::string stats;
     std::string pixel;
+    bool conservative = false;
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -65,6 +67,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string pack = "0";
     std::string precision = "double";
     std::string mode = "exact";
+    std::string estimate = counted_estimate;
     std::string without;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
     if (fractal == nullptr) {
@@ -80,6 +83,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--mode", mode, "exact: the plain schedule; fast: the canonical hit, contraction allowed")
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
+    add_estimate_option(app, estimate);
     app.add_option("--size", options.size, "WxH in pixels, instead of the file's");
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
@@ -120,6 +124,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
     options.renderer.techniques = techniques_without(without);
+    options.conservative = estimate == conservative_estimate;
     options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
     if (options.fractal.empty() && !options.lists()) {
@@ -220,6 +225,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options.size, scene);
+    scene.conservative = options.conservative;
     if (options.print_scene) {
         print(std::string_view(scene_json(scene, options.renderer)));
         return exit_fine;

@@ -23,7 +23,8 @@ FractalInputs<Formula> named_inputs()
     return {.shape = {Formula::input("shape[0]"), Formula::input("shape[1]"), Formula::input("shape[2]")},
             .escape = Formula::input("escape"),
             .iterations = Formula::input("iterations"),
-            .largest = Formula::input("largest")};
+            .largest = Formula::input("largest"),
+            .conservative = Formula::input("conservative")};
 }
 
 // A number that is ignored has no slider; one whose row says nothing has one around its official value.

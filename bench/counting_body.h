@@ -46,7 +46,7 @@ inline void count_pack(const void* data, std::span<const PixelPlace> pixels, Pac
         if (is_hit(hit)) {
             ++to.hits;
             const ShadingPoint at = counted(stage(Stage::shade), [&] { return shading_point(scene, hit); });
-            const Normal normal = counted(stage(Stage::normal), [&] { return normal_at(scene, at.p, true); });
+            const Normal normal = counted(stage(Stage::normal), [&] { return normal_at(scene, at.p, at.t, true); });
             pixel = counted(stage(Stage::shade), [&] { return shade_with(scene, hit, pixel, at, normal); });
         }
         to.work.steps += static_cast<std::uint64_t>(pixel.steps);

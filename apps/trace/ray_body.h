@@ -51,7 +51,7 @@ inline Hit traced_refine(const Scene& scene, Hit hit, Trace& trace)
 inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 {
     const ShadingPoint at = shading_point(scene, hit);
-    return three(facing(scene, hit.direction, normal_at(scene, at.p, true).direction, at.t));
+    return three(facing(scene, hit.direction, normal_at(scene, at.p, at.t, true).direction, at.t));
 }
 
 inline void trace_ray(const Scene& scene, Trace& trace)

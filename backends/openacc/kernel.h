@@ -16,6 +16,7 @@ constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
+// Where a scene's normals come from no tetrahedron.
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
 using Job = mandelmarch::openacc::Job<Scene, MM_REAL>;
@@ -33,7 +34,7 @@ FN Scene scene_of(const Job* job)
     MM_ANEW(job);
     Scene scene = job->scene;
     scene.canonical = canonical;
-    scene.differences = differences;
+    scene.differences = scene.differences == 2 ? 2 : differences;
     return scene;
 }
 

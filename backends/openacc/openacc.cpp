@@ -56,9 +56,10 @@ public:
           job_on_device_(sizeof(job_))
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
-        // The kernels take these two as fixed (kernel.h).
+        // The kernels take these two as fixed (kernel.h), but for normals of a tetrahedron.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
-            job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>)) {
+            (job_.scene.differences != 2 &&
+             job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>))) {
             throw Unavailable("backend openacc: its kernels are not made for this scene's hit or normal");
         }
         job_.reals = static_cast<Real*>(reals_on_device_.address());

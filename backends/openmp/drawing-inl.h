@@ -31,7 +31,9 @@ struct Pools {
     Pool cones;
     Pool hits;     // to be refined
     Pool ended;    // to be shaded
+    Pool sharing;  // to be shaded with surroundings of their neighbours
     int refining;  // the first hits that are being refined; the others have not begun
+    int alone;     // the first of `ended` that share nothing; of the others it is not known
 };
 
 // What a thread draws, and with what.
@@ -53,6 +55,7 @@ HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, co
                            const Width& wide)
 {
     pools.refining = pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
+    pools.alone = pools.sharing.size = 0;
     const bool sampling = scene.colouring > 1 || scene.differences != 0;
     Scene around_blocks = scene;
     around_blocks.hull = canvas.block_hull;

@@ -12,6 +12,7 @@
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/pixels-inl.h"
 #include "backends/openmp/rays-inl.h"
+#include "backends/openmp/sharing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {
@@ -86,24 +87,54 @@ HWY_INLINE void sample_pool(Drawing& d, Pool& pool, int at_once, Take take, Ende
 }
 
 // Forgets the first `done` rays of a pool that has less than a pack more.
+template <Fields held>
 HWY_INLINE void keep_rest(Pool& pool, int done)
 {
     const int size = pool.size;
     pool.size = 0;
     for (int from = done; from < size; from += pack_lanes) {
-        Arrival a = load<Arrival, arrived>(pool, from);
-        append<arrived>(pool, a, first_lanes(size - from));
+        Arrival a = load<Arrival, held>(pool, from);
+        append<held>(pool, a, first_lanes(size - from));
     }
 }
 
-// Shades all rays that have ended but an incomplete last pack; that one too if `all`.
-HWY_NOINLINE void shade_pool(Drawing& d, bool all)
+// Shades a pool's rays but an incomplete last pack; that one too if `all`.
+template <Fields held>
+HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
+{
+    const int pack = d.shading.registers * register_lanes;
+    const int count = all ? pool.size : pool.size / pack * pack;
+    (held.reals == arrived.reals ? d.shading.shade : d.shading.shade_sharing)(&d.scene, pool, count, d.canvas, d.spent);
+    keep_rest<held>(pool, count);
+}
+
+// Moves the rays that have ended and share surroundings to their own pool.
+HWY_NOINLINE void split_sharing(Drawing& d)
 {
     Pool& ended = d.pools.ended;
-    const int pack = d.shading.registers * register_lanes;
-    const int count = all ? ended.size : ended.size / pack * pack;
-    d.shading.shade(&d.scene, ended, count, d.canvas, d.spent);
-    keep_rest(ended, count);
+    const int size = ended.size;
+    ended.size = d.pools.alone;
+    for (int from = ended.size; from < size; from += pack_lanes) {
+        Arrival a = load<Arrival, arrived>(ended, from);
+        const mask on = first_lanes(size - from);
+        const mask shared = find_shared(d, a, on);
+        append<arrived_sharing>(d.pools.sharing, a, shared);
+        append<arrived>(ended, a, on && !shared);
+        if (d.pools.sharing.size > pool_rays - pack_lanes) shade_packs_of<arrived_sharing>(d, d.pools.sharing, false);
+    }
+    d.pools.alone = ended.size;
+}
+
+// Shades rays that have ended, all if `all`, else enough that the pool has room for another pack.
+HWY_NOINLINE void shade_pool(Drawing& d, bool all)
+{
+    if (shares(d)) {
+        split_sharing(d);
+        if (all) shade_packs_of<arrived_sharing>(d, d.pools.sharing, true);
+        if (!all && d.pools.ended.size <= pool_rays / 2) return;
+    }
+    shade_packs_of<arrived>(d, d.pools.ended, all);
+    d.pools.alone = d.pools.ended.size;
 }
 
 HWY_INLINE void append_ended(Drawing& d, Arrival& a, const mask& on)
@@ -165,7 +196,7 @@ HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t
 HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 {
     const Scene& scene = d.scene;
-    Arrival b{stopped(scene, a.ray), a.pixel};
+    Arrival b{stopped(scene, a.ray), a.pixel, {}};
     const mask hit = on && is_hit(b.hit);
     const mask gone = on && !hit;
     if (d.canvas.lattice.apart > 1) {

@@ -20,14 +20,19 @@ template <class Real>
 struct Notes {
     std::vector<Real> block_start;
     std::vector<Real> neighbour_depth;
+    std::vector<Real> along_normal, sunwards;
 
-    void fit(int width, int rows)
+    void fit(int width, int rows, bool shares)
     {
         const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
         const std::size_t blocks = sides(width) * sides(rows);
         const std::size_t depths = Image::pixels(width, rows) / 2 + 1;
         if (block_start.size() < blocks) block_start.resize(blocks);
         if (neighbour_depth.size() < depths) neighbour_depth.resize(depths);
+        if (shares && sunwards.size() < depths) {
+            along_normal.resize(depths);
+            sunwards.resize(depths);
+        }
     }
 };
 
@@ -49,7 +54,8 @@ public:
           lattices_(variant.pack > 1 ? lattices_of(scene_, *scene.fractal, techniques) : all_at_once),
           spacing_(spacing_of(scene_)),
           cones_(cones_pay(scene_, *scene.fractal, techniques)),
-          block_hull_(block_hull_of(scene_, *scene.fractal))
+          block_hull_(block_hull_of(scene_, *scene.fractal)),
+          shares_(lattices_.count > 1 && shares_surroundings(scene, scene_, techniques))
     {
     }
 
@@ -60,7 +66,7 @@ public:
     // A lattice of a band. All lattices of one band come before those of another.
     Canvas<Real> canvas(const Lattice& lattice, const Band& band, const Target<Real>& target)
     {
-        notes_.fit(scene_.width, band.rows);
+        notes_.fit(scene_.width, band.rows, shares_);
         return {.first_row = band.first_row,
                 .end_row = band.first_row + band.rows,
                 .pixels = static_cast<std::ptrdiff_t>(scene_.width) * band.rows,
@@ -70,6 +76,8 @@ public:
                 .lattice = lattice,
                 .block_start = notes_.block_start.data(),
                 .neighbour_depth = notes_.neighbour_depth.data(),
+                .along_normal = shares_ ? notes_.along_normal.data() : nullptr,
+                .sunwards = shares_ ? notes_.sunwards.data() : nullptr,
                 .reals = target.reals,
                 .wholes = target.wholes,
                 .bytes = target.bytes};
@@ -82,6 +90,7 @@ private:
     Real spacing_;
     bool cones_;
     Real block_hull_;
+    bool shares_;
 };
 
 }  // namespace mandelmarch::openmp

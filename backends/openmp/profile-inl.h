@@ -46,7 +46,8 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void take_normals(const Drawing& d, int packs, Nor
 {
     for (int k = 0; k < packs; ++k) {
         const Hit hit = finished(d, k);
-        normals[k] = normal_at(d.scene, shading_point(d.scene, hit).p, is_hit(hit));
+        const ShadingPoint at = shading_point(d.scene, hit);
+        normals[k] = normal_at(d.scene, at.p, at.t, is_hit(hit));
     }
 }
 
@@ -98,7 +99,7 @@ private:
         shade_packs(d, packs, memory_.normals, memory_.pixels);
         took(Stage::shade);
         store_packs(d, packs, memory_.pixels);
-        keep_rest(d.pools.ended, packs * pack_lanes);
+        keep_rest<arrived>(d.pools.ended, packs * pack_lanes);
         took(Stage::output);
     }
 

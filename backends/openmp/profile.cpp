@@ -18,7 +18,8 @@ template <class Real>
 class ProfilerOf : public Profiler {
 public:
     ProfilerOf(const Scene& scene, Mode mode)
-        : variant_(variants_of<Real>(scene.fractal->name, mode).back()), picture_(scene, mode, {}, variant_, notes_)
+        : variant_(variants_of<Real>(scene.fractal->name, mode).back()),
+          picture_(scene, mode, {.surroundings = false}, variant_, notes_)
     {
         if (variant_.profile == nullptr)
             throw Unavailable("backend openmp: it has no packs on this machine, only scalars");

@@ -15,7 +15,7 @@ template <class Real>
 struct RayPool {
     using Whole = std::conditional_t<std::is_same_v<Real, float>, std::int32_t, std::int64_t>;
 
-    static constexpr int reals = 10;
+    static constexpr int reals = 11;
     static constexpr int wholes = 4;
     static constexpr int room = pool_rays + 2 * most_lanes;
     Real real_fields[reals][room];

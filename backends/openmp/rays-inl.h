@@ -30,10 +30,17 @@ struct Traveller {
     real room;  // the least that a sample had beside the way of the rays between neighbours
 };
 
+// What a hit takes over of its neighbours' Surroundings.
+struct Shared {
+    real along_normal;
+    real sunwards;
+};
+
 // A ray that marches no more, likewise.
 struct Arrival {
     Hit hit;
     whole pixel;
+    Shared shared;
 };
 
 // A bit for each field of a Traveller or an Arrival in a pool, at the number of its row there. Reals:
@@ -42,6 +49,7 @@ constexpr unsigned end_bit = 1 << 3;         // of a ray; a hit's state
 constexpr unsigned t_bit = 1 << 4;           // where the next sample is taken, of both
 constexpr unsigned sample_bits = 0xf << 5;   // t and the estimate of the last sample and of the one before; the bracket
 constexpr unsigned room_bit = 1 << 9;
+constexpr unsigned shared_bits = 3 << 9;  // of an Arrival, in the room's place and behind it
 // Wholes:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
@@ -57,7 +65,8 @@ constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | ro
 constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
                           every_whole};                                          // of a ray that leaves no depth
 constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // of an Arrival
-constexpr Fields probed{direction_bits | t_bit, 0};                              // what a sample needs
+constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
+constexpr Fields probed{direction_bits | t_bit, 0};  // what a sample needs
 // What a step changes: of marching, with the room and without, and of refining.
 constexpr Fields marched_with_room{t_bit | sample_bits | room_bit, steps_bit | work_bits};
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
@@ -110,6 +119,8 @@ HWY_INLINE void each_field(Arrival& a, OnReal on_real, OnWhole on_whole)
     real_field(6, a.hit.below_f);
     real_field(7, a.hit.above_t);
     real_field(8, a.hit.above_f);
+    real_field(9, a.shared.along_normal);
+    real_field(10, a.shared.sunwards);
     whole_field(0, a.hit.steps);
     whole_field(1, a.pixel);
 #if MM_COUNTED

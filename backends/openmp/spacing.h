@@ -40,6 +40,16 @@ Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Tec
     return lattices;
 }
 
+// Whether pixels take over a look's surroundings from pixels beside them: where nothing smaller than a tolerance is to
+// be seen, and pixels lie closer than the nearest of the distances at which openness is asked for
+// (core/kernel/looks.h).
+template <class KernelScene>
+bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
+{
+    constexpr double nearest_openness = 0.004;  // of the distance from the camera
+    return techniques.surroundings && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
+}
+
 // Whether blocks begin with cones. A cone ends some of its widths before the surface; where a pixel is many tolerances
 // wide, that can be at once.
 template <class KernelScene>

@@ -25,6 +25,9 @@ struct Canvas {
     Lattice lattice;        // its pixels are drawn, counted from first_row
     Real* block_start;      // for each block: no ray of it hits before
     Real* neighbour_depth;  // of the pixels in even columns and rows, at half their number (core/kernel/march.h)
+    // A look's Surroundings of these pixels, likewise, which those between them share; null: each pixel finds its own.
+    Real* along_normal;
+    Real* sunwards;
     Real* reals;
     int* wholes;
     unsigned char* bytes;

@@ -26,6 +26,9 @@ struct Width {
                   RayPool<MM_REAL>::Whole* iterations);
     void (*shade)(const void* scene, const RayPool<MM_REAL>& pool, int count, const Canvas<MM_REAL>& canvas,
                   Spent& spent);
+    // The same for hits that have a look's surroundings from their neighbours.
+    void (*shade_sharing)(const void* scene, const RayPool<MM_REAL>& pool, int count, const Canvas<MM_REAL>& canvas,
+                          Spent& spent);
 };
 
 }  // namespace

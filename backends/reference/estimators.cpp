@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/reference/estimators.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mandelmarch::reference {
@@ -44,8 +45,18 @@ double Mandelbox::operator()(Vector p, Work& work) const
 }
 
 Mandelbulb::Mandelbulb(const Scene& scene)
-    : iterations_(scene.iterations), bailout_(scene.shape[1]), power_(scene.shape[2])
+    : iterations_(scene.iterations),
+      bailout_(scene.shape[1]),
+      power_(scene.shape[2]),
+      envelope_(scene.conservative ? 0.7 : 0)
 {
+}
+
+// What the power does along a parallel, at most, over what it does along the radius.
+double Mandelbulb::stretch(Vector z, double r) const
+{
+    if (!(envelope_ > 0)) return 1;
+    return std::max(1.0, envelope_ * std::min(power_, r / std::hypot(z.x, z.y)));
 }
 
 double Mandelbulb::operator()(Vector p, Work& work) const
@@ -59,7 +70,7 @@ double Mandelbulb::operator()(Vector p, Work& work) const
         if (r > bailout_) break;
         const double polar = power_ * std::acos(z.z / r);
         const double azimuth = power_ * std::atan2(z.y, z.x);
-        dr = power_ * std::pow(r, power_ - 1) * dr + 1;
+        dr = power_ * std::pow(r, power_ - 1) * stretch(z, r) * dr + 1;
         z = std::pow(r, power_) *
                 Vector{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)} +
             p;

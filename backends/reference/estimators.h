@@ -24,8 +24,11 @@ public:
     double operator()(Vector p, Work& work) const;
 
 private:
+    double stretch(Vector z, double r) const;
+
     int iterations_;
     double bailout_, power_;
+    double envelope_;  // its share, in the conservative estimate; 0: the counted one
 };
 
 }  // namespace mandelmarch::reference

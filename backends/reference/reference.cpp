@@ -30,6 +30,7 @@ struct Axes {
     Vector forward, right, up;
     double tangent;  // of half the vertical angle
     double aspect;
+    int width, height;  // of the whole picture, in pixels
 };
 
 Axes axes_of(const Scene& scene)
@@ -39,14 +40,17 @@ Axes axes_of(const Scene& scene)
     axes.right = unit(cross(axes.forward, unit(scene.up)));
     axes.up = cross(axes.right, axes.forward);
     axes.tangent = std::tan(scene.field_of_view * 65 / 2 * std::numbers::pi / 180);
-    axes.aspect = static_cast<double>(scene.width) / scene.height;
+    axes.width = scene.part.whole_width > 0 ? scene.part.whole_width : scene.width;
+    axes.height = scene.part.whole_height > 0 ? scene.part.whole_height : scene.height;
+    axes.aspect = static_cast<double>(axes.width) / axes.height;
     return axes;
 }
 
 Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
 {
-    const double u = 2.0 * i / scene.width - 1;
-    const double v = 2.0 * j / scene.height - 1;
+    const double within = scene.centred ? 0.5 : 0;  // the pixel
+    const double u = 2 * (scene.part.left + i + within) / axes.width - 1;
+    const double v = 2 * (scene.part.bottom + j + within) / axes.height - 1;
     return unit((u * axes.aspect * axes.tangent) * axes.right + (v * axes.tangent) * axes.up + axes.forward);
 }
 
@@ -136,10 +140,22 @@ private:
     {
         if (mode_ == Mode::fast && hit.t == 0) return -1 * direction;
         const Vector p = scene_.eye + hit.t * direction - hit.tolerance * direction;
+        if (scene_.smooth || (scene_.conservative && mode_ == Mode::fast)) return smooth_normal(p, hit.tolerance);
         double h = std::max(length(p), 1.0) * std::sqrt(std::numeric_limits<double>::epsilon());
         if (mode_ == Mode::fast) h = std::min(h, difference_share * hit.tolerance);
         const auto slope = [&](Vector step) { return fractal_(p + step, work_) - fractal_(p - step, work_); };
         return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
+    }
+
+    // By the estimates at the corners of a tetrahedron, h from p.
+    Vector smooth_normal(Vector p, double h)
+    {
+        Vector sum{};
+        for (const Vector corner : {Vector{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) {
+            const Vector towards = unit(corner);
+            sum = sum + fractal_(p + h * towards, work_) * towards;
+        }
+        return unit(sum);
     }
 
     Vector shaded(Vector n, Vector direction) const

@@ -81,10 +81,6 @@ private:
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        // The shader takes this as fixed (pipeline's constants).
-        if (kernel.differences != (options_.mode == Mode::exact && std::is_same_v<Real, double>)) {
-            throw Unavailable("backend vulkan: its shaders are not made for normals from differences in fast mode");
-        }
         const Limits limits = limits_of(gpu.facts(), sizeof(Real));
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);

@@ -88,16 +88,37 @@ FN vec3 displayed3(Scene scene, vec3 light)
     return vec3(displayed(scene, light.x), displayed(scene, light.y), displayed(scene, light.z));
 }
 
-// The light from a hit at p with unit normal n, t from the camera.
-FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on)
+FN vec3 sun_direction() { return vec3(R(0.48), R(0.64), R(0.6)); }  // a unit vector
+
+// How open it is at a hit: what a look costs most. It changes little from pixel to pixel of one surface.
+struct Surroundings {
+    real along_normal;  // 0: closed in, 1: open
+    real sunwards;      // likewise
+    effort estimates;
+    effort iterations;
+};
+
+// Of a hit at p with unit normal n, t from the camera.
+FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
-    vec3 sun = vec3(R(0.48), R(0.64), R(0.6));
-    Openness around = openness(scene, p, n, t, on);
-    Openness sunwards = openness(scene, p, sun, 2 * t, on);
+    Openness along_normal = openness(scene, p, n, t, on);
+    Openness sunwards = openness(scene, p, sun_direction(), 2 * t, on);
+    Surroundings found;
+    found.along_normal = along_normal.share;
+    found.sunwards = sunwards.share;
+    found.estimates = along_normal.estimates + sunwards.estimates;
+    found.iterations = along_normal.iterations + sunwards.iterations;
+    return found;
+}
+
+// The light from such a hit.
+FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroundings found, mask on)
+{
+    vec3 sun = sun_direction();
     vec3 stone = albedo(scene, orbit_trap(scene, p, on));
     real facing = saturated(-inner(n, direction));
-    real key = saturated(R(0.15) + R(0.85) * inner(n, sun)) * sunwards.share * sunwards.share;
-    real shelter = around.share * (R(0.35) + R(0.65) * around.share);
+    real key = saturated(R(0.15) + R(0.85) * inner(n, sun)) * found.sunwards * found.sunwards;
+    real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
     vec3 light = times(shelter * (R(0.6) + R(0.4) * n.y), vec3(R(0.42), R(0.52), R(0.66)));
     light = along(light, vec3(R(1.15), R(0.98), R(0.72)), key);
     light = along(light, vec3(R(0.40), R(0.36), R(0.30)), shelter * facing);
@@ -119,7 +140,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, mask on
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
     // The trap is one more.
-    result.estimates = tally(around.estimates + sunwards.estimates, on);
-    result.iterations = around.iterations + sunwards.iterations;
+    result.estimates = tally(found.estimates, on);
+    result.iterations = found.iterations;
     return result;
 }

@@ -11,7 +11,7 @@ struct Scene {
     int fractal_whole;   // the fractal's own whole number, named in its file
     int colouring;       // as in the parameter file: 0 and 1 in shade.h, from 2 up in looks.h
     int canonical;    // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the plain schedule
-    int differences;  // 1: the normal comes from central differences; 0: from the analytic gradient
+    int differences;  // where normals come from: 0 the analytic gradient, 1 central differences, 2 a tetrahedron's
 
     scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
     scalar stride;     // the share of the distance estimate that one step goes
@@ -25,7 +25,7 @@ struct Scene {
     scalar fractal[11];      // the fractal's own constants, named in its file
 
     triple eye;      // camera
-    triple forward;  // unit vector
+    triple forward;  // towards the middle of the picture's pixels; of length 1 or little more
     triple across;   // from the picture's middle to its right edge, at distance 1
     triple upward;   // from the picture's middle to its top edge, at distance 1
 };

@@ -43,13 +43,41 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-FN Normal normal_at(Scene scene, vec3 p, mask on)
+// The gradient of DE by differences over a tetrahedron, four estimates; its corners lie h from p. What is smaller than h
+// does not show: no pixel's normal depends on a detail that the next one misses.
+FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
+{
+    real step = h * R(0.57735026918962576);  // 1 / sqrt(3)
+    vec3 slope = vec3(0, 0, 0);
+    Normal normal;
+    normal.estimates = 0;
+    normal.iterations = 0;
+    int corner = 0;
+    while (corner < 4) {
+        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)
+        scalar x = corner < 2 ? R(1.0) : R(-1.0);
+        scalar y = corner == 0 || corner == 2 ? R(1.0) : R(-1.0);
+        vec3 towards = vec3(x, y, x * y);
+        Estimate there = estimate(scene, along(p, towards, step), on);
+        slope = along(slope, towards, there.distance);
+        normal.estimates = tally(normal.estimates, on);
+        normal.iterations = normal.iterations + there.iterations;
+        corner = corner + 1;
+    }
+    normal.direction = unit(slope);
+    return normal;
+}
+
+// The normal of p, a hit's shading point at t.
+FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
 {
     Normal normal;
     normal.estimates = 0;
     normal.iterations = 0;
-    if (scene.differences != 0) {
+    if (scene.differences == 1) {
         normal = normal_by_differences(scene, p, on);
+    } else if (scene.differences == 2) {
+        normal = normal_by_tetrahedron(scene, p, scene.tolerance * t, on);
     } else {
         normal.direction = unit(gradient(scene, p, on));
         normal.estimates = tally(normal.estimates, on);
@@ -111,23 +139,39 @@ FN ShadingPoint shading_point(Scene scene, Hit hit)
     return at;
 }
 
+// The pixel of a miss becomes that of a hit where there is one: what all colourings have in common.
+FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
+{
+    pixel.depth = pick(is_hit(hit), at.t, pixel.depth);
+    pixel.estimates = pixel.estimates + normal.estimates;
+    pixel.iterations = pixel.iterations + normal.iterations;
+    return pixel;
+}
+
+// The same in a look, by what the hit's surroundings are.
+FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Surroundings found)
+{
+    mask on = is_hit(hit);
+    vec3 n = facing(scene, hit.direction, normal.direction, at.t);
+    Look seen = look(scene, hit.direction, at.p, n, at.t, found, on);
+    pixel.colour = pick3(on, seen.colour, pixel.colour);
+    pixel.estimates = pixel.estimates + seen.estimates;
+    pixel.iterations = pixel.iterations + seen.iterations;
+    return finished(hit, pixel, at, normal);
+}
+
 // The pixel of a miss becomes that of a hit where there is one, by the normal at its shading point.
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     mask on = is_hit(hit);
     if (scene.colouring > 1) {
         vec3 n = facing(scene, hit.direction, normal.direction, at.t);
-        Look seen = look(scene, hit.direction, at.p, n, at.t, on);
-        pixel.colour = pick3(on, seen.colour, pixel.colour);
-        pixel.estimates = pixel.estimates + seen.estimates;
-        pixel.iterations = pixel.iterations + seen.iterations;
+        pixel = shade_among(scene, hit, pixel, at, normal, surroundings(scene, at.p, n, at.t, on));
     } else {
         vec3 n = facing(scene, hit.direction, normal.direction, at.t);
         pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);
+        pixel = finished(hit, pixel, at, normal);
     }
-    pixel.depth = pick(on, at.t, pixel.depth);
-    pixel.estimates = pixel.estimates + normal.estimates;
-    pixel.iterations = pixel.iterations + normal.iterations;
     return pixel;
 }
 
@@ -138,7 +182,7 @@ FN Pixel shade(Scene scene, Hit hit)
     Pixel pixel = missed(scene, hit);
     if (any(on)) {
         ShadingPoint at = shading_point(scene, hit);
-        Normal normal = normal_at(scene, at.p, on);
+        Normal normal = normal_at(scene, at.p, at.t, on);
         pixel = shade_with(scene, hit, pixel, at, normal);
     }
     return pixel;

@@ -16,11 +16,15 @@ struct NamedTechnique {
     bool Techniques::*member;
 };
 
-constexpr std::array names_of_techniques{
-    NamedTechnique{"hull", &Techniques::hull},   NamedTechnique{"relaxation", &Techniques::relaxation},
-    NamedTechnique{"cones", &Techniques::cones}, NamedTechnique{"neighbours", &Techniques::neighbours},
-    NamedTechnique{"trial", &Techniques::trial}, NamedTechnique{"root", &Techniques::root},
-    NamedTechnique{"tail", &Techniques::tail},   NamedTechnique{"normal", &Techniques::normal}};
+constexpr std::array names_of_techniques{NamedTechnique{"hull", &Techniques::hull},
+                                         NamedTechnique{"relaxation", &Techniques::relaxation},
+                                         NamedTechnique{"cones", &Techniques::cones},
+                                         NamedTechnique{"neighbours", &Techniques::neighbours},
+                                         NamedTechnique{"trial", &Techniques::trial},
+                                         NamedTechnique{"root", &Techniques::root},
+                                         NamedTechnique{"tail", &Techniques::tail},
+                                         NamedTechnique{"normal", &Techniques::normal},
+                                         NamedTechnique{"surroundings", &Techniques::surroundings}};
 
 }  // namespace
 

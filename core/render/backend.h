@@ -31,14 +31,15 @@ struct Device {
 // What makes a picture cheaper or (root) better, each to be switched off by its name, so that its worth can be
 // measured. None changes a bit of an exact picture.
 struct Techniques {
-    bool hull = true;        // rays begin (fast) and end where they meet a hull that holds the surface
-    bool relaxation = true;  // fast: steps longer than the estimate, and short ones just before a hit
-    bool cones = true;       // fast, openmp: cones of 8 x 8 pixels find where their rays begin
-    bool neighbours = true;  // fast, openmp: rays begin near the hits of pixels around them
-    bool trial = true;       // fast: a small picture shows before whether steps must be shorter
-    bool root = true;        // fast: hits are refined to the canonical root, else one secant is all
-    bool tail = true;        // fast, Mandelbox: an orbit's last iterations are made without their tests
-    bool normal = true;      // fast, double: normals from the gradient, else from differences of six estimates
+    bool hull = true;          // rays begin (fast) and end where they meet a hull that holds the surface
+    bool relaxation = true;    // fast: steps longer than the estimate, and short ones just before a hit
+    bool cones = true;         // fast, openmp: cones of 8 x 8 pixels find where their rays begin
+    bool neighbours = true;    // fast, openmp: rays begin near the hits of pixels around them
+    bool trial = true;         // fast: a small picture shows before whether steps must be shorter
+    bool root = true;          // fast: hits are refined to the canonical root, else one secant is all
+    bool surroundings = true;  // fast, openmp, films: pixels of one surface share what a look finds around them
+    bool tail = true;          // fast, Mandelbox: an orbit's last iterations are made without their tests
+    bool normal = true;        // fast, double: normals from the gradient, else from differences of six estimates
 };
 
 // All but those named, `hull,cones`, say. Throws InputError with the known names.

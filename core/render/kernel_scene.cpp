@@ -31,6 +31,17 @@ constexpr bool layout_is_portable()
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
+// As in core/kernel/scene.h. A conservative estimate has no analytic gradient.
+int differences(const Scene& scene, bool fast, bool in_float, const Techniques& techniques)
+{
+    constexpr int gradient = 0;
+    constexpr int central = 1;
+    constexpr int tetrahedron = 2;
+    if (scene.smooth) return tetrahedron;
+    if ((!fast || !techniques.normal) && !in_float) return central;
+    return scene.conservative ? tetrahedron : gradient;
+}
+
 template <class Triple>
 void assign(Triple& to, Vector from)
 {
@@ -44,12 +55,41 @@ void assign(Triple& to, Vector from)
 Camera camera_of(const Scene& scene)
 {
     const double tangent = std::tan(scene.field_of_view * degrees_per_field / 2 * std::numbers::pi / 180);
-    const double aspect = static_cast<double>(scene.width) / scene.height;
+    const Part& part = scene.part;
+    const double aspect = part.whole_width > 0 ? static_cast<double>(part.whole_width) / part.whole_height
+                                               : static_cast<double>(scene.width) / scene.height;
     const Vector forward = unit(scene.target - scene.eye);
     const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
     const Vector right = unit(cross(forward, (1 / up_length) * scene.up));
     return {forward, (aspect * tangent) * right, tangent * cross(right, forward)};
 }
+
+namespace {
+
+// Where pixel 0 and the pixels' number of a side lie in the whole picture's side, from -1 to 1: `middle` of the side is
+// moved by half a pixel where rays go through pixels' middles.
+struct Side {
+    double middle, half;
+
+    Side(int first, int pixels, int whole, bool centred)
+        : middle((2.0 * first + pixels + (centred ? 1 : 0)) / whole - 1), half(static_cast<double>(pixels) / whole)
+    {
+    }
+};
+
+// The axes that the kernel's pixels are counted along.
+Camera kernel_camera(const Scene& scene)
+{
+    const Camera whole = camera_of(scene);
+    const Part& part = scene.part;
+    if (!scene.centred && part.whole_width == 0) return whole;
+    const Side x(part.left, scene.width, part.whole_width > 0 ? part.whole_width : scene.width, scene.centred);
+    const Side y(part.bottom, scene.height, part.whole_height > 0 ? part.whole_height : scene.height, scene.centred);
+    return {whole.forward + x.middle * whole.across + y.middle * whole.upward, x.half * whole.across,
+            y.half * whole.upward};
+}
+
+}  // namespace
 
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
@@ -63,7 +103,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     FractalConstants<double> constants =
         scene.fractal->constants.value(inputs_of(scene, is_float<Layout> ? float_range : 1e300));
     if (fast && techniques.tail) scene.fractal->add_tail(scene, constants);
-    const Camera camera = camera_of(scene);
+    const Camera camera = kernel_camera(scene);
 
     Layout k{};
     k.width = scene.width;
@@ -73,7 +113,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.fractal_whole = static_cast<int>(constants.whole);
     k.colouring = scene.colouring;
     k.canonical = fast;
-    k.differences = (!fast || !techniques.normal) && !is_float<Layout>;
+    k.differences = differences(scene, fast, is_float<Layout>, techniques);
     k.tolerance = real(std::pow(10.0, scene.detail));
     const Stepping steps = stepping_of(scene, mode, techniques);
     k.stride = real(steps.stride);

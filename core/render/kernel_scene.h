@@ -44,7 +44,7 @@ template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
 // The camera's axes: forward is the unit vector of the view; across and upward lead from the picture's middle to its
-// right and top edges at distance 1.
+// right and top edges at distance 1. Of the whole picture where the scene is a part of one.
 struct Camera {
     Vector forward, across, upward;
 };

@@ -23,7 +23,7 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
 
 StepLimits film_limits(const Scene& scene)
 {
-    return {.stride = std::min(scene.limits.stride, scene.fractal->flight.short_stride),
+    return {.stride = std::min(scene.limits.stride, scene.fractal->flight.trust_of(scene).stride),
             .root_share = std::max(scene.limits.root_share, film_root_share)};
 }
 

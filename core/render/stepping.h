@@ -22,8 +22,8 @@ inline constexpr double longest_relaxed = 1.7;
 // The strides that a trial tries, in distance estimates (core/render/trial.h).
 inline constexpr std::array shorter_strides{0.4, 0.2, 0.1};
 
-// The root share of a film, in tolerances: its tolerance is a pixel's footprint, and a fifth of that is not seen.
-inline constexpr double film_root_share = 0.2;
+// The root share of a film, in tolerances: docs/notes/experiments.md.
+inline constexpr double film_root_share = 0.01;
 
 // The root share where hits are not refined, in tolerances: more than any sample is off.
 inline constexpr double any_root_share = 1e9;

@@ -30,12 +30,18 @@ void usual::no_tail(const Scene&, FractalConstants<double>&) {}
 void usual::same_shape(Scene&, Chance&, bool) {}
 void usual::same_extreme_shape(Scene&, Chance&) {}
 
+const FractalFlight::Trust& FractalFlight::trust_of(const Scene& scene) const
+{
+    return scene.conservative && conservative ? *conservative : trust;
+}
+
 FractalInputs<double> inputs_of(const Scene& scene, double largest)
 {
     return {.shape = scene.shape,
             .escape = scene.escape,
             .iterations = static_cast<double>(scene.iterations),
-            .largest = largest};
+            .largest = largest,
+            .conservative = scene.conservative ? 1.0 : 0.0};
 }
 
 std::span<const Fractal> fractals()

@@ -38,7 +38,8 @@ struct FractalInputs {
     std::array<Number, 3> shape;
     Number escape;
     Number iterations;
-    Number largest;  // the largest finite power of ten of the picture's number type
+    Number largest;       // the largest finite power of ten of the picture's number type
+    Number conservative;  // 1: the estimate is to be the conservative one, 0: the original's
 };
 
 FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
@@ -135,9 +136,15 @@ struct FractalFlight {
     // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
     double (*growth)(const Scene& scene) = usual::growth;
     // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
-    // close-up: near the surface an estimate can be larger than the distance.
-    double safety = 0.5;
-    double short_stride = 0.5;
+    // close-up: near the surface an estimate can be larger than the distance. With the conservative estimate, where the
+    // fractal has one of its own, these are `conservative`.
+    struct Trust {
+        double safety = 0.5;
+        double stride = 0.5;
+    };
+    Trust trust{};
+    std::optional<Trust> conservative{};
+    const Trust& trust_of(const Scene& scene) const;
     // What holds the fractal; a sphere is found by rays where nothing is known.
     std::optional<Hull> (*body)(const Scene& scene) = usual::unknown_body;
     // Places that a symmetry maps onto each other get the same answer: the one of them in the fundamental region.

@@ -29,7 +29,8 @@ double radius_where(const std::function<double(double)>& bound, double radius, c
     return high;
 }
 
-double least_estimate(double start, double power, double added, double one, double escape, int iterations)
+double least_estimate(double start, double power, double stretch, double added, double one, double escape,
+                      int iterations)
 {
     double r = start;
     double dr = 1;
@@ -38,7 +39,7 @@ double least_estimate(double start, double power, double added, double one, doub
         if (!(r > 1)) return 0;
         least = std::min(least, 0.5 * r * std::log(r) / dr);
         if (r > escape) return least;
-        dr = power * std::pow(r, power - 1) * dr + one;
+        dr = stretch * power * std::pow(r, power - 1) * dr + one;
         r = std::pow(r, power) - added;
     }
     return 0;

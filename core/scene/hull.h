@@ -17,8 +17,9 @@ double hull_size(const Scene& scene, double tolerance);
 // exceeds what a hit could have there; 0 if there is none up to 100 times `radius`.
 double radius_where(const std::function<double(double)>& bound, double radius, const Sight& view);
 
-// For rows. The least 0.5 r ln r / dr along r -> r^P - added, dr -> P r^(P-1) dr + one, from r = start up to an escape;
-// 0 without an escape in `iterations`.
-double least_estimate(double start, double power, double added, double one, double escape, int iterations);
+// For rows. The least 0.5 r ln r / dr along r -> r^P - added, dr -> stretch P r^(P-1) dr + one, from r = start up to an
+// escape; 0 without an escape in `iterations`.
+double least_estimate(double start, double power, double stretch, double added, double one, double escape,
+                      int iterations);
 
 }  // namespace mandelmarch

@@ -28,6 +28,12 @@ struct StepLimits {
     double root_share = 0;         // no hit has to be nearer to the surface; in tolerances
 };
 
+// The part of a larger picture that a scene draws, in pixels of that picture; the scene's size is the part's.
+struct Part {
+    int left = 0, bottom = 0;
+    int whole_width = 0, whole_height = 0;  // 0: the scene draws all of it
+};
+
 struct Scene {
     const Fractal* fractal = nullptr;
     Vector eye{7, 7, 7};
@@ -42,7 +48,13 @@ struct Scene {
     int colouring = 0;
     double brightness = 1;
     std::string image_file;
+
+    // No part of a parameter file, as the original program knows none of them:
+    bool conservative = false;  // the distance estimate is the fractal's conservative one (core/scene/fractal.h)
+    bool smooth = false;        // normals see nothing that is smaller than a tolerance
+    bool centred = false;       // rays go through the pixels' middles, not their lower left corners
     StepLimits limits;
+    Part part;
 };
 
 // The entries of a parameter file, in their order.

@@ -45,7 +45,7 @@ Field::Field(const Scene& scene, int threads)
       threads_(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
       kernel_(field::kernel_of(scene.fractal->name)),
       data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
-      safety_(scene.fractal->flight.safety),
+      safety_(scene.fractal->flight.trust_of(scene).safety),
       hull_(hull_of(scene, *this))
 {
 }

@@ -23,7 +23,7 @@ std::vector<std::string> encoding()
     return {"-c:v",
             "libx264",
             "-preset",
-            "faster",
+            "veryfast",
             "-crf",
             "18",
             "-threads",

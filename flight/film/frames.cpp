@@ -8,12 +8,20 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "flight/film/shrink.h"
+#include "flight/film/tent.h"
 
 namespace mandelmarch {
 
 namespace {
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
+
+// A film never changes its steps from frame to frame: no trial chooses them.
+RendererOptions untried(RendererOptions options)
+{
+    options.techniques.trial = false;
+    return options;
+}
 
 }  // namespace
 
@@ -31,7 +39,7 @@ void check_picture(const Picture& picture)
 }
 
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)
-    : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(options))
+    : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(untried(options)))
 {
     check_picture(picture);
     image_ = Image(samples_along(picture.width, picture.samples), samples_along(picture.height, picture.samples),
@@ -44,8 +52,10 @@ std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
     Scene scene = picture_of(path_, path_.frames[frame], picture_.width, picture_.height);
     scene.width = image_.width();
     scene.height = image_.height();
+    scene.centred = true;
     if (picture_.look) scene.colouring = *picture_.look;
     renderer_->render(scene, image_);
+    if (picture_.width == image_.width() && picture_.height == image_.height()) return softened(image_, threads_);
     return shrunk(image_, picture_.width, picture_.height, threads_);
 }
 

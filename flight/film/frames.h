@@ -14,7 +14,7 @@ namespace mandelmarch {
 struct Picture {
     int width = 1920;         // pixels
     int height = 1080;        // pixels
-    double samples = 1.5;     // per pixel and side, 1 or more: 2 draws at twice the size and takes means of 2 x 2
+    double samples = 1;       // per pixel and side, 1 or more: 2 draws at twice the size and takes means of 2 x 2
     std::optional<int> look;  // a colouring type instead of the path's
 };
 

@@ -56,6 +56,7 @@ Scene picture_of(const Path& path, const Frame& frame, int width, int height)
     if (!path.detail_by_size) return scene;
     if (!frame.changes.iterations) scene.iterations = std::min(scene.iterations, iterations_in_sight(scene));
     scene.limits = film_limits(scene);
+    scene.smooth = true;
     return scene;
 }
 

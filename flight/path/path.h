@@ -34,7 +34,7 @@ struct Frame {
 };
 
 struct Path {
-    Scene scene;  // what all frames share; its camera and size mean nothing
+    Scene scene;  // what all frames share, the estimate too; its camera and size mean nothing
     std::uint64_t seed = 0;
     bool detail_by_size = true;  // the detail level follows the pixel's footprint; else it is the scene's
     std::vector<Frame> frames;
@@ -45,7 +45,8 @@ struct Path {
 Scene scene_of(const Path& path, const Frame& frame, int width, int height);
 
 // The same to be drawn: where the detail level follows the size, no more iterations than such pixels can show are made,
-// steps are short where the fractal's estimate wants that, and a hit is as exact as such pixels need.
+// steps are as long as the fractal's estimate allows in a close-up, a hit is as exact as such pixels need, and normals
+// see nothing that is smaller than they are.
 Scene picture_of(const Path& path, const Frame& frame, int width, int height);
 
 // The whole path with every number cut to the digits that a path file keeps, so that what is audited is what is

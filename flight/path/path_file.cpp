@@ -25,6 +25,8 @@ using Json = nlohmann::json;
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::size_t most_frames = 10'000'000;  // 92 hours
 constexpr const char* by_size = "by size";
+constexpr const char* counted = "counted";
+constexpr const char* conservative = "conservative";
 constexpr double usual_detail = -3;  // where it follows the size: what none of the pictures has
 constexpr Meaning detail_meaning{"detail level", -37, 3};
 constexpr Meaning brightness_meaning{"brightness", 0, 1e6};
@@ -59,8 +61,8 @@ std::string shown(const Json& value) { return printable(value.dump(), longest_va
 
 constexpr std::array<std::string_view, 6> whole_keys{"format", "fractal", "seed", "frames_per_second",
                                                      "scene",  "frames"};
-constexpr std::array<std::string_view, 6> scene_keys{"detail", "shape",     "iterations",
-                                                     "escape", "colouring", "brightness"};
+constexpr std::array<std::string_view, 7> scene_keys{"detail",    "shape",      "iterations", "escape",
+                                                     "colouring", "brightness", "estimate"};
 constexpr std::array<std::string_view, 10> frame_keys{
     "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
 
@@ -141,6 +143,15 @@ public:
         return found.get<std::uint64_t>();
     }
 
+    bool is_conservative(const char* key) const
+    {
+        const Json& found = value(key);
+        if (found != counted && found != conservative) {
+            fail(fmt::format("\"{}\" is {}, expected \"{}\" or \"{}\"", key, shown(found), counted, conservative));
+        }
+        return found == conservative;
+    }
+
     Changes changes() const
     {
         Changes result;
@@ -181,6 +192,7 @@ void read_scene(const Json& object, const std::string& place, Path& path)
     path.scene.escape = reader.single("escape", path.scene.fractal->escape);
     path.scene.colouring = reader.whole("colouring", 0, colouring_types - 1);
     path.scene.brightness = reader.single("brightness", brightness_meaning);
+    path.scene.conservative = reader.has("estimate") && reader.is_conservative("estimate");
 }
 
 Frame read_frame(const Json& object, const std::string& place, const Path& path)
@@ -216,10 +228,12 @@ std::string to_text(const Path& path)
     std::string text = fmt::format(
         "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n\"scene\": "
         "{{\"detail\": {}, "
-        "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}}},\n\"frames\": [\n",
+        "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}, \"estimate\": "
+        "\"{}\"}},\n\"frames\": [\n",
         format_name, scene.fractal->name, path.seed, frames_per_second,
         path.detail_by_size ? fmt::format("\"{}\"", by_size) : number(scene.detail), triple({a, b, c}),
-        scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness));
+        scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness),
+        scene.conservative ? conservative : counted);
     for (std::size_t i = 0; i < path.frames.size(); ++i) {
         const Frame& frame = path.frames[i];
         text += fmt::format("{{\"location\": {}, \"look_at\": {}, \"up\": {}, \"field_of_view\": {}{}}}{}\n",

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-INPUTS = "(shape, escape, iterations, largest)"  # of every formula (core/scene/formula.h)
+INPUTS = "(shape, escape, iterations, largest, conservative)"  # of every formula (core/scene/formula.h)
 
 
 def _row(row: dict[str, Any]) -> str:

@@ -43,7 +43,7 @@ class Camera {
 // --print-scene). table: what report/mandelreport/fractal_table.py made of the programs' table: `rules` hold of every
 // scene, `rows` are fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
-    const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest];
+    const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest, 0];
     const stride = fast ? Math.min(rules.plain_stride, row.stride(...inputs)) : rules.plain_stride;
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),

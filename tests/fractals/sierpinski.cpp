@@ -60,7 +60,7 @@ constexpr Fractal rows::sierpinski{
     .escape = {"escape radius", 2, 1e6},
     .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
-    .flight = {.growth = growth, .safety = 1, .short_stride = plain_stride, .body = body},
+    .flight = {.growth = growth, .trust = {.safety = 1, .stride = plain_stride}, .body = body},
     .random = {.extent = 1.7, .nearest = 2, .farthest = 4, .shape = random_shape, .extreme_shape = extreme_shape},
 };
 

@@ -54,7 +54,7 @@ def parameters(scene: dict) -> str:
 
 def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) -> dict:
     """What follows from the formulas."""
-    inputs = {name: scene[name] for name in ("shape", "escape", "iterations")} | {"largest": LARGEST[precision]}
+    inputs = {name: scene[name] for name in ("shape", "escape", "iterations")} | {"largest": LARGEST[precision], "conservative": 0}
     value = lambda text: float(eval(text, {"__builtins__": {}}, FUNCTIONS | inputs))  # pylint: disable=eval-used
     plain = rules["plain_stride"]
     stride = min(plain, value(row["stride"])) if fast else plain

@@ -8,7 +8,18 @@
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
 FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
+FN scalar bulb_envelope(Scene scene) { return scene.fractal[2]; }     // c of conservative_growth(); 0: none
 FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P, or 0 where it is no whole number
+
+// The growth of dr in an iteration. z -> z^P stretches by P r^(P-1) along the radius and the meridian, and by that times
+// |sin P0 / sin 0| along the parallel, where 0 is the polar angle: near the poles P r^(P-1) alone, which the running
+// derivative counts, is up to P times too small. That quotient has lobes, and an estimate with lobes changes faster
+// than the distance; its envelope min(P, 1 / sin 0) has none. A share c of the envelope is enough
+// (docs/notes/experiments.md). per_sine: 1 / sin 0.
+FN real conservative_growth(Scene scene, real growth, real per_sine)
+{
+    return growth * larger(bulb_envelope(scene) * smaller(per_sine, bulb_power(scene)), 1);
+}
 
 // z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
@@ -78,7 +89,7 @@ struct BulbEighth {
 // By double angles, cos 2v = 2 cos^2 v - 1. Polar: z^2 - rho^2 is r^2 cos 2v, then come r^4 cos 4v and r^8 cos 8v; r^8
 // sin 8v is 8 z rho times the first two. Azimuth: a = 2 cos v, then a^2 - 2 is 2 cos 2v; times 2 sin v it is 2 sin 2v.
 // rho2: x^2 + y^2.
-FN BulbEighth bulb_eighth(vec3 z, real rho2, real r2, vec3 p)
+FN BulbEighth bulb_eighth(Scene scene, vec3 z, real rho2, real r2, vec3 p)
 {
     real away2 = larger(rho2, axis_radius2());
     real inverse = scaled_inverse_root(away2, 2);  // 2 / rho
@@ -100,6 +111,9 @@ FN BulbEighth bulb_eighth(vec3 z, real rho2, real r2, vec3 p)
     BulbEighth next;
     next.z = vec3(sine * cosine + p.x, sine * across + p.y, polar * R(0.5) + p.z);
     next.growth = over_root(4 * r8, 4 * (r4 * r2), r2);
+    if (bulb_envelope(scene) > 0) {
+        next.growth = conservative_growth(scene, next.growth, R(0.5) * rough_root(r2) * inverse);
+    }
     return next;
 }
 
@@ -131,7 +145,7 @@ FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
         // Where a lane is off, z does not matter any more.
-        BulbEighth next = bulb_eighth(z, rho2, r2, q);
+        BulbEighth next = bulb_eighth(scene, z, rho2, r2, q);
         dr = pick(on, dr * next.growth + 1, dr);
         z = next.z;
         rho2 = rho2_of(z);
@@ -154,8 +168,11 @@ FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        BulbPower power = bulb_raised(scene, z, quick_root(r2), r2);
-        dr = pick(on, dr * (power.r_less * bulb_power(scene)) + 1, dr);
+        real r = quick_root(r2);
+        BulbPower power = bulb_raised(scene, z, r, r2);
+        real growth = power.r_less * bulb_power(scene);
+        if (bulb_envelope(scene) > 0) growth = conservative_growth(scene, growth, r * power.per_rho);
+        dr = pick(on, dr * growth + 1, dr);
         z = bulb_next(power, p);
         iterations = tally(iterations, on);
         i = i + 1;

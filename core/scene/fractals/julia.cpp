@@ -30,7 +30,7 @@ double hull(const Scene& scene, const Sight& view)
 {
     const auto [a, i, j] = scene.shape;
     const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
-    const auto bound = [&](double r) { return least_estimate(r, 2, c, 0, escape_radius, scene.iterations); };
+    const auto bound = [&](double r) { return least_estimate(r, 2, 1, c, 0, escape_radius, scene.iterations); };
     return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
 }
 
@@ -66,7 +66,7 @@ constexpr Fractal rows::julia{
     .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
     .fast = {.root_share = 0.01, .cone_pitch = 40, .neighbour_pitch = 48},
-    .flight = {.growth = growth, .safety = 1, .short_stride = plain_stride},
+    .flight = {.growth = growth, .trust = {.safety = 1, .stride = plain_stride}},
     .random = {.extent = 1.2,
                .nearest = 1.1,
                .farthest = 2.5,

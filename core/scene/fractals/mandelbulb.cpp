@@ -15,13 +15,16 @@ constexpr std::string_view official =
 #include "official/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
+// Of the envelope of how the power map stretches (core/kernel/fractals/mandelbulb.h), in the conservative estimate:
+// docs/notes/experiments.md.
+constexpr double envelope_share = 0.7;
 
 // The bailout radius is cut so that r^3P stays finite: gradients have products of r^P and its slope.
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
     const Number& power = of.shape[2];
-    return {.values = {min(of.shape[1], pow(of.largest, 1 / (3 * power))), power},
+    return {.values = {min(of.shape[1], pow(of.largest, 1 / (3 * power))), power, envelope_share * of.conservative},
             .whole = pick(power == floor(power), power, 0)};
 }
 
@@ -31,7 +34,8 @@ double hull(const Scene& scene, const Sight& view)
     const double power = scene.shape[2];
     if (power <= 1) return 0;
     // The estimator leaves out the last radius, so that the escape must come before.
-    const auto bound = [&](double r) { return least_estimate(r, power, r, 1, escape, scene.iterations - 1); };
+    const double stretch = scene.conservative ? std::max(1.0, envelope_share * power) : 1;
+    const auto bound = [&](double r) { return least_estimate(r, power, stretch, r, 1, escape, scene.iterations - 1); };
     return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
 }
 
@@ -116,8 +120,8 @@ constexpr Fractal rows::mandelbulb{
     .hull = {.size = hull, .corner = sphere_corner},
     .fast = {.stride = {stride<double>, stride<Formula>}, .root_share = 0.02, .cone_pitch = 40, .neighbour_pitch = 48},
     .flight = {.growth = growth,
-               .safety = 0.8,
-               .short_stride = 0.6,
+               .trust = {.safety = 0.8, .stride = 0.6},
+               .conservative = FractalFlight::Trust{.safety = 0.9, .stride = 0.9},
                .body = body,
                .representative = representative,
                .worth_searching = worth_searching},

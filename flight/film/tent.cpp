@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/film/tent.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "flight/field/threads.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr unsigned middle = 6;  // tenths
+constexpr unsigned around = 1;  // tenths, of each of four
+constexpr unsigned whole = middle + 4 * around;
+constexpr std::size_t grain = 16;  // rows
+
+}  // namespace
+
+std::vector<std::uint8_t> softened(const Image& picture, int threads)
+{
+    const auto rows = static_cast<std::size_t>(picture.height());
+    const std::size_t pitch = 3 * static_cast<std::size_t>(picture.width());
+    std::vector<std::uint8_t> rgb(rows * pitch);
+    const std::uint8_t* bytes = picture.bytes().data();
+    parallel(rows, grain, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+            const std::uint8_t* here = bytes + (rows - 1 - y) * pitch;
+            const std::uint8_t* above = y > 0 ? here + pitch : here;
+            const std::uint8_t* below = y + 1 < rows ? here - pitch : here;
+            std::uint8_t* to = rgb.data() + y * pitch;
+            const auto mixed = [&](std::size_t i, std::size_t left, std::size_t right) {
+                const unsigned sum =
+                    middle * here[i] + around * (unsigned{here[left]} + here[right] + above[i] + below[i]);
+                return static_cast<std::uint8_t>((sum + whole / 2) / whole);
+            };
+            for (std::size_t i = 0; i < 3; ++i) to[i] = mixed(i, i, std::min(i + 3, pitch - 3 + i));
+            for (std::size_t i = 3; i + 3 < pitch; ++i) to[i] = mixed(i, i - 3, i + 3);
+            for (std::size_t i = std::max<std::size_t>(pitch - 3, 3); i < pitch; ++i) to[i] = mixed(i, i - 3, i);
+        }
+    });
+    return rgb;
+}
+
+}  // namespace mandelmarch
