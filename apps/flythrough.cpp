@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <vector>
 
 #include "apps/backend_option.h"
@@ -19,7 +20,9 @@
 #include "flight/audit/audit.h"
 #include "flight/audit/map.h"
 #include "flight/film/film.h"
+#include "flight/film/ranks_one.h"
 #include "flight/film/summary.h"
+#include "flight/film/truth.h"
 #include "flight/plan/planner.h"
 
 namespace {
@@ -63,10 +66,13 @@ bool goes_to_stdout(const std::string& file)
 
 // Prints the audit on stdout, or stderr where stdout takes a file, and, if asked for, as JSON into a file; true if
 // every promise is kept.
-bool show_audit(const Flythrough& options, const Path& path, double planning)
+bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
+                const RendererOptions& renderer)
 {
     tell_audit(path);
-    const Audit result = audit(path, options.threads, planning);
+    Audit result = audit(path, options.threads, planning);
+    std::ranges::move(truth_rows(path, backend, renderer, options.picture()),
+                      std::inserter(result.rows, std::ranges::find(result.rows, false, &Row::promise)));
     const auto taken = options.written();
     if (std::ranges::any_of(taken, [](const NamedFile& file) { return goes_to_stdout(file.path); })) {
         say("{}", table_of(path, result));
@@ -93,12 +99,12 @@ void check_outputs(const Flythrough& options)
     }
 }
 
-int plan_command(const Flythrough& options)
+int plan_command(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     const Plan made = make_plan(options);
     write_file(options.output, to_text(made.path));
     write_map(options, made);
-    return show_audit(options, made.path, made.seconds) ? exit_fine : exit_failure;
+    return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_fine : exit_failure;
 }
 
 // Each rank takes its own GPU where there are some, and its share of the machine's cores.
@@ -148,7 +154,7 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
 }
 
 // The path that is planned or read, as text; for rank 0.
-std::string path_text(const Flythrough& options, const RendererOptions& renderer)
+std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_film_tools();
     if (options.command == Command::render) {
@@ -161,7 +167,7 @@ std::string path_text(const Flythrough& options, const RendererOptions& renderer
     const Plan made = make_plan(options);
     if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);
-    show_audit(options, made.path, made.seconds);
+    show_audit(options, made.path, made.seconds, backend, renderer);
     return to_text(made.path);
 }
 
@@ -189,8 +195,11 @@ int run(const Registry& registry, const Flythrough& options)
 {
     if (options.command == Command::plan || options.command == Command::audit) {
         check_outputs(options);
-        if (options.command == Command::plan) return plan_command(options);
-        return show_audit(options, read_path(options.path), 0) ? exit_fine : exit_failure;
+        const Backend& backend = chosen_backend(registry, options.backend, true);
+        const RendererOptions renderer = renderer_of(options, backend, *one_rank());
+        static_cast<void>(backend.create(renderer));
+        if (options.command == Command::plan) return plan_command(options, backend, renderer);
+        return show_audit(options, read_path(options.path), 0, backend, renderer) ? exit_fine : exit_failure;
     }
     const auto ranks = make_ranks();
     try {
@@ -199,7 +208,7 @@ int run(const Registry& registry, const Flythrough& options)
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
         // A device that is not there is known before the work.
         static_cast<void>(backend.create(renderer));
-        const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, renderer) : "");
+        const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, backend, renderer) : "");
         const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
         return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {

@@ -7,6 +7,8 @@ FN scalar shortest_relaxed() { return R(1.2); }   // of an over-relaxed step, in
 FN scalar dip_margin() { return R(1.3); }         // where DE is less than so many tolerances a step is a dip's
 FN scalar dip_stride() { return R(0.4); }         // of such a step, in distance estimates
 FN scalar neighbour_margin() { return R(0.25); }  // before the nearest of four neighbours, in the range of their depths
+FN scalar plane_margin() { return R(0.5); }       // before the plane of four neighbours, in tolerances
+FN scalar bend_margin() { return R(2.0); }        // before that, in how far they are off it
 FN int most_cone_steps() { return 100; }          // then the cone ends, and its rays go on alone
 
 // The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
@@ -31,9 +33,11 @@ FN scalar beyond_scene(Scene scene) { return 2 * scene.end; }
 
 // Where a ray between four neighbours begins, by the least and the greatest of their depths: before all of their hits,
 // by a tolerance and a quarter of how far they lie apart; beyond the scene where all missed clearly; else at 0, alone.
-// (Something thin may stand between them: docs/fast-mode.md. For fast mode.)
-FN real neighbour_start(Scene scene, real least, real greatest)
+// (Something thin may stand between them: docs/fast-mode.md. For fast mode.) Where the four lie nearly in a plane the
+// ray begins closer to it: `expected` is its depth there, `bend` how far the four are off a plane.
+FN real neighbour_start(Scene scene, real least, real greatest, real expected, real bend)
 {
     real start = least - neighbour_margin() * (greatest - least) - scene.tolerance * least;
+    start = larger(start, expected - plane_margin() * scene.tolerance * least - bend_margin() * bend);
     return pick(least > 0, start, pick(greatest < 0, beyond_scene(scene), 0));
 }

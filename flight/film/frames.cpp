@@ -16,14 +16,25 @@ namespace {
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
 
-// A film never changes its steps from frame to frame: no trial chooses them.
-RendererOptions untried(RendererOptions options)
+
+}  // namespace
+
+RendererOptions without_trial(RendererOptions options)
 {
     options.techniques.trial = false;
     return options;
 }
 
-}  // namespace
+Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
+{
+    // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
+    Scene scene = picture_of(path, path.frames[frame], picture.width, picture.height);
+    scene.width = samples_along(picture.width, picture.samples);
+    scene.height = samples_along(picture.height, picture.samples);
+    scene.centred = true;
+    if (picture.look) scene.colouring = *picture.look;
+    return scene;
+}
 
 void check_picture(const Picture& picture)
 {
@@ -39,7 +50,7 @@ void check_picture(const Picture& picture)
 }
 
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)
-    : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(untried(options)))
+    : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(without_trial(options)))
 {
     check_picture(picture);
     image_ = Image(samples_along(picture.width, picture.samples), samples_along(picture.height, picture.samples),
@@ -48,13 +59,7 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
 
 std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
 {
-    // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
-    Scene scene = picture_of(path_, path_.frames[frame], picture_.width, picture_.height);
-    scene.width = image_.width();
-    scene.height = image_.height();
-    scene.centred = true;
-    if (picture_.look) scene.colouring = *picture_.look;
-    renderer_->render(scene, image_);
+    renderer_->render(frame_scene(path_, frame, picture_), image_);
     if (picture_.width == image_.width() && picture_.height == image_.height()) return softened(image_, threads_);
     return shrunk(image_, picture_.width, picture_.height, threads_);
 }

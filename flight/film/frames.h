@@ -21,6 +21,12 @@ struct Picture {
 // Throws InputError where such a picture needs more memory than there is, or has sides that are too long.
 void check_picture(const Picture& picture);
 
+// How a film's renderer is made: a film never changes its steps from frame to frame, so that no trial chooses them.
+RendererOptions without_trial(RendererOptions options);
+
+// A frame as it is drawn, of the picture's samples, through their middles.
+Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture);
+
 class FrameMaker {
 public:
     // Keeps one renderer for all frames. Throws Unavailable, and what check_picture() throws.
