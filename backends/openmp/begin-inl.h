@@ -65,44 +65,27 @@ struct Neighbours {
     }
 };
 
-// Where the rays in the cells of a square begin by their neighbours: those at the middle of each cell's lower edge, of
-// its left edge, and of the cell.
+// Where the rays in the cells of a square begin by their neighbours.
 template <int across>
-struct NeighbourStarts {
-    MM_REAL of[3][block_pixels + register_lanes];  // whole registers can be read
-
-    HWY_NOINLINE NeighbourStarts(const Drawing& d, int left, int bottom)
-    {
-        const Neighbours<across> neighbours(d, left, bottom);
-        MM_REAL least[block_pixels];
-        MM_REAL greatest[block_pixels];
-        MM_REAL bend[block_pixels];
-        const auto less = [](MM_REAL a, MM_REAL b) { return a < b ? a : b; };
-        const auto more = [](MM_REAL a, MM_REAL b) { return a < b ? b : a; };
-        for (int j = 0; j < across; ++j) {
-            const MM_REAL* a = neighbours.at[j];
-            const MM_REAL* b = neighbours.at[j + 1];
-            for (int i = 0; i < across; ++i) {
-                const int n = j * across + i;
-                least[n] = less(less(a[i], a[i + 1]), less(b[i], b[i + 1]));
-                greatest[n] = more(more(a[i], a[i + 1]), more(b[i], b[i + 1]));
-                const MM_REAL off = (a[i] - a[i + 1]) - (b[i] - b[i + 1]);
-                bend[n] = off < 0 ? -off : off;
-                of[0][n] = MM_REAL(0.5) * (a[i] + a[i + 1]);
-                of[1][n] = MM_REAL(0.5) * (a[i] + b[i]);
-                of[2][n] = MM_REAL(0.25) * ((a[i] + a[i + 1]) + (b[i] + b[i + 1]));
-            }
-        }
-        for (int n = 0; n < across * across; n += pack_lanes) {
-            for (MM_REAL* start : {of[0] + n, of[1] + n, of[2] + n}) {
-                const real expected = load_lanes(start);
-                store_lanes(neighbour_start(d.scene, load_lanes(least + n), load_lanes(greatest + n), expected,
-                                            load_lanes(bend + n)),
-                            start);
-            }
+HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, MM_REAL* start)
+{
+    const Neighbours<across> neighbours(d, left, bottom);
+    MM_REAL least[block_pixels];
+    MM_REAL greatest[block_pixels];
+    const auto less = [](MM_REAL a, MM_REAL b) { return a < b ? a : b; };
+    const auto more = [](MM_REAL a, MM_REAL b) { return a < b ? b : a; };
+    for (int j = 0; j < across; ++j) {
+        const MM_REAL* a = neighbours.at[j];
+        const MM_REAL* b = neighbours.at[j + 1];
+        for (int i = 0; i < across; ++i) {
+            least[j * across + i] = less(less(a[i], a[i + 1]), less(b[i], b[i + 1]));
+            greatest[j * across + i] = more(more(a[i], a[i + 1]), more(b[i], b[i + 1]));
         }
     }
-};
+    for (int n = 0; n < across * across; n += pack_lanes) {
+        store_lanes(neighbour_start(d.scene, load_lanes(least + n), load_lanes(greatest + n)), start + n);
+    }
+}
 
 // Where the blocks of a square begin, for each of its pixels; true where no ray of them hits.
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
@@ -124,29 +107,6 @@ HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square
     return all_gone;
 }
 
-// Begins the rays of a square whose neighbours are drawn: three in each of its cells.
-template <int across>
-HWY_INLINE void begin_between(Drawing& d, Square& square, int left, int bottom, bool painted)
-{
-    const NeighbourStarts<across> starts(d, left, bottom);
-    for (int k = 1; k < 4; ++k) {
-        square.left = left + k % 2 * d.canvas.lattice.apart;
-        square.bottom = bottom + k / 2 * d.canvas.lattice.apart;
-        square.neighbour_start = starts.of[k - 1];
-        begin_square(d, square, painted);
-    }
-}
-
-// Begins the rays of a square of the first lattice.
-HWY_INLINE void begin_first(Drawing& d, Square& square, int left, int bottom, bool painted)
-{
-    const MM_REAL alone[block_pixels + register_lanes] = {};
-    square.left = left;
-    square.bottom = bottom;
-    square.neighbour_start = alone;
-    begin_square(d, square, painted);
-}
-
 // Begins the rays of a tile's pixels that are in the canvas's lattice.
 HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
 {
@@ -157,12 +117,18 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     square.log2_apart = log2_of(apart);
     square.log2_across = apart == 4 ? 2 : 3;
     const int side = square.across() << square.log2_apart;
+    for (int n = 0; n < square.count(); ++n) square.neighbour_start[n] = 0;
     for (int y = bottom; y < bottom + tile_side && y < d.canvas.end_row; y += side) {
         for (int x = left; x < left + tile_side && x < d.scene.width; x += side) {
             if (find_block_starts(d, x, y, square) && painted) continue;
-            if (lattice.before == 4) begin_between<4>(d, square, x, y, painted);
-            if (lattice.before == 2) begin_between<8>(d, square, x, y, painted);
-            if (lattice.before == 0) begin_first(d, square, x, y, painted);
+            if (lattice.before == 4) find_neighbour_starts<4>(d, x, y, square.neighbour_start);
+            if (lattice.before == 2) find_neighbour_starts<8>(d, x, y, square.neighbour_start);
+            // The neighbours themselves, at the corners of the cells, are drawn.
+            for (int k = lattice.before > 0 ? 1 : 0; k < (lattice.before > 0 ? 4 : 1); ++k) {
+                square.left = x + k % 2 * lattice.apart;
+                square.bottom = y + k / 2 * lattice.apart;
+                begin_square(d, square, painted);
+            }
         }
     }
 }

@@ -10,8 +10,6 @@
 #define MM_SHARING_INL_H
 #endif
 
-#include <cstddef>
-
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/rays-inl.h"
 
@@ -22,65 +20,76 @@ namespace {
 namespace MM_PACK {
 
 // Chosen by how far pictures change (docs/notes/experiments.md).
-constexpr MM_REAL same_surface =
-    MM_REAL(0.02);                        // of a depth, at most: how far a depth on the same surface lies from it
-constexpr MM_REAL enough = MM_REAL(0.3);  // of the weights around a pixel has to be on its surface
+constexpr MM_REAL same_surface = MM_REAL(0.02);  // of a depth: what lies farther from it is on another surface
+constexpr MM_REAL alike = MM_REAL(0.12);         // how far what neighbours found may lie apart, both values added
+constexpr int enough = 2;                        // of four neighbours have to be on the pixel's surface
 
-// Surroundings between the four pixels of even columns and rows around one, by their nearness, and the weight of those
-// whose depth is that of the same surface.
-struct Between {
-    MM_REAL along_normal = 0;
-    MM_REAL sunwards = 0;
-    MM_REAL weight = 0;
+// The four pixels of even columns and rows around each lane's, one or two of which can be the same.
+struct Around {
+    hn::Vec<Wholes> at[4];     // at half their numbers
+    hn::Mask<Reals> there[4];  // in the picture
 
-    HWY_INLINE Between(const Canvas<MM_REAL>& canvas, int width, std::ptrdiff_t pixel, MM_REAL t)
+    HWY_INLINE Around(const Canvas<MM_REAL>& canvas, int width, const whole& pixel)
     {
-        const std::ptrdiff_t row = pixel / width;
-        const std::ptrdiff_t column = pixel % width;
-        const MM_REAL right = column % 2 != 0 ? MM_REAL(0.5) : MM_REAL(0);
-        const MM_REAL above = row % 2 != 0 ? MM_REAL(0.5) : MM_REAL(0);
-        const std::ptrdiff_t corner = ((row & ~1) * width + (column & ~1)) / 2;
-        const bool is_right = right > 0 && column + 1 < width;
-        const bool is_above = above > 0 && canvas.first_row + row + 1 < canvas.end_row;
-        add(canvas, corner, (1 - right) * (1 - above), t);
-        if (is_right) add(canvas, corner + 1, right * (1 - above), t);
-        if (is_above) add(canvas, corner + width, (1 - right) * above, t);
-        if (is_right && is_above) add(canvas, corner + width + 1, right * above, t);
-        if (weight < enough) return;
-        along_normal /= weight;
-        sunwards /= weight;
-    }
-
-private:
-    HWY_INLINE void add(const Canvas<MM_REAL>& canvas, std::ptrdiff_t at, MM_REAL share, MM_REAL t)
-    {
-        const MM_REAL apart = canvas.neighbour_depth[at] - t;
-        if (!(apart < same_surface * t && -apart < same_surface * t)) return;
-        weight += share;
-        along_normal += share * canvas.along_normal[at];
-        sunwards += share * canvas.sunwards[at];
+        const auto set = [](int value) MM_INLINED { return hn::Set(Reals(), static_cast<MM_REAL>(value)); };
+        const auto wide = set(width);
+        const auto number = hn::ConvertTo(Reals(), pixel.of[0]);
+        // A band has less than 2^22 pixels, so that half of one is more than rounding.
+        const auto row = hn::Floor(hn::Div(hn::Add(number, hn::Set(Reals(), MM_REAL(0.5))), wide));
+        const auto column = hn::Sub(number, hn::Mul(row, wide));
+        const auto half = hn::Set(Reals(), MM_REAL(0.5));
+        const auto left = hn::Floor(hn::Mul(column, half));
+        const auto below = hn::Mul(hn::Floor(hn::Mul(row, half)), wide);
+        const auto right = hn::Sub(column, left);  // left, or one more
+        const auto above = hn::Mul(hn::Sub(row, hn::Floor(hn::Mul(row, half))), wide);
+        const auto is_right = hn::Lt(hn::Add(right, right), wide);
+        const auto is_above = hn::Lt(hn::Add(row, row), set(2 * (canvas.end_row - canvas.first_row) - 1));
+        at[0] = hn::ConvertTo(Wholes(), hn::Add(below, left));
+        at[1] = hn::ConvertTo(Wholes(), hn::Add(below, right));
+        at[2] = hn::ConvertTo(Wholes(), hn::Add(above, left));
+        at[3] = hn::ConvertTo(Wholes(), hn::Add(above, right));
+        there[0] = hn::Eq(wide, wide);
+        there[1] = is_right;
+        there[2] = is_above;
+        there[3] = hn::And(is_right, is_above);
     }
 };
 
-// Which of the first lanes, those that are on, share; what they share becomes theirs.
+// Which of the lanes that are on share; what they share, a mean, becomes theirs.
 HWY_INLINE mask find_shared(const Drawing& d, Arrival& a, const mask& on)
 {
-    MM_REAL ts[register_lanes];
-    Int pixels[register_lanes];
-    MM_REAL along_normal[register_lanes] = {};
-    MM_REAL sunwards[register_lanes] = {};
-    MM_REAL weights[register_lanes] = {};
-    store_lanes(a.hit.below_t, ts);
-    store_lanes(a.pixel, pixels);
-    const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) {
-        const Between between(d.canvas, d.scene.width, pixels[i], ts[i]);
-        along_normal[i] = between.along_normal;
-        sunwards[i] = between.sunwards;
-        weights[i] = between.weight;
+    const auto gathered = [](const MM_REAL* from, hn::Vec<Wholes> at, hn::Mask<Reals> there) MM_INLINED {
+        const auto safe = hn::IfThenElseZero(hn::RebindMask(Wholes(), there), at);
+        return hn::IfThenElseZero(there, hn::GatherIndex(Reals(), from, safe));
+    };
+    const Around around(d.canvas, d.scene.width, a.pixel);
+    const auto t = a.hit.below_t.of[0];
+    const auto reach = hn::Mul(t, hn::Set(Reals(), same_surface));
+    const auto none = hn::Zero(Reals());
+    auto along_normal = none;
+    auto sunwards = none;
+    auto count = none;
+    auto least = hn::Set(Reals(), MM_REAL(2));
+    auto most = none;
+    for (int k = 0; k < 4; ++k) {
+        const auto there = hn::And(on.of[0], around.there[k]);
+        const auto depth = gathered(d.canvas.neighbour_depth, around.at[k], there);
+        const auto same = hn::And(there, hn::Lt(hn::Abs(hn::Sub(depth, t)), reach));
+        const auto along_one = gathered(d.canvas.along_normal, around.at[k], same);
+        const auto sunwards_one = gathered(d.canvas.sunwards, around.at[k], same);
+        const auto both = hn::Add(along_one, sunwards_one);
+        along_normal = hn::Add(along_normal, along_one);
+        sunwards = hn::Add(sunwards, sunwards_one);
+        count = hn::Add(count, hn::IfThenElseZero(same, hn::Set(Reals(), MM_REAL(1))));
+        least = hn::IfThenElse(same, hn::Min(least, both), least);
+        most = hn::IfThenElse(same, hn::Max(most, both), most);
     }
-    a.shared = {load_lanes(along_normal), load_lanes(sunwards)};
-    return load_lanes(weights) >= real(enough);
+    a.shared.along_normal.of[0] = hn::Div(along_normal, count);
+    a.shared.sunwards.of[0] = hn::Div(sunwards, count);
+    mask shared;
+    shared.of[0] = hn::And(on.of[0], hn::And(hn::Ge(count, hn::Set(Reals(), static_cast<MM_REAL>(enough))),
+                                             hn::Le(hn::Sub(most, least), hn::Set(Reals(), alike))));
+    return shared;
 }
 
 // Whether pixels of this lattice take over surroundings: its neighbours are two pixels apart.

@@ -29,7 +29,7 @@ struct Square {
     int log2_across;
     // Where rays begin by their blocks and by their neighbours; whole registers can be read.
     MM_REAL block_start[block_pixels + register_lanes];
-    const MM_REAL* neighbour_start;
+    MM_REAL neighbour_start[block_pixels + register_lanes];
 
     int across() const { return 1 << log2_across; }
     int count() const { return 1 << 2 * log2_across; }

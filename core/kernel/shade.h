@@ -43,8 +43,8 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-// The gradient of DE by differences over a tetrahedron, four estimates; its corners lie h from p. What is smaller than h
-// does not show: no pixel's normal depends on a detail that the next one misses.
+// The gradient of DE by differences over a tetrahedron, four estimates; its corners lie h from p. What is smaller than
+// h does not show: no pixel's normal depends on a detail that the next one misses.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     real step = h * R(0.57735026918962576);  // 1 / sqrt(3)

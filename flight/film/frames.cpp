@@ -16,7 +16,6 @@ namespace {
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
 
-
 }  // namespace
 
 RendererOptions without_trial(RendererOptions options)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned middle = 6;  // tenths
 constexpr unsigned around = 1;  // tenths, of each of four
-constexpr unsigned whole = middle + 4 * around;
+constexpr unsigned whole = 10;
 constexpr std::size_t grain = 16;  // rows
 
 }  // namespace
@@ -29,9 +29,10 @@ std::vector<std::uint8_t> softened(const Image& picture, int threads)
             const std::uint8_t* below = y + 1 < rows ? here - pitch : here;
             std::uint8_t* to = rgb.data() + y * pitch;
             const auto mixed = [&](std::size_t i, std::size_t left, std::size_t right) {
-                const unsigned sum =
-                    middle * here[i] + around * (unsigned{here[left]} + here[right] + above[i] + below[i]);
-                return static_cast<std::uint8_t>((sum + whole / 2) / whole);
+                // In 16 bits, of which a register holds many.
+                const auto sum = static_cast<std::uint16_t>(middle * here[i] + here[left] + here[right] + above[i] +
+                                                            below[i] + whole / 2);
+                return static_cast<std::uint8_t>(sum / whole);
             };
             for (std::size_t i = 0; i < 3; ++i) to[i] = mixed(i, i, std::min(i + 3, pitch - 3 + i));
             for (std::size_t i = 3; i + 3 < pitch; ++i) to[i] = mixed(i, i - 3, i + 3);

@@ -19,7 +19,7 @@ constexpr std::size_t every = 100;  // frames
 constexpr int strata = 4;           // of a frame's width and height: a place lies in each
 constexpr int place_width = 48;     // pixels
 constexpr int place_height = 27;    // pixels
-constexpr double converged = 0.02;  // the stride, in distance estimates
+constexpr double converged = 0.06;  // the stride, in distance estimates: less leaves far rays without steps
 // Percent of the pixels.
 constexpr double median_bar = 2;
 constexpr double most_frames_bar = 4;
@@ -105,7 +105,9 @@ std::vector<Row> truth_rows(const Path& path, const Backend& backend, const Rend
     const auto worst = static_cast<std::size_t>(std::ranges::max_element(offs) - offs.begin());
     std::vector<double> sorted = offs;
     std::ranges::sort(sorted);
-    const auto at = [&](double share) { return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))]; };
+    const auto at = [&](double share) {
+        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    };
     const auto row = [](const char* name, double value, double bar, const std::string& where) {
         return Row{name, value, bar, true, true, "%", where};
     };

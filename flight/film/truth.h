@@ -11,9 +11,9 @@
 
 namespace mandelmarch {
 
-// The share of a frame's pixels that are visibly off, in percent, of every hundredth frame: three promises, its median, the
-// share that 95 of 100 frames keep, and the worst. Of each frame sixteen places spread over it are drawn, as the film
-// draws them and once more by short steps alone. Throws what the renderer throws.
+// The share of a frame's pixels that are visibly off, in percent, of every hundredth frame: three promises, its median,
+// the share that 95 of 100 frames keep, and the worst. Of each frame sixteen places spread over it are drawn, as the
+// film draws them and once more by short steps alone. Throws what the renderer throws.
 std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
                             const Picture& picture);
 

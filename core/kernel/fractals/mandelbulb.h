@@ -11,10 +11,10 @@ FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
 FN scalar bulb_envelope(Scene scene) { return scene.fractal[2]; }     // c of conservative_growth(); 0: none
 FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P, or 0 where it is no whole number
 
-// The growth of dr in an iteration. z -> z^P stretches by P r^(P-1) along the radius and the meridian, and by that times
-// |sin P0 / sin 0| along the parallel, where 0 is the polar angle: near the poles P r^(P-1) alone, which the running
-// derivative counts, is up to P times too small. That quotient has lobes, and an estimate with lobes changes faster
-// than the distance; its envelope min(P, 1 / sin 0) has none. A share c of the envelope is enough
+// The growth of dr in an iteration. z -> z^P stretches by P r^(P-1) along the radius and the meridian, and by that
+// times |sin P0 / sin 0| along the parallel, where 0 is the polar angle: near the poles P r^(P-1) alone, which the
+// running derivative counts, is up to P times too small. That quotient has lobes, and an estimate with lobes changes
+// faster than the distance; its envelope min(P, 1 / sin 0) has none. A share c of the envelope is enough
 // (docs/notes/experiments.md). per_sine: 1 / sin 0.
 FN real conservative_growth(Scene scene, real growth, real per_sine)
 {
