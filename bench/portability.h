@@ -45,7 +45,7 @@ struct Portability {
     std::string application;  // backend
     std::vector<OnPlatform> platforms;
     double application_portability = 0, architecture_portability = 0;
-    Interval application_interval, architecture_interval;  // 95 %, resampled
+    Interval application_interval, architecture_interval;  // 95 %, from times drawn anew
     std::vector<CascadeStep> cascade;
 };
 

@@ -12,6 +12,8 @@
 namespace mandelmarch::bench {
 
 inline constexpr int schema_version = 1;
+// The study that compares backends, and has the rows that others are compared with.
+inline constexpr std::string_view standard_study = "standard";
 
 // One picture of the timed rounds. Seconds.
 struct Sample {
@@ -120,6 +122,8 @@ struct Result {
     bool failed() const;
     // The name of the backend that has the role of the reference.
     std::string reference() const;
+    // Of the backend that runs the text on the host's cores.
+    std::string host() const;
 };
 
 }  // namespace mandelmarch::bench

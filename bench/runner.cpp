@@ -146,6 +146,21 @@ Sample draw_sample(Live& row, Image& image)
     return sample;
 }
 
+void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
+{
+    for (Live& live : rows) {
+        if (live.expected <= rules.long_picture) continue;
+        const Timings& t = live.first.timings;
+        live.one->row.samples.push_back({.launch = rules.launch,
+                                         .round = 0,
+                                         .kernel = t.kernel,
+                                         .wall = t.wall,
+                                         .upload = t.upload,
+                                         .readback = t.readback});
+        live.done = true;
+    }
+}
+
 void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)
 {
     Rounds(rows, rules).run(progress);

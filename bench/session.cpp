@@ -7,12 +7,11 @@
 
 #include "bench/environment.h"
 #include "bench/figures.h"
+#include "bench/prepare.h"
 #include "bench/profile.h"
-#include "bench/proof.h"
 #include "bench/runner.h"
 #include "bench/steadiness.h"
 #include "core/base/error.h"
-#include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 
@@ -24,77 +23,6 @@ namespace {
 constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
-
-// What the proof of one row needs: its picture with values and that of its yardstick, and one more for the timing.
-void check_memory(const Scene& scene)
-{
-    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
-    const std::uint64_t needed =
-        pixels * (3 * Image::bytes_per_pixel(Image::Layers::all) + Image::bytes_per_pixel(Image::Layers::bytes));
-    if (const std::uint64_t available = available_memory(); needed > available) {
-        throw Unavailable(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
-                                      scene.height, needed >> 20, available >> 20));
-    }
-}
-
-void describe(Row& row, const RenderReport& report)
-{
-    row.threads = report.threads;
-    row.pack = report.pack;
-    row.instruction_set = report.instruction_set;
-    row.context = report.timings.context;
-    row.build = report.timings.build;
-    row.stride = report.stride;
-    row.unsettled = report.unsettled;
-    row.work = report.work;
-}
-
-Sample first_sample(const RenderReport& report, int launch)
-{
-    const Timings& t = report.timings;
-    return {
-        .launch = launch, .round = 0, .kernel = t.kernel, .wall = t.wall, .upload = t.upload, .readback = t.readback};
-}
-
-// Draws the row's picture once and compares it. What comes back can be timed.
-std::optional<Live> proven(Case& one, Yardsticks& yardsticks, const Rules& rules)
-{
-    Row& row = one.row;
-    Live live;
-    live.one = &one;
-    RenderReport report;
-    try {
-        check_memory(one.scene);
-        const auto& yardstick = yardsticks.for_case(one);
-        live.renderer = one.backend->create(one.options);
-        if (yardsticks.is_yardstick(one)) {
-            report = yardstick.report;
-            row.proof.drawn = row.proof.fine = row.proof.yardstick = true;
-            row.proof.text = row.proof.level = "yardstick";
-            live.fingerprint = fingerprint(yardstick.image);
-        } else {
-            Image image(one.scene.width, one.scene.height, Image::Layers::all);
-            report = live.renderer->render(one.scene, image);
-            prove(row, one.backend->facts().role, image, yardstick);
-            live.fingerprint = fingerprint(image);
-        }
-        describe(row, report);
-    } catch (const Unavailable& error) {
-        row.unavailable = error.what();
-    } catch (const InputError& error) {
-        // A pack width that this machine does not have, say.
-        row.unavailable = error.what();
-    } catch (const Error& error) {
-        row.failure = error.what();
-    }
-    if (!row.proof.fine || !row.unavailable.empty()) return std::nullopt;
-    live.expected = report.timings.kernel;
-    if (!rules.repetitions && live.expected > rules.long_picture) {
-        row.samples.push_back(first_sample(report, rules.launch));
-        live.done = true;
-    }
-    return live;
-}
 
 bool same_text(const Counted& counted, const Row& row)
 {
@@ -179,8 +107,9 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
     for (std::size_t i = 0; i < order.size(); ++i) {
         phase("proof", static_cast<double>(i) / static_cast<double>(order.size()));
-        if (auto row = proven(*order[i], yardsticks, rules)) live.push_back(std::move(*row));
+        if (auto row = proven(*order[i], yardsticks)) live.push_back(std::move(*row));
     }
+    if (!rules.repetitions) keep_long_pictures(live, rules);
     count_all(live, result, phase);
     if (options.study == "profile") result.stages = profile(registry, options, phase);
     raise_peaks(result.peaks, measure_peaks(registry, options, phase));
