@@ -59,7 +59,7 @@ std::string study_names()
 
 // Numbers, as they were given.
 struct Texts {
-    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin;
+    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock;
 };
 
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
@@ -111,7 +111,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
 }
 
 // What a duel takes of a run's options.
-void take_duel(CommandLine& line, bool launches, const std::string& margin)
+void take_duel(CommandLine& line, bool launches, const std::string& margin, const std::string& clock)
 {
     const Options& o = line.options;
     if (!o.csv.empty() || o.wide || o.list || o.budget || !o.format.empty() || !o.out.empty() || line.list_names) {
@@ -122,6 +122,7 @@ void take_duel(CommandLine& line, bool launches, const std::string& margin)
     if (launches) line.duel.launches = o.launches;
     if (line.duel.launches < 2) throw InputError("--launches: 1 given, expected 2 or more for a duel");
     line.duel.rounds = o.repetitions.value_or(line.duel.rounds);
+    if (clock == name_of(DuelClock::processor)) line.duel.clock = DuelClock::processor;
     if (!margin.empty()) line.duel.margin = real_option("margin", margin, 0, 1);
 }
 
@@ -155,6 +156,9 @@ CommandLine parse_command_line(int argc, char** argv)
     duel->add_option("OLD", line.duel.old_program, "a program, build/old/bin/bench say")->required();
     duel->add_option("NEW", line.duel.new_program, "another")->required();
     duel->add_option("--margin", texts.margin, "a ratio within this of 1 is the same (default 0.01)");
+    duel->add_option("--clock", texts.clock,
+                     "wall (default): kernel time; processor: that of all threads, for a machine that others use")
+        ->check(CLI::IsMember({"wall", "processor"}));
     duel->fallthrough();
     duel->footer(
         "--backend, --fractal, --precision, --mode, --size, --study, --benchmark_filter choose rows, --launches (10) "
@@ -208,7 +212,7 @@ CommandLine parse_command_line(int argc, char** argv)
     if (given(option("--budget"))) o.budget = real_option("budget", texts.budget, 0, 1e6);
     if (compare->parsed()) line.command = Command::compare;
     if (given(option("--on-demand"))) line.command = Command::on_demand;
-    if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin);
+    if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin, texts.clock);
     o.baselines = line.command == Command::run;
     if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;

@@ -24,6 +24,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Those of this process. By the processor's clock, threads that wait must not count: OpenMP's would spin.
+std::vector<std::string> variables_for(DuelClock clock)
+{
+    std::vector<std::string> variables;
+    if (clock == DuelClock::processor) variables.emplace_back("OMP_WAIT_POLICY=passive");
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        if (clock == DuelClock::wall || !std::string_view(*variable).starts_with("OMP_WAIT_POLICY=")) {
+            variables.emplace_back(*variable);
+        }
+    }
+    return variables;
+}
+
 std::string ending(int status)
 {
     if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
@@ -34,7 +47,8 @@ std::string ending(int status)
 
 }  // namespace
 
-Contender::Contender(const std::string& program, const std::vector<std::string>& arguments)
+Contender::Contender(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock)
+    : clock_(clock)
 {
     std::array<int, 2> pair{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
@@ -52,7 +66,12 @@ Contender::Contender(const std::string& program, const std::vector<std::string>&
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, pair[1], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    const int code = posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), environ);
+    std::vector<std::string> variables = variables_for(clock);
+    std::vector<char*> envp;
+    envp.reserve(variables.size() + 1);
+    for (std::string& variable : variables) envp.push_back(variable.data());
+    envp.push_back(nullptr);
+    const int code = posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), envp.data());
     posix_spawn_file_actions_destroy(&actions);
     close(pair[1]);
     if (code != 0) {
@@ -100,7 +119,8 @@ void Contender::wait()
         environment_ = hello.at("environment");
         for (const Json& row : hello.at("rows")) {
             const Json& failure = row.at("failure");
-            rows_[row.at("name")] = {row.at("fingerprint"), failure.is_null() ? "" : failure.get<std::string>()};
+            rows_[row.at("name")] = {row.at("fingerprint"), failure.is_null() ? "" : failure.get<std::string>(),
+                                     row.at("in_process")};
         }
     } catch (const nlohmann::json::exception&) {
         throw Error("does not answer as bench does");
@@ -111,7 +131,8 @@ Contender::Drawn Contender::draw(const std::string& row)
 {
     socket_->send(row);
     const Json answer = receive();
-    if (const auto seconds = answer.find("kernel"); seconds != answer.end() && seconds->is_number()) {
+    if (const auto seconds = answer.find(clock_ == DuelClock::processor ? "processor" : "kernel");
+        seconds != answer.end() && seconds->is_number()) {
         return {.seconds = seconds->get<double>(), .failure = {}};
     }
     const auto failure = answer.find("failure");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/duel.h"
 #include "bench/line_socket.h"
 
 namespace mandelmarch::bench {
@@ -20,16 +21,17 @@ public:
     struct Ready {
         std::string fingerprint;  // of its picture
         std::string failure;      // why it has no speed; empty if it has one
+        bool in_process = true;   // its work is this process's
     };
 
-    // What a picture took, or why there is none.
+    // What a picture took by the clock of the duel, or why there is none.
     struct Drawn {
         std::optional<double> seconds;
         std::string failure;
     };
 
     // Starts `program` with the arguments and `--on-demand`. Throws Error where it cannot be started.
-    Contender(const std::string& program, const std::vector<std::string>& arguments);
+    Contender(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
     // Ends it.
     ~Contender();
     Contender(const Contender&) = delete;
@@ -48,6 +50,7 @@ private:
     nlohmann::ordered_json receive();
     bool ended();
 
+    DuelClock clock_;
     pid_t process_ = 0;
     std::optional<int> status_;  // as waitpid() gives it, once it has ended
     std::optional<LineSocket> socket_;

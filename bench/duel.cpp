@@ -91,6 +91,8 @@ bool within(const Interval& interval, double margin)
 
 }  // namespace
 
+std::string_view name_of(DuelClock clock) { return clock == DuelClock::wall ? "wall" : "processor"; }
+
 std::string_view name_of(Outcome outcome)
 {
     switch (outcome) {
@@ -153,8 +155,9 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
                          name_of(row.outcome), row.same_picture ? "" : ", another picture"));
     }
     text += fmt::format(
-        "{} launches of each program, {} pictures of each row in each; the same: within {:.3g} %, for certain\n",
-        duel.launches, duel.rounds, 100 * duel.margin);
+        "{} launches of each program, {} pictures of each row in each, {}; the same: within {:.3g} %, for certain\n",
+        duel.launches, duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time",
+        100 * duel.margin);
     for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
         text += printable("differs: " + difference, longest_note) + "\n";
     }
@@ -191,11 +194,17 @@ nlohmann::ordered_json to_json(const Duel& duel, const std::vector<Judged>& judg
                         {"same_picture", row.same_picture},
                         {"pairs", pairs}});
     }
-    return {{"schema", "mandelmarch-duel"}, {"version", 1},
-            {"old", side(duel.old_side)},   {"new", side(duel.new_side)},
-            {"margin", duel.margin},        {"launches", duel.launches},
-            {"rounds", duel.rounds},        {"warnings", duel.warnings},
-            {"verdicts", verdicts},         {"rows", rows}};
+    return {{"schema", "mandelmarch-duel"},
+            {"version", 1},
+            {"old", side(duel.old_side)},
+            {"new", side(duel.new_side)},
+            {"clock", name_of(duel.clock)},
+            {"margin", duel.margin},
+            {"launches", duel.launches},
+            {"rounds", duel.rounds},
+            {"warnings", duel.warnings},
+            {"verdicts", verdicts},
+            {"rows", rows}};
 }
 
 }  // namespace mandelmarch::bench

@@ -10,10 +10,17 @@
 
 namespace mandelmarch::bench {
 
+// Which seconds a duel compares.
+enum class DuelClock {
+    wall,      // of the kernel, as bench's own figures
+    processor  // of all threads: what other programs take from the machine costs none
+};
+std::string_view name_of(DuelClock clock);
+
 // What was measured. A pair is one picture of each program, one right after the other; which is first is drawn by lot.
 struct DuelPair {
     int launch = 0, round = 0;
-    double old_seconds = 0, new_seconds = 0;  // of kernel time
+    double old_seconds = 0, new_seconds = 0;
 };
 
 struct DuelRow {
@@ -30,6 +37,7 @@ struct DuelSide {
 
 struct Duel {
     DuelSide old_side{}, new_side{};
+    DuelClock clock = DuelClock::wall;
     double margin = 0.01;  // a ratio within this of 1 is the same
     int launches = 0;      // of each program, that were measured to their end
     int rounds = 0;        // in each
@@ -51,7 +59,7 @@ struct Judged {
     std::string name;  // of the row; all_rows for the mean of all
     Outcome outcome = Outcome::no_speed;
     std::string why{};        // where nothing was tested
-    Difference difference{};  // of kernel times, new / old
+    Difference difference{};  // of times, new / old
     double p = 1;             // after Holm's correction
     int launches = 0, pairs = 0;
     bool same_picture = true;

@@ -47,6 +47,7 @@ public:
     {
         duel_.old_side.program = plan.old_program;
         duel_.new_side.program = plan.new_program;
+        duel_.clock = plan.clock;
         duel_.margin = plan.margin;
         duel_.rounds = plan.rounds;
     }
@@ -83,8 +84,8 @@ private:
     void launch(int number)
     {
         const std::vector<std::string> arguments = arguments_of(options_, duel_.launches == 0);
-        Contender old_one(plan_.old_program, arguments);
-        Contender new_one(plan_.new_program, arguments);
+        Contender old_one(plan_.old_program, arguments, plan_.clock);
+        Contender new_one(plan_.new_program, arguments, plan_.clock);
         of("old", [&] { old_one.wait(); });
         of("new", [&] { new_one.wait(); });
         if (duel_.launches == 0) {
@@ -114,12 +115,15 @@ private:
     }
 
     // What a program says of a row in this launch, beside what it said in the first.
-    static std::string failure_of(const std::string& name, const Contender& now,
-                                  const std::map<std::string, Contender::Ready>& first)
+    std::string failure_of(const std::string& name, const Contender& now,
+                           const std::map<std::string, Contender::Ready>& first) const
     {
         const auto found = now.rows().find(name);
         if (found == now.rows().end()) return "there is no such row";
         if (!found->second.failure.empty()) return found->second.failure;
+        if (plan_.clock == DuelClock::processor && !found->second.in_process) {
+            return "a driver draws it, whose processor time is not known";
+        }
         const auto before = first.find(name);
         const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
         return same ? std::string() : "the picture is not the one that the first launch has proven";

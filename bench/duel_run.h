@@ -13,6 +13,7 @@ namespace mandelmarch::bench {
 struct DuelPlan {
     std::string old_program, new_program;  // files
     double margin = 0.01;
+    DuelClock clock = DuelClock::wall;
     int launches = 10;  // of each program
     int rounds = 20;    // pictures of each row in a launch
 };

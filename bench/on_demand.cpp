@@ -17,9 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json row_of(const Row& row, std::uint64_t fingerprint)
+Json row_of(const Case& one, std::uint64_t fingerprint)
 {
+    const Row& row = one.row;
     return {{"name", row.name()},
+            {"in_process", !one.backend->facts().has_driver},
             {"fingerprint", fmt::format("{:016x}", fingerprint)},
             {"failure", row.failure.empty() ? Json() : Json(row.failure)}};
 }
@@ -33,7 +35,8 @@ Json answer(std::vector<Live>& rows, Image& image, const std::string& name)
         image = Image(scene.width, scene.height, Image::Layers::bytes);
     }
     try {
-        return {{"kernel", draw_sample(*found, image).kernel}};
+        const Sample sample = draw_sample(*found, image);
+        return {{"kernel", sample.kernel}, {"processor", sample.processor}};
     } catch (const std::exception& error) {
         return {{"failure", error.what()}};
     }
@@ -55,7 +58,7 @@ void draw_on_demand(const Registry& registry, const Options& options, bool prove
     for (Case* one : order) {
         auto live = prove ? proven(*one, yardsticks) : unproven(*one);
         if (!one->row.unavailable.empty()) continue;
-        rows.push_back(row_of(one->row, live ? live->fingerprint : 0));
+        rows.push_back(row_of(*one, live ? live->fingerprint : 0));
         if (live) ready.push_back(std::move(*live));
     }
     LineSocket socket(dup(STDIN_FILENO));

@@ -20,6 +20,7 @@ struct Sample {
     int launch = 0;  // which process took it
     int round = 0;   // in which round of that process
     double kernel = 0, wall = 0, upload = 0, readback = 0;
+    double processor = 0;  // of all threads of the process that drew it; for duels, in no file
 };
 
 // What was asked of a row beside fractal, precision, mode, backend and device.
