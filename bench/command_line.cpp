@@ -165,6 +165,9 @@ CommandLine parse_command_line(int argc, char** argv)
         "and --repetitions (20) say how often, --json where to.");
     CLI::App* csv = app.add_subcommand("csv", "a stored result as --csv writes it, on standard output: FILE.json");
     csv->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
+    CLI::App* json = app.add_subcommand(
+        "json", "a stored result with its figures derived anew from its samples, on standard output: FILE.json");
+    json->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
     portability->add_option("FILES", line.files, "result files of --json")->required();
@@ -214,6 +217,7 @@ CommandLine parse_command_line(int argc, char** argv)
     if (given(option("--on-demand"))) line.command = Command::on_demand;
     if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin, texts.clock);
     o.baselines = line.command == Command::run;
+    if (json->parsed()) line.command = Command::json;
     if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;

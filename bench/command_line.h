@@ -12,12 +12,12 @@
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, csv, duel, on_demand, peak, portability, random, equivalence, help };
+enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
     Options options;
-    std::vector<std::string> files;  // of compare, csv and portability
+    std::vector<std::string> files;  // of compare, csv, json and portability
     DuelPlan duel;
     RandomOptions random;
     EquivalenceOptions equivalence;

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "bench/figures.h"
+#include "bench/platforms.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -192,8 +193,9 @@ double performance_portability(std::span<const double> efficiencies)
     return efficiencies.empty() ? 0 : static_cast<double>(efficiencies.size()) / sum;
 }
 
-std::vector<Portability> portability(std::span<const Result> results)
+std::vector<Portability> portability(std::span<const Result> given)
 {
+    const std::vector<Result> results = told_apart(given);
     std::map<Problem, Field> fields;
     std::set<std::string> applications;
     for (const Result& result : results) {

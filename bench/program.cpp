@@ -235,6 +235,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::duel: return duel(line);
         case Command::on_demand: return on_demand(registry, line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
+        case Command::json: print(std::string_view(text_of(to_json(read_result(line.files.at(0)))))); return exit_fine;
         case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
         default: return run(registry, line);
     }
