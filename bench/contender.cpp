@@ -98,12 +98,17 @@ bool Contender::ended()
     return found == process_ || (found < 0 && errno == ECHILD);
 }
 
+std::string Contender::how_it_ended()
+{
+    for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
+    return status_ ? ending(*status_) : "closed its socket";
+}
+
 Json Contender::receive()
 {
     std::string line;
     if (!socket_->receive(line, [this] { return ended(); })) {
-        for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
-        throw Error(status_ ? ending(*status_) : "closed its socket");
+        throw Error(how_it_ended());
     }
     check_json_depth(line, "its answer");
     Json json = Json::parse(line, nullptr, false);
@@ -129,7 +134,11 @@ void Contender::wait()
 
 Contender::Drawn Contender::draw(const std::string& row)
 {
-    socket_->send(row);
+    try {
+        socket_->send(row);
+    } catch (const Error&) {
+        throw Error(how_it_ended());
+    }
     const Json answer = receive();
     if (const auto seconds = answer.find(clock_ == DuelClock::processor ? "processor" : "kernel");
         seconds != answer.end() && seconds->is_number()) {

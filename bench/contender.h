@@ -49,6 +49,7 @@ public:
 private:
     nlohmann::ordered_json receive();
     bool ended();
+    std::string how_it_ended();  // waits a little until it has
 
     DuelClock clock_;
     pid_t process_ = 0;
