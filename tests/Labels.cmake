@@ -7,7 +7,7 @@ set(slow_tests
     "programs\\.readme" "programs\\.demo" "packaging\\.bundle" "bench\\.program" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
     "bench\\.BenchProgram\\.LinesAreAtMost120Characters" "Equivalence\\.EveryBackendDrawsTheSamePicture"
-    "RandomScenes\\..*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*"
+    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*"
     "Hull\\.ChangesNoBitOfRandomScenes" "ExtremeScene\\.GoesFarAndShowsSomething"
     "Neighbours\\.ChangeLittleAndSaveEstimates")
 list(JOIN slow_tests "|" slow_tests)

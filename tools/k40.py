@@ -13,7 +13,7 @@ import tempfile
 from table_file import put
 
 PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
-BLOCK = 128  # threads: block_threads in backends/openacc/kernels.h
+BLOCK = 128  # threads: block_threads in core/job/job.h
 KERNEL = re.compile(r"(march|shade)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # the device's peak: fused on purpose
 ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*\{", re.M)  # a declaration ends with a semicolon instead

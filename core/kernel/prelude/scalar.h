@@ -19,7 +19,7 @@
 
 // Both round to the nearest whole number, ties to even. nvptx has an instruction for one, x86 a short sequence for the
 // other; elsewhere each is a call.
-#ifdef _OPENACC
+#if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else
 #define MM_NEAREST(suffix) __builtin_rint##suffix
