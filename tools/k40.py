@@ -28,10 +28,11 @@ class Unavailable(Exception):
 
 
 def extract(program):
-    """The PTX texts that stand in a program's file, each from its preamble to the string's end."""
+    """The PTX texts with OpenACC's kernels that stand in a program's file, each from its preamble to the string's end."""
     with open(program, "rb") as file:
         data = file.read()
-    return [text.decode("ascii") for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
+    texts = [text.decode("ascii") for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
+    return [text for text in texts if any(KERNEL.match(name) or PEAK.match(name) for name, _ in kernels(text))]
 
 
 def kernels(ptx):

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <set>
 
 #include "core/base/console.h"
 #include "core/job/executor.h"
@@ -47,16 +48,31 @@ private:
                             .work = {}};
         timed(report.timings.wall, [&] {
             model_->run(options_, [&] {
+                const Launch launch = built(scene, report.timings);
                 const Limits limits = limits_for(scene, pixel_bytes<Real>);
                 std::optional<BandExecutor<Real>> executor;
-                timed(report.timings.upload,
-                      [&] { executor.emplace(*model_, scene, options_, limits.pixels_per_band, report.timings); });
+                timed(report.timings.upload, [&] {
+                    executor.emplace(*model_, launch, scene, options_, limits.pixels_per_band, report.timings);
+                });
                 run_schedule(scene, options_.mode, limits, *executor, image, progress);
                 report.work = executor->work();
             });
         });
         report.timings.context = context_;
         return report;
+    }
+
+    // The scene's kernel, ready to run. Before the first picture of its fractal that may take time.
+    Launch built(const Scene& scene, Timings& timings)
+    {
+        const std::string fractal(scene.fractal->name);
+        const Launch launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
+        if (launch == nullptr) {
+            throw Unavailable(
+                fmt::format("backend {}: this build has no kernel of the fractal '{}'", model_->name(), fractal));
+        }
+        if (built_.insert(launch).second) timed(timings.build, [&] { model_->build(launch); });
+        return launch;
     }
 
     // At least a row, at most the picture.
@@ -80,6 +96,7 @@ private:
     RendererOptions options_;
     Opened opened_;
     double context_;  // seconds
+    std::set<Launch> built_;
 };
 
 class JobBackend : public Backend {

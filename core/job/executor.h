@@ -52,19 +52,15 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Model& model, const Scene& scene, const RendererOptions& options, std::int64_t pixels,
-                 Timings& timings)
+    BandExecutor(const Model& model, Launch launch, const Scene& scene, const RendererOptions& options,
+                 std::int64_t pixels, Timings& timings)
         : model_(model),
           timings_(timings),
-          launch_(model.kernels().drawing(scene.fractal->name, options.precision, options.mode)),
+          launch_(launch),
           reals_on_device_(model, static_cast<std::size_t>(pixels) * real_planes * sizeof(Real)),
           wholes_on_device_(model, static_cast<std::size_t>(pixels) * whole_planes * sizeof(int)),
           job_on_device_(model, sizeof(job_))
     {
-        if (launch_ == nullptr) {
-            throw Unavailable(fmt::format("backend {}: this build has no kernel of the fractal '{}'", model.name(),
-                                          scene.fractal->name));
-        }
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (pixels.h).
         if (job_.scene.canonical != (options.mode == Mode::fast) ||

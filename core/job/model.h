@@ -62,6 +62,9 @@ public:
         return opened.threads;
     }
 
+    // Makes a kernel ready on the calling thread's device, before its first launch and in Timings::build.
+    virtual void build(Launch launch) const { static_cast<void>(launch); }
+
     // Bytes that a device has free for kernels; nullopt where it is the host.
     virtual std::optional<std::size_t> free_memory(int index) const
     {

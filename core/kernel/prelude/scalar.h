@@ -2,7 +2,9 @@
 // Prelude: the words of the kernel text as plain scalar C++. Define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1
 // or 0) and include it inside a namespace of your own, before the text; undefine.h takes the words away again.
 
+#ifndef FN
 #define FN __attribute__((always_inline)) inline
+#endif
 #ifndef FN_CALLED
 #define FN_CALLED FN
 #endif
