@@ -33,10 +33,13 @@ class Kernel(ptx_to_c.Kernel):
         for kind, prefix, number in re.findall(r"\.reg \.(\w+)\s+%(\w+)<(\d+)>;", body):
             self.types |= {f"{prefix}{i}": kind for i in range(int(number))}
 
+    def address(self, operand):
+        return super().address(operand.replace("+-", "-"))
+
     def operation(self, word, suffixes, operands):
-        operands = re.findall(r"\{[^}]*\}|[^,]+", ",".join(operands))
+        operands = [part.strip() for part in re.findall(r"\{[^}]*\}|\[[^]]*\]|[^,{\[]+", ",".join(operands)) if part.strip()]
         if word in ("ld", "st") and any(suffix in ("v2", "v4") for suffix in suffixes):
-            vector, memory = (operands[0], operands[1]) if word == "ld" else (operands[1], operands[0])
+            vector, memory = operands if word == "ld" else reversed(operands)
             kind = ptx_to_c.C_TYPES[suffixes[-1]]
             out = []
             for i, part in enumerate(vector.strip().strip("{}").split(",")):
