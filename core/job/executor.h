@@ -62,9 +62,10 @@ public:
           job_on_device_(model, sizeof(job_))
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
-        // The kernels take these two as fixed (pixels.h).
+        // The kernels take these two as fixed (pixels.h), but for normals of a tetrahedron.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
-            job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>)) {
+            (job_.scene.differences != 2 &&
+             job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>))) {
             throw Unavailable(
                 fmt::format("backend {}: its kernels are not made for this scene's hit or normal", model.name()));
         }

@@ -14,6 +14,7 @@ constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
+// Where a scene's normals come from no tetrahedron (2).
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
 using Job = mandelmarch::job::Job<Scene, MM_REAL>;
@@ -32,7 +33,7 @@ FN Scene fixed_scene(const Job* job)
 {
     Scene scene = job->scene;
     scene.canonical = canonical;
-    scene.differences = differences;
+    scene.differences = scene.differences == 2 ? 2 : differences;
     return scene;
 }
 
