@@ -3,11 +3,11 @@
 # four seconds on two cores. Tests of gtest are known only when ctest runs, so a file that ctest reads labels them.
 set(slow_tests
     "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer fuzz report "report\\.viewer"
-    flight "flight\\.films" "flight\\.files" drivers ".*_faults" "openacc\\.simulated" "openacc\\.ptx\\.assemble"
+    flight "flight\\.films" "flight\\.files" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"
     "programs\\.readme" "programs\\.demo" "packaging\\.bundle" "bench\\.program" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
     "bench\\.BenchProgram\\.LinesAreAtMost120Characters" "Equivalence\\.EveryBackendDrawsTheSamePicture"
-    "RandomScenes\\..*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*"
+    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*"
     "Hull\\.ChangesNoBitOfRandomScenes" "ExtremeScene\\.GoesFarAndShowsSomething"
     "Neighbours\\.ChangeLittleAndSaveEstimates")
 list(JOIN slow_tests "|" slow_tests)

@@ -13,7 +13,7 @@ import tempfile
 from table_file import put
 
 PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
-BLOCK = 128  # threads: block_threads in backends/openacc/kernels.h
+BLOCK = 128  # threads: block_threads in core/job/job.h
 KERNEL = re.compile(r"(march|shade)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # the device's peak: fused on purpose
 ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*\{", re.M)  # a declaration ends with a semicolon instead
@@ -28,10 +28,11 @@ class Unavailable(Exception):
 
 
 def extract(program):
-    """The PTX texts that stand in a program's file, each from its preamble to the string's end."""
+    """The PTX texts with OpenACC's kernels that stand in a program's file, each from its preamble to the string's end."""
     with open(program, "rb") as file:
         data = file.read()
-    return [text.decode("ascii") for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
+    texts = [text.decode("ascii") for text in re.findall(rb"// BEGIN PREAMBLE\n\.version[^\0]*", data)]
+    return [text for text in texts if any(KERNEL.match(name) or PEAK.match(name) for name, _ in kernels(text))]
 
 
 def kernels(ptx):

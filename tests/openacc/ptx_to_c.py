@@ -125,9 +125,9 @@ class Kernel:
         return self.name.replace("$", "_")
 
 
-def translate(kernels):
+def translate(kernels, reader=Kernel):
     """A C source with every kernel and the table that finds them by name."""
-    parsed = [Kernel(name, body) for name, body in kernels]
+    parsed = [reader(name, body) for name, body in kernels]
     table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
     return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +
             "\nstatic const struct { const char* name; void (*run)(uint64_t, uint32_t, uint32_t, uint32_t); } kernels[] = {\n" +

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library uses it: GPUs that run the
-// kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
+// A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it: GPUs
+// that run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
 // host's.
 //   SIMULATED_GPUS    how many there are, 1 where unset
+//   SIMULATED_CAPABILITY  their compute capability, 35 where unset
 //   SIMULATED_MEMORY  free bytes, 1 GiB where unset
 //   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
 #include "kernels.h"
@@ -58,7 +59,9 @@ int cuDeviceGetAttribute(int* value, int attribute, int device)
         case 17: *value = 0; break;      // no limit of run time
         case 39: *value = 2048; break;   // threads per multiprocessor
         case 82: *value = 65536; break;  // registers per multiprocessor
-        default: *value = attribute == 75 ? 3 : attribute == 76 ? 5 : 1;
+        case 75: *value = (int)number("SIMULATED_CAPABILITY", 35) / 10; break;
+        case 76: *value = (int)number("SIMULATED_CAPABILITY", 35) % 10; break;
+        default: *value = 1;
     }
     return device < 0 ? NOT_FOUND : SUCCESS;
 }
@@ -78,6 +81,12 @@ int cuCtxCreate_v2(void** context, unsigned flags, int device)
     return current = device, SUCCESS;
 }
 int cuCtxCreate(void** context, unsigned flags, int device) { return cuCtxCreate_v2(context, flags, device); }
+int cuDevicePrimaryCtxRetain(void** context, int device)
+{
+    *context = (void*)(intptr_t)(device + 1);
+    return device < 0 ? NOT_FOUND : SUCCESS;
+}
+int cuCtxSetCurrent(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
 int cuCtxDestroy_v2(void* context) { return context ? SUCCESS : NOT_FOUND; }
 int cuCtxDestroy(void* context) { return cuCtxDestroy_v2(context); }
 int cuCtxPushCurrent_v2(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }

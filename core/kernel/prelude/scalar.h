@@ -2,7 +2,9 @@
 // Prelude: the words of the kernel text as plain scalar C++. Define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1
 // or 0) and include it inside a namespace of your own, before the text; undefine.h takes the words away again.
 
+#ifndef FN
 #define FN __attribute__((always_inline)) inline
+#endif
 #ifndef FN_CALLED
 #define FN_CALLED FN
 #endif
@@ -19,7 +21,7 @@
 
 // Both round to the nearest whole number, ties to even. nvptx has an instruction for one, x86 a short sequence for the
 // other; elsewhere each is a call.
-#ifdef _OPENACC
+#if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else
 #define MM_NEAREST(suffix) __builtin_rint##suffix

@@ -1,44 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of every kernel.cpp: two OpenACC kernels over a job's pixels. No include guard: each includes it once.
-//
-// Registers decide how many threads a GPU can hold, so they are kept low: what a thread needs for a moment only it
-// reads from the job, again and again, and what is fixed for the precision and the mode is fixed at compile time.
-#include "backends/openacc/kernels.h"
-
-namespace {
-namespace kernel {
-
-#include "core/kernel/prelude/scalar.h"
+// The text and what a model's loops call, each for one pixel of a job: draw_pixel(), or march_pixel() and then
+// shade_pixel(). No include guard: every kernel source includes it once, in a namespace of its own, with MM_REAL,
+// MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and MM_MODE_exact or MM_MODE_fast defined, and core/job/job.h included before.
+#ifndef MM_PRELUDE
+#define MM_PRELUDE "core/kernel/prelude/scalar.h"
+#endif
+#include MM_PRELUDE
 #include "core/kernel/text.h"
 
+// What is fixed for the precision and the mode is fixed at compile time (core/job/backend.cpp refuses other scenes).
 #ifdef MM_MODE_fast
 constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
-// Where a scene's normals come from no tetrahedron.
+// Where a scene's normals come from no tetrahedron (2).
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
-using Job = mandelmarch::openacc::Job<Scene, MM_REAL>;
+using Job = mandelmarch::job::Job<Scene, MM_REAL>;
 
-// The same value, but the compiler cannot know that: what is computed from it is computed anew.
+// The same value, but the compiler cannot know that: what is computed from it is computed anew. Registers decide how
+// many threads a GPU can hold: what a thread needs for a moment only it reads from the job, again and again.
+#ifndef MM_ANEW
 #ifdef __NVCOMPILER
 #define MM_ANEW(value)
 #else
 #define MM_ANEW(value) asm volatile("" : "+r"(value))
 #endif
+#endif
 
-// The scene, read from memory at this very place.
-FN Scene scene_of(const Job* job)
+FN Scene fixed_scene(const Job* job)
 {
-    MM_ANEW(job);
     Scene scene = job->scene;
     scene.canonical = canonical;
     scene.differences = scene.differences == 2 ? 2 : differences;
     return scene;
 }
 
-// A thread's pixel.
+FN void put_pixel(const Job* job, int at, int pixels, Pixel pixel)
+{
+    job->reals[at] = pixel.colour.x;
+    job->reals[at + pixels] = pixel.colour.y;
+    job->reals[at + 2 * pixels] = pixel.colour.z;
+    job->reals[at + 3 * pixels] = pixel.depth;
+    job->wholes[at] = pixel.steps;
+    job->wholes[at + pixels] = pixel.estimates;
+    job->wholes[at + 2 * pixels] = pixel.iterations;
+}
+
+// A whole pixel, the one at this place of the job's planes: for a core.
+FN void draw_pixel(const Job* job, int at)
+{
+    Scene scene = fixed_scene(job);
+    const int y = at / scene.width;
+    put_pixel(job, at, scene.width * job->rows, draw(scene, real(at - y * scene.width), real(job->first_row + y)));
+}
+
+// The scene, read from memory at this very place.
+FN Scene scene_of(const Job* job)
+{
+    MM_ANEW(job);
+    return fixed_scene(job);
+}
+
+// A GPU thread's pixel.
 struct Place {
     bool inside;  // of the job
     int x;
@@ -49,8 +74,8 @@ struct Place {
 
 FN Place place_of(const Job* job, int thread)
 {
-    using mandelmarch::openacc::warp_height;
-    using mandelmarch::openacc::warp_width;
+    constexpr int warp_width = mandelmarch::job::warp_width;
+    constexpr int warp_height = mandelmarch::job::warp_height;
     MM_ANEW(job);
     MM_ANEW(thread);
     const int width = job->scene.width;
@@ -71,6 +96,7 @@ FN Ray begun(const Job* job, Place place)
     return begin(scene_of(job), real(place.x), real(job->first_row + place.y));
 }
 
+// Until the ray stops. It waits for shade_pixel() in its own pixel's planes.
 FN void march_pixel(const Job* job, int thread)
 {
     Place place = place_of(job, thread);
@@ -105,39 +131,7 @@ FN void shade_pixel(const Job* job, int thread)
     if (canonical != 0) hit = refine(scene_of(job), hit);
     Pixel pixel = shade(scene_of(job), hit);
     place = place_of(job, thread);
-    job->reals[place.at] = pixel.colour.x;
-    job->reals[place.at + place.pixels] = pixel.colour.y;
-    job->reals[place.at + 2 * place.pixels] = pixel.colour.z;
-    job->reals[place.at + 3 * place.pixels] = pixel.depth;
-    job->wholes[place.at] = pixel.steps;
-    job->wholes[place.at + place.pixels] = pixel.estimates;
-    job->wholes[place.at + 2 * place.pixels] = pixel.iterations;
+    put_pixel(job, place.at, place.pixels, pixel);
 }
 
 #include "core/kernel/prelude/undefine.h"
-
-}  // namespace kernel
-}  // namespace
-
-using mandelmarch::openacc::block_threads;
-
-extern "C" {
-
-void MM_MARCH(const void* at, int blocks);
-void MM_SHADE(const void* at, int blocks);
-
-void MM_MARCH(const void* at, int blocks)
-{
-    const auto* job = static_cast<const kernel::Job*>(at);
-#pragma acc parallel loop gang vector num_gangs(blocks) vector_length(block_threads) deviceptr(job)
-    for (int thread = 0; thread < blocks * block_threads; ++thread) kernel::march_pixel(job, thread);
-}
-
-void MM_SHADE(const void* at, int blocks)
-{
-    const auto* job = static_cast<const kernel::Job*>(at);
-#pragma acc parallel loop gang vector num_gangs(blocks) vector_length(block_threads) deviceptr(job)
-    for (int thread = 0; thread < blocks * block_threads; ++thread) kernel::shade_pixel(job, thread);
-}
-
-}  // extern "C"

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels: the text compiled for one fractal, precision and mode. A source is generated for each of these.
+// A job: the pixels of some rows, as the kernels of models that compile the scalar text take them.
 #pragma once
 
-#include <string_view>
-
-#include "core/render/backend.h"
-
-namespace mandelmarch::openacc {
+namespace mandelmarch::job {
 
 // What a launch works on: rows [first_row, first_row + rows) of the picture. It lies on the device, as do the planes,
 // which are those of planes_of() in core/image/image.h. Scene is the kernel text's.
@@ -19,6 +15,13 @@ struct Job {
     int rows;
 };
 
+// Draws a job of width x rows pixels, which lies at this address of the device.
+using Launch = void (*)(const void* job, int width, int rows);
+
+// Runs core/kernel/peak.h on as many threads as there are sums, numbers of the precision on the device.
+using Chains = void (*)(void* sums, int threads, double a, double b, int rounds);
+
+// Of GPUs: threads of a block.
 inline constexpr int block_threads = 128;
 // The 32 threads of a warp cover a rectangle of pixels, so that its rays stay close to each other.
 inline constexpr int warp_width = 8;
@@ -32,18 +35,4 @@ constexpr int blocks_of(int width, int rows)
     return (warps + warps_per_block - 1) / warps_per_block;
 }
 
-// Runs a kernel on the job at this address of the device.
-using Launch = void (*)(const void* job, int blocks);
-
-// A pixel is drawn by two kernels, as the few registers of the march let a GPU keep more threads than shading does. In
-// between a ray waits in its own pixel's planes.
-struct Kernels {
-    Launch march;
-    Launch shade;
-};
-
-// Throws Unavailable if this build does not draw the fractal.
-template <class Real>
-Kernels kernels_of(std::string_view fractal, Mode mode);
-
-}  // namespace mandelmarch::openacc
+}  // namespace mandelmarch::job

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "backends/cuda/cuda.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <mutex>
+
+#include "backends/cuda/driver.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/job/model.h"
+
+namespace mandelmarch {
+namespace cuda {
+job::Kernels kernels();
+}
+
+namespace {
+
+using cuda::check;
+using cuda::driver;
+
+CUdeviceptr device_address(const void* address) { return reinterpret_cast<CUdeviceptr>(address); }
+
+int attribute(CUdevice device, CUdevice_attribute which)
+{
+    int value = 0;
+    check(driver().cuDeviceGetAttribute(&value, which, device), "asking what the device is");
+    return value;
+}
+
+class Cuda : public job::Model {
+public:
+    std::string_view name() const override { return "cuda"; }
+    Facts facts() const override
+    {
+        return {.has_driver = true,
+                .variables = {"CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "CUDA_DEVICE_ORDER"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+    std::optional<std::string> unavailable() const override
+    {
+        if (driver().devices == 0) return driver().missing;
+        return std::nullopt;
+    }
+    job::Kernels kernels() const override { return cuda::kernels(); }
+    void build(job::Launch launch) const override { launch(nullptr, 0, 0); }
+    int devices() const override { return driver().devices; }
+
+    job::Opened open(int index) const override
+    {
+        CUdevice device = 0;
+        CUcontext context = nullptr;
+        std::array<char, 256> name{};
+        int version = 0;
+        check(driver().cuDeviceGet(&device, index), "finding the device");
+        check(driver().cuDeviceGetName(name.data(), static_cast<int>(name.size()), device),
+              "asking for the device's name");
+        check(driver().cuDriverGetVersion(&version), "asking for the driver's version");
+        const int capability = 10 * attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR) +
+                               attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR);
+        check(driver().cuDevicePrimaryCtxRetain(&context, device), "opening the device");
+        const std::scoped_lock lock(mutex_);
+        contexts_[index] = context;
+        capabilities_[index] = capability;
+        return {.device = {.name = printable(name.data()),
+                           .vendor = "NVIDIA",
+                           .driver = fmt::format("CUDA {}.{}", version / 1000, version % 1000 / 10),
+                           .is_gpu = true},
+                .instruction_set = fmt::format("PTX for compute_{}", MANDELMARCH_CUDA_LOWEST),
+                .peak_threads = 1 << 21};
+    }
+
+    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    {
+        CUcontext context = nullptr;
+        {
+            const std::scoped_lock lock(mutex_);
+            if (capabilities_.at(options.device) < MANDELMARCH_CUDA_LOWEST) {
+                throw Unavailable(
+                    fmt::format("backend cuda: its kernels are for GPUs of compute capability {} and up, "
+                                "device {} has {}",
+                                MANDELMARCH_CUDA_LOWEST, options.device, capabilities_.at(options.device)));
+            }
+            context = contexts_.at(options.device);
+        }
+        check(driver().cuCtxSetCurrent(context), "using the device");
+        draw();
+    }
+
+    std::optional<std::size_t> free_memory(int) const override
+    {
+        std::size_t free = 0;
+        std::size_t total = 0;
+        check(driver().cuMemGetInfo(&free, &total), "asking for the device's memory");
+        return free;
+    }
+    void* allocate(std::size_t bytes) const override
+    {
+        CUdeviceptr address = 0;
+        const CUresult result = driver().cuMemAlloc(&address, bytes);
+        if (result == CUDA_ERROR_OUT_OF_MEMORY) return nullptr;
+        check(result, "taking memory of the device");
+        return reinterpret_cast<void*>(address);
+    }
+    void release(void* address) const override { driver().cuMemFree(device_address(address)); }
+    void upload(void* to, const void* from, std::size_t bytes) const override
+    {
+        check(driver().cuMemcpyHtoD(device_address(to), from, bytes), "copying to the device");
+    }
+    void read_back(void* to, const void* from, std::size_t bytes) const override
+    {
+        check(driver().cuMemcpyDtoH(to, device_address(from), bytes), "copying from the device");
+    }
+
+private:
+    mutable std::mutex mutex_;
+    mutable std::map<int, CUcontext> contexts_;
+    mutable std::map<int, int> capabilities_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_cuda_backend() { return job::backend_of(std::make_unique<Cuda>()); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernels whose PTX stands in the program.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <mutex>
+
+#include "backends/cuda/driver.h"
+#include "core/job/job.h"
+
+// A file's text, by a name.
+#define MM_TEXT(name, file)                                                                        \
+    extern "C" {                                                                                   \
+    extern const char mandelmarch_cuda_##name[] __attribute__((visibility("hidden")));             \
+    }                                                                                              \
+    asm(".pushsection .rodata\n.globl mandelmarch_cuda_" #name "\n.hidden mandelmarch_cuda_" #name \
+        "\nmandelmarch_cuda_" #name ":\n.incbin \"" file "\"\n.byte 0\n.popsection\n");            \
+    static constexpr const char* name = mandelmarch_cuda_##name;
+
+namespace mandelmarch::cuda {
+
+// One kernel, loaded once for each device that uses it.
+class Module {
+public:
+    Module(const char* ptx, const char* name) : ptx_(ptx), name_(name) {}
+
+    // For the calling thread's device: its driver translates the PTX.
+    CUfunction load();
+    // Blocks of job::block_threads threads; the addresses of the kernel's arguments.
+    void launch(int blocks, std::initializer_list<const void*> arguments);
+
+private:
+    const char* ptx_;
+    const char* name_;
+    std::mutex mutex_;
+    std::map<CUcontext, CUfunction> loaded_;
+};
+
+// For all launches of the calling thread's device.
+void wait();
+
+}  // namespace mandelmarch::cuda

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What CUDA adds to the scalar prelude: functions are the device's.
+#pragma once
+
+#define FN static __device__ __forceinline__
+
+namespace {
+
+FN void hide(int& value) { asm volatile("" : "+r"(value)); }
+template <class T>
+FN void hide(T*& value)
+{
+    asm volatile("" : "+l"(value));
+}
+
+}  // namespace
+#define MM_ANEW(value) hide(value)

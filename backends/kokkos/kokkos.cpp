@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "backends/kokkos/kokkos.h"
+
+#include <fmt/format.h>
+
+#include <Kokkos_Core.hpp>
+
+#include "backends/kokkos/loop.h"
+#include "core/base/cpu.h"
+#include "core/job/model.h"
+
+namespace mandelmarch {
+namespace kokkos {
+job::Kernels kernels();
+}
+
+namespace {
+
+// From the first use to the program's end, unless the program itself sees to that.
+void initialize()
+{
+    struct Runtime {
+        bool ours = !Kokkos::is_initialized();
+        Runtime()
+        {
+            if (ours) Kokkos::initialize();
+        }
+        ~Runtime()
+        {
+            if (ours && Kokkos::is_initialized()) Kokkos::finalize();
+        }
+        Runtime(const Runtime&) = delete;
+        Runtime& operator=(const Runtime&) = delete;
+    };
+    static const Runtime runtime;
+}
+
+class InKokkos : public job::Model {
+public:
+    std::string_view name() const override { return "kokkos"; }
+    Facts facts() const override
+    {
+        return {.variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+    job::Kernels kernels() const override { return kokkos::kernels(); }
+
+    job::Opened open(int) const override
+    {
+        initialize();
+        constexpr int version = KOKKOS_VERSION;
+        const Device device{.name = cpu_name(),
+                            .vendor = cpu_vendor(),
+                            .driver = fmt::format("Kokkos {}.{}.{}, {}", version / 10000, version / 100 % 100,
+                                                  version % 100, kokkos::Space::name()),
+                            .is_gpu = false};
+        return {.device = device, .threads = kokkos::Space().concurrency()};
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_kokkos_backend() { return job::backend_of(std::make_unique<InKokkos>()); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kokkos backend: the kernel text in a Kokkos::parallel_for, in the host space that Kokkos is built with.
+#pragma once
+
+#include <memory>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+std::unique_ptr<Backend> make_kokkos_backend();
+
+}  // namespace mandelmarch

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "backends/omptarget/omptarget.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <openacc.h>
+
+#include "backends/omptarget/library.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/job/model.h"
+
+namespace mandelmarch {
+namespace {
+
+// OpenMP has no word for a device's name and memory; OpenACC, in the same run-time library, has, and numbers devices
+// alike.
+std::string text_of(int device, acc_device_property_t property)
+{
+    const char* text = acc_get_property_string(device, acc_device_nvidia, property);
+    return text != nullptr && *text != '\0' ? printable(text) : "unknown";
+}
+
+job::Launch drawing(std::string_view fractal, Precision precision, Mode mode)
+{
+    return reinterpret_cast<job::Launch>(
+        omptarget::symbol(fmt::format("mandelmarch_omptarget_{}_{}_{}", fractal, name_of(precision), name_of(mode))));
+}
+
+job::Chains chains(Precision precision)
+{
+    return reinterpret_cast<job::Chains>(
+        omptarget::symbol(fmt::format("mandelmarch_omptarget_chains_{}", name_of(precision))));
+}
+
+// GPUs come first, then the host, whose number in OpenMP is theirs.
+class Omptarget : public job::Model {
+public:
+    std::string_view name() const override { return "omptarget"; }
+    Facts facts() const override
+    {
+        return {.has_driver = true,
+                .threads = true,
+                .variables = {"OMP_TARGET_OFFLOAD", "OMP_DEFAULT_DEVICE", "OMP_NUM_THREADS", "OMP_PROC_BIND",
+                              "OMP_PLACES", "CUDA_VISIBLE_DEVICES"},
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+    std::optional<std::string> unavailable() const override
+    {
+        if (omptarget::library().handle == nullptr) return omptarget::library().failure;
+        return std::nullopt;
+    }
+    job::Kernels kernels() const override { return {drawing, chains}; }
+    int devices() const override { return omp_get_num_devices() + 1; }
+
+    job::Opened open(int index) const override
+    {
+        const int gpus = omp_get_num_devices();
+        if (index < gpus) {
+            omp_target_free(omp_target_alloc(1, index), index);  // opens it: the driver translates the kernels
+            return {.device = {.name = text_of(index, acc_property_name),
+                               .vendor = text_of(index, acc_property_vendor),
+                               .driver = text_of(index, acc_property_driver),
+                               .is_gpu = true},
+                    .instruction_set = "PTX for sm_35",
+                    .peak_threads = 1 << 21};
+        }
+        const std::string why = gpus == 0 ? "no NVIDIA GPU here" : "instead of a GPU";
+        const std::string name = fmt::format("host, its cores: {}", why);
+        return {.device = {.name = name,
+                           .vendor = "OpenMP run-time library",
+                           .driver = "compiler " __VERSION__,
+                           .is_gpu = false},
+                .threads = omp_get_max_threads(),
+                .peak_threads = 1 << 10,
+                .note = fmt::format("runs on the {}", name)};
+    }
+
+    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    {
+        const int device = omp_get_default_device();
+        const int threads = omp_get_max_threads();
+        omp_set_default_device(options.device);
+        if (options.threads > 0) omp_set_num_threads(options.threads);
+        draw();
+        omp_set_num_threads(threads);
+        omp_set_default_device(device);
+    }
+    int threads(const RendererOptions& options, const job::Opened& opened) const override
+    {
+        return options.threads == 0 || opened.device.is_gpu ? opened.threads : options.threads;
+    }
+
+    std::optional<std::size_t> free_memory(int index) const override
+    {
+        if (index >= omp_get_num_devices()) return std::nullopt;
+        return acc_get_property(index, acc_device_nvidia, acc_property_free_memory);
+    }
+    void* allocate(std::size_t bytes) const override { return omp_target_alloc(bytes, omp_get_default_device()); }
+    void release(void* address) const override { omp_target_free(address, omp_get_default_device()); }
+    void upload(void* to, const void* from, std::size_t bytes) const override
+    {
+        copy(to, from, bytes, omp_get_default_device(), omp_get_initial_device());
+    }
+    void read_back(void* to, const void* from, std::size_t bytes) const override
+    {
+        copy(to, from, bytes, omp_get_initial_device(), omp_get_default_device());
+    }
+
+private:
+    static void copy(void* to, const void* from, std::size_t bytes, int to_device, int from_device)
+    {
+        if (omp_target_memcpy(to, from, bytes, 0, 0, to_device, from_device) != 0) {
+            throw Error(fmt::format("omptarget: {} bytes could not be copied between host and device", bytes));
+        }
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_omptarget_backend() { return job::backend_of(std::make_unique<Omptarget>()); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The omptarget backend: the kernel text in OpenMP's target directives, on NVIDIA GPUs, and on the host's cores where
+// there is none.
+#pragma once
+
+#include <memory>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+std::unique_ptr<Backend> make_omptarget_backend();
+
+}  // namespace mandelmarch

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "backends/stdpar/stdpar.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/version.h>
+
+#include "core/base/cpu.h"
+#include "core/job/model.h"
+
+namespace mandelmarch {
+namespace stdpar {
+job::Kernels kernels();
+}
+
+namespace {
+
+class Stdpar : public job::Model {
+public:
+    std::string_view name() const override { return "stdpar"; }
+    Facts facts() const override
+    {
+        return {.threads = true,
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+    }
+    job::Kernels kernels() const override { return stdpar::kernels(); }
+
+    job::Opened open(int) const override
+    {
+        const Device device{.name = cpu_name(),
+                            .vendor = cpu_vendor(),
+                            .driver = fmt::format("TBB {}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR),
+                            .is_gpu = false};
+        return {.device = device, .threads = tbb::info::default_concurrency()};
+    }
+
+    // The standard has no word for the number of threads; TBB has.
+    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    {
+        if (options.threads == 0) return draw();
+        const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                          static_cast<std::size_t>(options.threads));
+        draw();
+    }
+    int threads(const RendererOptions& options, const job::Opened& opened) const override
+    {
+        return options.threads == 0 ? opened.threads : options.threads;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_stdpar_backend() { return job::backend_of(std::make_unique<Stdpar>()); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <new>
+#include <set>
+
+#include "core/base/console.h"
+#include "core/job/executor.h"
+#include "core/render/peak.h"
+
+namespace mandelmarch::job {
+namespace {
+
+// Of a device's free memory, this share may be taken: others use it too.
+constexpr std::size_t memory_share = 4;
+// For a job, and what an allocation is rounded up to.
+constexpr std::size_t job_memory = 1 << 16;  // bytes
+// Of the host's memory: a cache line, and what a Scene asks for.
+constexpr std::align_val_t alignment{64};
+
+class JobRenderer : public Renderer {
+public:
+    JobRenderer(std::shared_ptr<const Model> model, const RendererOptions& options, Opened opened, double context)
+        : model_(std::move(model)), options_(options), opened_(std::move(opened)), context_(context)
+    {
+    }
+
+    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        return options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
+                                                    : render_as<double>(scene, image, progress);
+    }
+
+private:
+    template <class Real>
+    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    {
+        RenderReport report{.backend = std::string(model_->name()),
+                            .device = opened_.device,
+                            .precision = options_.precision,
+                            .mode = options_.mode,
+                            .threads = model_->threads(options_, opened_),
+                            .pack = 1,
+                            .instruction_set = opened_.instruction_set,
+                            .timings = {},
+                            .work = {}};
+        timed(report.timings.wall, [&] {
+            model_->run(options_, [&] {
+                const Launch launch = built(scene, report.timings);
+                const Limits limits = limits_for(scene, pixel_bytes<Real>);
+                std::optional<BandExecutor<Real>> executor;
+                timed(report.timings.upload, [&] {
+                    executor.emplace(*model_, launch, scene, options_, limits.pixels_per_band, report.timings);
+                });
+                run_schedule(scene, options_.mode, limits, *executor, image, progress);
+                report.work = executor->work();
+            });
+        });
+        report.timings.context = context_;
+        return report;
+    }
+
+    // The scene's kernel, ready to run. Before the first picture of its fractal that may take time.
+    Launch built(const Scene& scene, Timings& timings)
+    {
+        const std::string fractal(scene.fractal->name);
+        const Launch launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
+        if (launch == nullptr) {
+            throw Unavailable(
+                fmt::format("backend {}: this build has no kernel of the fractal '{}'", model_->name(), fractal));
+        }
+        if (built_.insert(launch).second) timed(timings.build, [&] { model_->build(launch); });
+        return launch;
+    }
+
+    // At least a row, at most the picture.
+    Limits limits_for(const Scene& scene, std::size_t bytes) const
+    {
+        const std::int64_t picture = std::int64_t{scene.width} * scene.height;
+        std::int64_t pixels = opened_.pixels_per_band;
+        if (const auto free = model_->free_memory(options_.device)) {
+            pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
+            const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
+            if (*free < needed) {
+                throw Error(fmt::format("{}: {} has {} bytes of memory free, {} are needed", model_->name(),
+                                        opened_.device.name, *free, needed));
+            }
+        }
+        pixels = std::min(std::max<std::int64_t>(pixels, scene.width), picture);
+        return {.pixels_per_band = pixels, .pixels_to_fill = pixels};
+    }
+
+    std::shared_ptr<const Model> model_;
+    RendererOptions options_;
+    Opened opened_;
+    double context_;  // seconds
+    std::set<Launch> built_;
+};
+
+class JobBackend : public Backend {
+public:
+    explicit JobBackend(std::unique_ptr<Model> model) : model_(std::move(model)) {}
+
+    std::string_view name() const override { return model_->name(); }
+    Facts facts() const override { return model_->facts(); }
+    std::optional<std::string> unavailable() const override { return model_->unavailable(); }
+
+    std::vector<Device> devices() const override
+    {
+        if (unavailable()) return {};
+        std::vector<Device> all(static_cast<std::size_t>(model_->devices()));
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = opened(static_cast<int>(i)).opened.device;
+        return all;
+    }
+
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        const OpenedInTime found = asked_for(options);
+        if (!found.opened.note.empty()) say("backend {}: {}\n", name(), found.opened.note);
+        return std::make_unique<JobRenderer>(model_, options, found.opened, found.seconds);
+    }
+
+    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
+    {
+        const int threads = asked_for(options).opened.peak_threads;
+        const Chains chains = model_->kernels().chains(options.precision);
+        double rate = 0;
+        model_->run(options, [&] {
+            const DeviceMemory sums(*model_, static_cast<std::size_t>(threads) * sizeof(double));
+            const PeakRun run = [&](int rounds) {
+                const auto start = Clock::now();
+                chains(sums.address(), threads, peak_factor, peak_addend, rounds);
+                return seconds_since(start);
+            };
+            rate = highest_rate(run, threads);
+        });
+        return rate;
+    }
+
+private:
+    struct OpenedInTime {
+        Opened opened;
+        double seconds = 0;
+    };
+
+    OpenedInTime asked_for(const RendererOptions& options) const
+    {
+        if (const auto why = unavailable()) throw Unavailable(fmt::format("backend {}: {}", name(), *why));
+        const int last = model_->devices() - 1;
+        if (options.device > last) {
+            const std::string only =
+                last == 0 ? fmt::format("device 0, {}", opened(0).opened.device.name) : fmt::format("0 to {}", last);
+            throw Unavailable(fmt::format("backend {}: there is no device {}, only {}", name(), options.device, only));
+        }
+        return opened(options.device);
+    }
+
+    // A device is opened once, when first asked for, and how long that took is its renderers' `context`.
+    OpenedInTime opened(int index) const
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto known = opened_.find(index); known != opened_.end()) return known->second;
+        OpenedInTime found;
+        timed(found.seconds, [&] { found.opened = model_->open(index); });
+        return opened_[index] = found;
+    }
+
+    std::shared_ptr<const Model> model_;
+    mutable std::mutex mutex_;
+    mutable std::map<int, OpenedInTime> opened_;
+};
+
+}  // namespace
+
+void* Model::allocate(std::size_t bytes) const { return ::operator new(bytes, alignment, std::nothrow); }
+void Model::release(void* address) const { ::operator delete(address, alignment); }
+void Model::upload(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
+void Model::read_back(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
+
+std::unique_ptr<Backend> backend_of(std::unique_ptr<Model> model)
+{
+    return std::make_unique<JobBackend>(std::move(model));
+}
+
+}  // namespace mandelmarch::job

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every model draws the bits of the scalar text, in pictures of every shape, says where it ran and what it did.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class Models : public testing::TestWithParam<std::tuple<std::string, Precision>> {
+protected:
+    const Registry registry = all_backends();
+    const Backend& model = *registry.find(std::get<0>(GetParam()));
+    const Backend& openmp = *registry.find("openmp");
+    const Precision precision = std::get<1>(GetParam());
+
+    void SetUp() override
+    {
+        if (const auto why = model.unavailable()) GTEST_SKIP() << *why;
+    }
+
+    static std::vector<NamedScene> scenes()
+    {
+        std::vector<NamedScene> all = odd_scenes();
+        for (const char* fractal : {"bulb", "box"}) {
+            all.push_back({fractal, official_scene(fractal, 270, 270)});
+            all.push_back({"one pixel", official_scene(fractal, 1, 1)});
+            all.push_back({"six pixels", official_scene(fractal, 3, 2)});
+            all.push_back({"one column", official_scene(fractal, 1, 201)});
+            all.push_back({"one row", official_scene(fractal, 20000, 1)});  // wider than a small band
+        }
+        return all;
+    }
+};
+
+TEST_P(Models, ExactHasTheBitsOfTheScalarText)
+{
+    for (const auto& [name, scene] : scenes()) {
+        const Image expected = render(openmp, scene, {.precision = precision, .pack = 1});
+        const Image image = render(model, scene, {.precision = precision});
+        const Comparison difference = compare(expected, image);
+        EXPECT_TRUE(difference.same()) << name << ": "
+                                       << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
+    }
+}
+
+// The twin: another mode has other bits.
+TEST_P(Models, FastDiffersFromExactAndIsTheCanonicalPicture)
+{
+    for (const char* fractal : {"bulb", "box"}) {
+        const Scene scene = official_scene(fractal, 100, 100);
+        const Image image = render(model, scene, {.precision = precision, .mode = Mode::fast});
+        EXPECT_FALSE(compare(render(model, scene, {.precision = precision}), image).same());
+        const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
+        EXPECT_LE(compare(canonical, image).visibly_differing, 10000U * 2 / 100) << fractal;
+    }
+}
+
+TEST_P(Models, ReportsWhereItRanAndItsWork)
+{
+    const Scene scene = official_scene("box", 200, 150);
+    Image image(scene.width, scene.height, Image::Layers::bytes);
+    const RenderReport report = model.create({.precision = precision})->render(scene, image);
+    EXPECT_EQ(report.backend, model.name());
+    EXPECT_EQ(report.device.name, model.devices().front().name);
+    EXPECT_EQ(report.precision, precision);
+    const Timings& t = report.timings;
+    EXPECT_GT(t.kernel, 0);
+    EXPECT_LE(t.upload + t.kernel + t.readback, t.wall);
+    const Work expected = openmp.create({.precision = precision, .pack = 1})->render(scene, image).work;
+    EXPECT_EQ(report.work.steps, expected.steps);
+    EXPECT_EQ(report.work.estimates, expected.estimates);
+    EXPECT_EQ(report.work.iterations, expected.iterations);
+}
+
+TEST_P(Models, HeedThreadsWhereTheySaySo)
+{
+    const Scene scene = official_scene("box", 90, 70);
+    Image image(scene.width, scene.height, Image::Layers::bytes);
+    const RenderReport report = model.create({.precision = precision, .threads = 1})->render(scene, image);
+    const RenderReport three = model.create({.precision = precision, .threads = 3})->render(scene, image);
+    if (!model.facts().threads || report.device.is_gpu) GTEST_SKIP() << "it has threads of its own";
+    EXPECT_EQ(report.threads, 1);
+    EXPECT_EQ(three.threads, 3);
+}
+
+TEST_P(Models, RefuseADeviceThatIsNotThere)
+{
+    EXPECT_THROW(model.create({.device = static_cast<int>(model.devices().size())}), Unavailable);
+}
+
+TEST_P(Models, HaveAPeak)
+{
+    const auto peak = model.multiply_add_peak({.precision = precision});
+    ASSERT_TRUE(peak.has_value());
+    EXPECT_GT(*peak, 1e8);  // operations per second: less is another unit
+}
+
+std::vector<std::string> names()
+{
+    std::istringstream list(MANDELMARCH_MODELS);
+    return {std::istream_iterator<std::string>(list), {}};
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Models,
+                         testing::Combine(testing::ValuesIn(names()), testing::Values(Precision::f64, Precision::f32)),
+                         [](const auto& test) {
+                             return std::get<0>(test.param) + "_" + std::string(name_of(std::get<1>(test.param)));
+                         });
+
+}  // namespace
+}  // namespace mandelmarch

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Twins of the models whose Mandelbox is broken on purpose (CMakeLists.txt): the check that real backends pass finds
+// the Mandelbox wrong, and the Mandelbulb, which is not broken, right.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "backends/all.h"
+#include "core/base/error.h"
+#include "tests/equivalence/equivalence.h"
+
+namespace mandelmarch {
+namespace {
+
+class Twins : public testing::TestWithParam<std::tuple<std::string, Precision>> {
+protected:
+    const Registry registry = all_backends();
+    const Backend& twin = *registry.find(std::get<0>(GetParam()));
+
+    void SetUp() override
+    {
+        if (const auto why = twin.unavailable()) GTEST_SKIP() << *why;
+    }
+
+    bool passes(const std::string& fractal)
+    {
+        Expected expected(registry);
+        const std::vector<NamedScene> scenes{{"official", official_scene(fractal, 90, 60)}};
+        return check(twin, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).fine();
+    }
+};
+
+TEST_P(Twins, AWrongFoldFails) { EXPECT_FALSE(passes("box")); }
+
+TEST_P(Twins, WithoutADefectTheyPass) { EXPECT_TRUE(passes("bulb")); }
+
+std::vector<std::string> names()
+{
+    std::istringstream list(MANDELMARCH_MODELS);
+    return {std::istream_iterator<std::string>(list), {}};
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Twins,
+                         testing::Combine(testing::ValuesIn(names()), testing::Values(Precision::f64, Precision::f32)),
+                         [](const auto& test) {
+                             return std::get<0>(test.param) + "_" + std::string(name_of(std::get<1>(test.param)));
+                         });
+
+}  // namespace
+}  // namespace mandelmarch
