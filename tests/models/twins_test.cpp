@@ -36,7 +36,7 @@ TEST_P(Twins, WithoutADefectTheyPass) { EXPECT_TRUE(passes("bulb")); }
 
 std::vector<std::string> names()
 {
-    std::istringstream list(MANDELMARCH_MODELS);
+    std::istringstream list(MANDELMARCH_TESTED_MODELS);
     return {std::istream_iterator<std::string>(list), {}};
 }
 
