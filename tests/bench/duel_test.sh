@@ -70,6 +70,4 @@ wait $duel || got=$?
 [ "$got" = 1 ] || fail "a killed program: exit code $got"
 grep -q 'the new program was ended by signal 9, the other launches are kept' err || fail "$(cat err)"
 grep -q '"launches": 3' killed.json || fail "the launches that are left"
-
-# The schema, where the pinned Python package is installed (make python).
 echo fine
