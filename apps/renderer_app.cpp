@@ -89,7 +89,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(
         "--without", without,
-        "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal");
+        "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal,"
+        "surroundings");
     app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");

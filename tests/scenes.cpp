@@ -36,6 +36,10 @@ public:
         add("bulb, on the axis", bulb).eye = {0, 0, 2.5};
         scenes_.back().scene.up = {1, 0, 0};
         add("bulb, up along z", bulb).up = {0, 0, 1};
+        add("bulb, conservative", bulb).conservative = true;
+        add("bulb, conservative, power 7.5", bulb).shape[2] = 7.5;
+        scenes_.back().scene.conservative = true;
+        add_film("bulb, a part of a film", bulb);
     }
 
     void add_boxes(const Scene& box)
@@ -47,6 +51,7 @@ public:
         add("box, camera inside", box).eye = {0.5, 0.5, 0.5};
         add("box, four iterations", box).iterations = 4;
         add("box, one column", box).width = 1;
+        add_film("box, a part of a film", box);
     }
 
     void add_julias(const Scene& julia)
@@ -56,6 +61,14 @@ public:
         scenes_.back().scene.escape = 0;
         add("julia, camera inside", julia).eye = {0.05, 0.02, 0.03};
         add("julia, hundreds of iterations", julia).iterations = 300;
+    }
+
+    // What only films ask for, of a picture of 1920 x 1080.
+    void add_film(std::string name, const Scene& of)
+    {
+        Scene& scene = add(std::move(name), of);
+        scene.conservative = scene.smooth = scene.centred = true;
+        scene.part = {.left = 900, .bottom = 500, .whole_width = 1920, .whole_height = 1080};
     }
 
     std::vector<NamedScene> take() { return std::move(scenes_); }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """flight_samples.py FLYTHROUGH IMGDIFF FOLDER: what anti-aliasing is worth and costs. Draws stills of the first film of
-each fractal with 1, 2.25, 4 and 9 samples a pixel, compares them with 64, and writes FOLDER/flight_samples.txt: root mean
+each fractal with 1 (softened), 2.25, 4 and 9 samples a pixel, compares them with 64, and writes FOLDER/flight_samples.txt: root mean
 square difference in bytes (from imgdiff's PSNR), the share of visibly wrong pixels, seconds a frame of drawing."""
 import glob
 import json

@@ -201,7 +201,7 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
     const mask gone = on && !hit;
     if (d.canvas.lattice.apart > 1) {
         const mask roomy = gone && a.room > 0 && a.ray.t > a.ray.end;
-        leave_depths(d, a, pick(hit, landing(scene, b.hit), clear_miss()), hit || roomy);
+        leave_depths(d, a, pick(hit, a.ray.last_t, clear_miss()), hit || roomy);
     }
     if (any(gone)) store_pixels(missed(scene, b.hit), b.pixel, gone, d.canvas, d.spent);
     if (scene.canonical == 0) return append_ended(d, b, hit);

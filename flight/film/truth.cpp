@@ -25,14 +25,22 @@ constexpr double median_bar = 2;
 constexpr double most_frames_bar = 4;
 constexpr double worst_bar = 6;
 
-// Pictures by short steps alone: no ray begins near its neighbours' hits, and nothing is shared.
-RendererOptions by_short_steps(RendererOptions options)
+// As a film is drawn, but that each pixel finds its own surroundings: what is shared is light and no matter of steps
+// (docs/flight.md says what it costs).
+RendererOptions by_film_steps(const RendererOptions& options)
 {
-    options.techniques.neighbours = false;
-    options.techniques.cones = false;
-    options.techniques.surroundings = false;
-    options.techniques.trial = false;
-    return options;
+    RendererOptions alone = without_trial(options);
+    alone.techniques.surroundings = false;
+    return alone;
+}
+
+// By short steps alone: no ray begins near its neighbours' hits.
+RendererOptions by_short_steps(const RendererOptions& options)
+{
+    RendererOptions alone = by_film_steps(options);
+    alone.techniques.neighbours = false;
+    alone.techniques.cones = false;
+    return alone;
 }
 
 Scene by_short_steps(Scene scene)
@@ -46,7 +54,7 @@ public:
     Comparer(const Path& path, const Backend& backend, const RendererOptions& options, const Picture& picture)
         : path_(path),
           picture_(picture),
-          film_(backend.create(without_trial(options))),
+          film_(backend.create(by_film_steps(options))),
           truth_(backend.create(by_short_steps(options)))
     {
     }

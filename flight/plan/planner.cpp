@@ -233,7 +233,7 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
     Planner planner(scene, seed, frames, threads);
     say(fmt::format("{} balls, {} gates", planner.balls().size(), planner.gates().size()));
     constexpr int most_attempts = 24;
-    constexpr int usual_attempts = 8;
+    constexpr int usual_attempts = 12;
     Plan best;
     double least = 1e300;
     for (int number = 0; number < most_attempts; ++number) {

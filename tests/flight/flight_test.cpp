@@ -75,6 +75,17 @@ TEST(Plan, KeepsEveryPromise)
     EXPECT_EQ(json_of(planned(), result), json_of(planned(), audit(planned(), 4)));
 }
 
+// As films are planned. By the counted estimate the same flight is another.
+TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
+{
+    Scene scene = official_scene("bulb", 16, 9);
+    scene.conservative = true;
+    const Path path = plan(scene, 3, frames, 0).path;
+    const Audit result = audit(path, 0, 0, 5);
+    EXPECT_TRUE(result.promises_kept()) << table_of(path, result);
+    EXPECT_NE(to_text(path), to_text(planned()));
+}
+
 TEST(Audit, EveryRowCanFail)
 {
     const auto fails = [](const Audit& result, const std::string& name) {

@@ -55,6 +55,19 @@ TEST(PathFile, SaysWhatIsWrong)
     says("{\"location\"", "{{\"location\"", "JSON");
 }
 
+// Files of before say nothing of the estimate: they were planned by the counted one.
+TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
+{
+    EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
+    EXPECT_FALSE(
+        path_from_text(with("100, \"col", "100, \"estimate\": \"counted\", \"col"), "a.json").scene.conservative);
+    const Path path = path_from_text(with("100, \"col", "100, \"estimate\": \"conservative\", \"col"), "a.json");
+    EXPECT_TRUE(path.scene.conservative);
+    EXPECT_TRUE(path_from_text(to_text(path), "b.json").scene.conservative);
+    says("100, \"col", "100, \"estimate\": \"safe\", \"col", "\"estimate\" is \"safe\", expected \"counted\"");
+    says("100, \"col", "100, \"estimate\": 1, \"col", "\"estimate\" is 1");
+}
+
 TEST(PathFile, NamesKeysThatMeanNothing)
 {
     says("\"seed\"", "\"sede\"", "\"sede\" means nothing here, expected some of format, fractal, seed");
