@@ -59,7 +59,7 @@ std::string study_names()
 
 // Numbers, as they were given.
 struct Texts {
-    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed;
+    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock;
 };
 
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
@@ -89,6 +89,8 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
     app.add_flag("--wide", o.wide, "print everything that was measured, in long lines");
     app.add_option("--launch", texts.launch)->group("");
     app.add_flag("--quiet", line.quiet)->group("");
+    app.add_flag("--on-demand")->group("");
+    app.add_flag("--unproven", line.unproven)->group("");
 }
 
 // Further launches write no files of their own and start no launches.
@@ -106,6 +108,22 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
         }
     }
     return kept;
+}
+
+// What a duel takes of a run's options.
+void take_duel(CommandLine& line, bool launches, const std::string& margin, const std::string& clock)
+{
+    const Options& o = line.options;
+    if (!o.csv.empty() || o.wide || o.list || o.budget || !o.format.empty() || !o.out.empty() || line.list_names) {
+        throw InputError(
+            "bench duel: options of a run given, expected --launches, --repetitions, --json and what chooses rows");
+    }
+    line.command = Command::duel;
+    if (launches) line.duel.launches = o.launches;
+    if (line.duel.launches < 2) throw InputError("--launches: 1 given, expected 2 or more for a duel");
+    line.duel.rounds = o.repetitions.value_or(line.duel.rounds);
+    if (clock == name_of(DuelClock::processor)) line.duel.clock = DuelClock::processor;
+    if (!margin.empty()) line.duel.margin = real_option("margin", margin, 0, 1);
 }
 
 }  // namespace
@@ -133,8 +151,23 @@ CommandLine parse_command_line(int argc, char** argv)
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
     compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
+    CLI::App* duel = app.add_subcommand(
+        "duel", "two builds of bench in alternation, picture by picture: OLD NEW, and options that choose rows");
+    duel->add_option("OLD", line.duel.old_program, "a program, build/old/bin/bench say")->required();
+    duel->add_option("NEW", line.duel.new_program, "another")->required();
+    duel->add_option("--margin", texts.margin, "a ratio within this of 1 is the same (default 0.01)");
+    duel->add_option("--clock", texts.clock,
+                     "wall (default): kernel time; processor: that of all threads, for a machine that others use")
+        ->check(CLI::IsMember({"wall", "processor"}));
+    duel->fallthrough();
+    duel->footer(
+        "--backend, --fractal, --precision, --mode, --size, --study, --benchmark_filter choose rows, --launches (10) "
+        "and --repetitions (20) say how often, --json where to.");
     CLI::App* csv = app.add_subcommand("csv", "a stored result as --csv writes it, on standard output: FILE.json");
     csv->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
+    CLI::App* json = app.add_subcommand(
+        "json", "a stored result with its figures derived anew from its samples, on standard output: FILE.json");
+    json->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
     portability->add_option("FILES", line.files, "result files of --json")->required();
@@ -181,6 +214,10 @@ CommandLine parse_command_line(int argc, char** argv)
     if (given(option("--seed"))) o.seed = large_option("seed", texts.seed, 1'000'000'000);
     if (given(option("--budget"))) o.budget = real_option("budget", texts.budget, 0, 1e6);
     if (compare->parsed()) line.command = Command::compare;
+    if (given(option("--on-demand"))) line.command = Command::on_demand;
+    if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin, texts.clock);
+    o.baselines = line.command == Command::run;
+    if (json->parsed()) line.command = Command::json;
     if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;

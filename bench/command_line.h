@@ -5,22 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "bench/duel_run.h"
 #include "bench/equivalence.h"
 #include "bench/options.h"
 #include "bench/random_scenes.h"
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, csv, peak, portability, random, equivalence, help };
+enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
     Options options;
-    std::vector<std::string> files;  // of compare, csv and portability
+    std::vector<std::string> files;  // of compare, csv, json and portability
+    DuelPlan duel;
     RandomOptions random;
     EquivalenceOptions equivalence;
     std::string folder;                  // of equivalence: for scenes that differ
     std::vector<std::string> arguments;  // of a run, without those that only the first launch obeys
+    bool unproven = false;               // of on_demand: a launch of a duel that proves no pictures
     bool quiet = false;                  // no table and no progress: a further launch
     bool list_names = false;             // --benchmark_list_tests
     int exit_code = 0;                   // of help

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bench/console_studies.h"
 #include "bench/differences.h"
 #include "bench/figures.h"
+#include "bench/platforms.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -103,6 +105,17 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     return c;
 }
 
+// For messages.
+std::string platforms_of(const Result& result)
+{
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (row.platform.empty() || text.find(row.platform) != std::string::npos) continue;
+        text += (text.empty() ? "" : " and ") + row.platform;
+    }
+    return text.empty() ? "no platform" : printable(text, 200);
+}
+
 // A row of the old result that the new one lacks.
 Compared missing(const Row& row, const Result& new_result, bool by_launch)
 {
@@ -139,8 +152,12 @@ bool ComparedResults::regression() const
     });
 }
 
-ComparedResults compare_results(const Result& old_result, const Result& new_result)
+ComparedResults compare_results(const Result& old_given, const Result& new_given)
 {
+    const std::array<Result, 2> given{old_given, new_given};
+    const std::vector<Result> apart = told_apart(given);
+    const Result& old_result = apart[0];
+    const Result& new_result = apart[1];
     ComparedResults comparison;
     comparison.differences = differences_of(old_result.environment, new_result.environment);
     for (const std::string& warning : old_result.warnings) comparison.warnings.push_back("old result: " + warning);
@@ -168,7 +185,10 @@ ComparedResults compare_results(const Result& old_result, const Result& new_resu
             comparison.rows.push_back(missing(row, new_result, by_launch));
         }
     }
-    if (paired == 0) throw InputError("bench compare: the two results have no row in common");
+    if (paired == 0) {
+        throw InputError(fmt::format("bench compare: the two results have no row in common; they are of {} and of {}",
+                                     platforms_of(old_result), platforms_of(new_result)));
+    }
 
     std::vector<Compared*> tested;
     std::vector<double> p;

@@ -35,13 +35,13 @@ struct ComparedResults {
     bool regression() const;
 };
 
-// Pairs rows by name and platform. The units of the test are the medians of the launches, as samples of one process
-// share its memory layout and clock and are not independent; where either result has one launch only, they are the
-// medians of groups of three rounds and more, with a warning that differences between launches are unseen. A row that
-// could be compared in the old result and cannot in the new one (it is missing, unavailable, failed, of another
-// setting, without enough times above 0) is lost; a row that only the new result has a speed for is added. Throws
-// InputError where the results have no row in common.
-ComparedResults compare_results(const Result& old_result, const Result& new_result);
+// Pairs rows by name and platform, told apart as told_apart() does. The units of the test are the medians of the
+// launches, as samples of one process share its memory layout and clock and are not independent; where either result
+// has one launch only, they are the medians of groups of three rounds and more, with a warning that differences between
+// launches are unseen. A row that could be compared in the old result and cannot in the new one (it is missing,
+// unavailable, failed, of another setting, without enough times above 0) is lost; a row that only the new result has a
+// speed for is added. Throws InputError where the results have no row in common.
+ComparedResults compare_results(const Result& old_given, const Result& new_given);
 
 std::string to_console(const ComparedResults& comparison);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -14,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<const char*, const char*>, 13> facts{{{"revision", "/git/revision"},
+constexpr std::array<std::pair<const char*, const char*>, 15> facts{{{"revision", "/git/revision"},
                                                                      {"changed since the revision", "/git/dirty"},
                                                                      {"version", "/build/version"},
                                                                      {"build type", "/build/type"},
@@ -22,6 +23,8 @@ constexpr std::array<std::pair<const char*, const char*>, 13> facts{{{"revision"
                                                                      {"compiler flags", "/build/flags"},
                                                                      {"CPU", "/cpu/model"},
                                                                      {"CPU", "/cpu/platform"},
+                                                                     {"stepping", "/cpu/stepping"},
+                                                                     {"caches", "/cpu/caches"},
                                                                      {"usable cores", "/cpu/cores_usable"},
                                                                      {"governor", "/cpu/governor"},
                                                                      {"microcode", "/cpu/microcode"},
@@ -39,6 +42,18 @@ std::string words(const Json& value)
 {
     if (value.is_null()) return "unknown";
     return printable(value.is_string() ? value.get<std::string>() : value.dump(), 200);
+}
+
+// The flags that the first CPU has and the second lacks, with spaces between.
+std::string only_in(const Json& flags, const Json& others)
+{
+    std::string only;
+    for (const Json& flag : flags) {
+        if (std::ranges::find(others, flag) != others.end()) continue;
+        if (!only.empty()) only += ' ';
+        only += words(flag);
+    }
+    return only.empty() ? "none" : printable(only, 200);
 }
 
 // How each backend is built and which drivers it has, by what messages call it.
@@ -69,6 +84,12 @@ std::vector<std::string> differences_of(const Json& old_environment, const Json&
     };
     for (const auto& [what, pointer] : facts) {
         look(what, value_at(old_environment, pointer), value_at(new_environment, pointer));
+    }
+    const Json old_flags = value_at(old_environment, "/cpu/flags");
+    const Json new_flags = value_at(new_environment, "/cpu/flags");
+    if (old_flags.is_array() && new_flags.is_array() && old_flags != new_flags) {
+        lines.push_back(fmt::format("CPU flags: {} in the old result only, {} in the new only",
+                                    only_in(old_flags, new_flags), only_in(new_flags, old_flags)));
     }
     // A backend or device that one result lacks shows in its rows.
     const std::map<std::string, Json> before = backends_of(old_environment);

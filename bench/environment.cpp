@@ -52,6 +52,15 @@ std::string value_in(const fs::path& path, const std::string& name, char separat
     return {};
 }
 
+Json caches()
+{
+    Json list = Json::array();
+    for (const Cache& cache : read_caches("/sys/devices/system/cpu/cpu0/cache")) {
+        list.push_back({{"level", cache.level}, {"type", cache.type}, {"bytes", cache.bytes}, {"cores", cache.cores}});
+    }
+    return list;
+}
+
 Json cpu()
 {
     cpu_set_t allowed;
@@ -67,6 +76,8 @@ Json cpu()
               {"model_number", number(cpu.model)},
               {"stepping", number(cpu.stepping)},
               {"vector_extensions", cpu.vectors},
+              {"flags", cpu.flags},
+              {"caches", caches()},
               {"cores", std::thread::hardware_concurrency()},
               {"cores_usable", usable},
               {"governor", or_null(text_of(frequency / "scaling_governor"))},

@@ -17,6 +17,22 @@ std::vector<double> times(const Row& row, Member member)
     return values;
 }
 
+template <class Member>
+Launches times_by_launch(const Row& row, Member member)
+{
+    Launches launches;
+    for (const Sample& sample : row.samples) launches[sample.launch].push_back(sample.*member);
+    return launches;
+}
+
+// On as many threads.
+bool same_text(const Row& a, const Row& b)
+{
+    return same_picture(a.setting, b.setting) && a.fractal == b.fractal && a.precision == b.precision &&
+           a.mode == b.mode && a.setting.threads == b.setting.threads && a.setting.frames == b.setting.frames &&
+           a.setting.without == b.setting.without;
+}
+
 // The rest of a row's name must be the same for both.
 template <class Same>
 std::vector<Ratio> ratios(const Result& result, Same other_of)
@@ -32,10 +48,12 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
             }
             std::map<std::pair<int, int>, double> by_round;
             for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
-            std::vector<double> pairs;
+            Launches pairs;
             for (const Sample& s : numerator.samples) {
                 const auto pair = by_round.find({s.launch, s.round});
-                if (pair != by_round.end() && pair->second > 0) pairs.push_back(s.kernel / pair->second);
+                if (pair != by_round.end() && pair->second > 0) {
+                    pairs[s.launch].push_back(s.kernel / pair->second);
+                };
             }
             found.push_back({&numerator, &denominator, summary(pairs)});
         }
@@ -51,19 +69,17 @@ bool same_picture(const Setting& a, const Setting& b)
            a.power == b.power && a.view == b.view;
 }
 
+bool is_scalar(const Result& result, const Row& row) { return row.setting.pack == 1 && row.backend == result.host(); }
+
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
 
 std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }
 
-std::vector<double> launch_medians(const Row& row)
-{
-    std::map<int, std::vector<double>> launches;
-    for (const Sample& sample : row.samples) launches[sample.launch].push_back(sample.kernel);
-    std::vector<double> medians;
-    medians.reserve(launches.size());
-    for (auto& [launch, values] : launches) medians.push_back(median(std::move(values)));
-    return medians;
-}
+Launches kernel_launches(const Row& row) { return times_by_launch(row, &Sample::kernel); }
+
+Launches wall_launches(const Row& row) { return times_by_launch(row, &Sample::wall); }
+
+std::vector<double> launch_medians(const Row& row) { return medians_of(kernel_launches(row)); }
 
 const Peak* peak_of(const Result& result, const std::string& platform, Precision precision)
 {
@@ -78,8 +94,8 @@ const Peak* peak_of(const Result& result, const std::string& platform, Precision
 Figures figures_of(const Result& result, const Row& row)
 {
     Figures f;
-    f.kernel = summary(kernel_times(row));
-    f.wall = summary(wall_times(row));
+    f.kernel = summary(kernel_launches(row));
+    f.wall = summary(wall_launches(row));
     f.upload = median(times(row, &Sample::upload));
     f.readback = median(times(row, &Sample::readback));
     const double seconds = f.kernel.median;
@@ -96,9 +112,12 @@ Figures figures_of(const Result& result, const Row& row)
     }
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {
+        if (&other != &row && other.timed() && same_text(other, row) && is_scalar(result, other) && f.wall.median > 0) {
+            f.over_scalar = quotient(wall_launches(other), wall_launches(row));
+        }
         if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
-            f.speed_up = median(wall_times(other)) / f.wall.median;
+            f.speed_up = quotient(wall_launches(other), wall_launches(row));
         }
     }
     return f;

@@ -16,6 +16,9 @@ bool same_picture(const Setting& a, const Setting& b);
 // The samples' kernel or wall times, in seconds; per picture.
 std::vector<double> kernel_times(const Row& row);
 std::vector<double> wall_times(const Row& row);
+// The same by launch.
+Launches kernel_launches(const Row& row);
+Launches wall_launches(const Row& row);
 // The medians of the kernel times of each launch, in the launches' order.
 std::vector<double> launch_medians(const Row& row);
 
@@ -28,11 +31,18 @@ struct Figures {
     std::optional<double> peak;                    // operations per second, of the row's platform and precision
     std::optional<double> share;                   // operation_rate / peak
     std::optional<double> bound;                   // seconds: the counted work at that peak
-    std::optional<double> speed_up;  // wall time of `reference`, double, exact, of the same setting / this wall time
+    // Of wall times: that of `reference`, double, exact, of the same setting / this one's.
+    std::optional<Quotient> speed_up;
+    // Of wall times: that of the same text as scalar C++ on the host's threads, of the same setting, precision and
+    // mode, / this one's. Not of that row itself.
+    std::optional<Quotient> over_scalar;
 };
 
 // Of a row that is timed.
 Figures figures_of(const Result& result, const Row& row);
+
+// The row is the text as scalar C++, pixel by pixel: the backend of the host's cores with packs of one pixel.
+bool is_scalar(const Result& result, const Row& row);
 
 // The highest rate that any backend reached on the platform; nullptr if none was measured.
 const Peak* peak_of(const Result& result, const std::string& platform, Precision precision);
@@ -41,7 +51,7 @@ const Peak* peak_of(const Result& result, const std::string& platform, Precision
 struct Ratio {
     const Row* numerator;
     const Row* denominator;
-    Summary summary;  // of the pairs' ratios; count 0 where the rows share no round
+    Summary summary;  // of the pairs' ratios, by launch; count 0 where the rows share no round
 };
 
 // The fractals of the study box-vs-bulb and of the question that it is about.

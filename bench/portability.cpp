@@ -4,21 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <tuple>
 
 #include "bench/figures.h"
+#include "bench/platforms.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int resamplings = 1000;
+constexpr int draws = 1000;
 
 struct Entry {
     const Result* result;
     const Row* row;
+    std::vector<double> times;         // of the one launch
+    std::vector<double> logarithms{};  // of the medians of several
 };
 
 struct Problem {
@@ -37,6 +42,27 @@ struct Efficiencies {
     double application = 0, architecture = 0;
 };
 
+// What the row's time may be as well. Of several launches: their mean logarithm, off by Student's t times its standard
+// error, so that the values between which 95 % of the draws lie are launch_interval()'s ends (Weerahandi's generalized
+// interval, JASA 88, 1993, which carries over to what is computed from several rows). Of one launch: the median of its
+// times drawn again with replacement, which sees what one launch sees.
+double drawn(const Entry& entry, std::mt19937_64& random)
+{
+    const std::vector<double>& x = entry.logarithms;
+    if (x.empty()) {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < entry.times.size(); ++i)
+            times.push_back(entry.times[random() % entry.times.size()]);
+        return median(std::move(times));
+    }
+    const auto n = static_cast<double>(x.size());
+    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+    double squares = 0;
+    for (const double value : x) squares += (value - mean) * (value - mean);
+    std::student_t_distribution<double> t(n - 1);
+    return std::exp(mean + t(random) * std::sqrt(squares / (n - 1) / n));
+}
+
 // The times of each backend on each platform for one problem, and what they come to.
 class Field {
 public:
@@ -44,27 +70,25 @@ public:
     {
         platforms_.insert(row.platform);
         applications_.insert(row.backend);
-        const auto time = [](const Row& r) { return median(kernel_times(r)); };
-        if (!row.timed() || !std::ranges::all_of(kernel_times(row), [](double s) { return s > 0; })) return;
+        const std::vector<double> times = kernel_times(row);
+        if (!row.timed() || !std::ranges::all_of(times, [](double s) { return s > 0; })) return;
         Entry& entry = entries_[{row.backend, row.platform}];
-        if (entry.row == nullptr || time(row) < time(*entry.row)) entry = {&result, &row};
+        if (entry.row != nullptr && median(times) >= median(entry.times)) return;
+        entry = {&result, &row, times};
+        const std::vector<double> medians = launch_medians(row);
+        if (medians.size() < 2) return;
+        for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
     const std::set<std::string>& platforms() const { return platforms_; }
     const std::set<std::string>& applications() const { return applications_; }
 
-    // Medians of the kernel times; resampled with replacement where `random` is given.
+    // Medians of the kernel times; drawn anew where `random` is given.
     std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
     {
         std::map<std::pair<std::string, std::string>, double> found;
         for (const auto& [key, entry] : entries_) {
-            std::vector<double> times = kernel_times(*entry.row);
-            if (random != nullptr) {
-                std::vector<double> drawn;
-                for (std::size_t i = 0; i < times.size(); ++i) drawn.push_back(times[(*random)() % times.size()]);
-                times = std::move(drawn);
-            }
-            found[key] = median(std::move(times));
+            found[key] = random != nullptr ? drawn(entry, *random) : median(entry.times);
         }
         return found;
     }
@@ -103,11 +127,12 @@ Efficiencies means(const Field& field, const std::string& application,
     return {performance_portability(by_application), performance_portability(by_architecture)};
 }
 
-Interval middle_of(std::vector<double> values)
+// The middle 95 %, made wide enough for the value itself.
+Interval middle_of(std::vector<double> values, double value)
 {
     std::ranges::sort(values);
     const auto tail = static_cast<std::size_t>((1 - confidence) / 2 * static_cast<double>(values.size()));
-    return {values[tail], values[values.size() - 1 - tail]};
+    return {std::min(values[tail], value), std::max(values[values.size() - 1 - tail], value)};
 }
 
 std::vector<CascadeStep> cascade_of(std::vector<OnPlatform> platforms)
@@ -141,17 +166,17 @@ Portability of(const Problem& problem, const Field& field, const std::string& ap
     const Efficiencies mean = means(field, application, seconds);
     p.application_portability = mean.application;
     p.architecture_portability = mean.architecture;
-    // The bootstrap's percentiles: every row's samples drawn again with replacement, everything computed from them.
+    // Percentiles of what comes out where every row's time is drawn anew.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;
-    for (int i = 0; i < resamplings; ++i) {
+    for (int i = 0; i < draws; ++i) {
         const Efficiencies again = means(field, application, field.seconds(&random));
         by_application.push_back(again.application);
         by_architecture.push_back(again.architecture);
     }
-    p.application_interval = middle_of(std::move(by_application));
-    p.architecture_interval = middle_of(std::move(by_architecture));
+    p.application_interval = middle_of(std::move(by_application), p.application_portability);
+    p.architecture_interval = middle_of(std::move(by_architecture), p.architecture_portability);
     p.cascade = cascade_of(p.platforms);
     return p;
 }
@@ -168,8 +193,9 @@ double performance_portability(std::span<const double> efficiencies)
     return efficiencies.empty() ? 0 : static_cast<double>(efficiencies.size()) / sum;
 }
 
-std::vector<Portability> portability(std::span<const Result> results)
+std::vector<Portability> portability(std::span<const Result> given)
 {
+    const std::vector<Result> results = told_apart(given);
     std::map<Problem, Field> fields;
     std::set<std::string> applications;
     for (const Result& result : results) {

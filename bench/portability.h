@@ -45,13 +45,13 @@ struct Portability {
     std::string application;  // backend
     std::vector<OnPlatform> platforms;
     double application_portability = 0, architecture_portability = 0;
-    Interval application_interval, architecture_interval;  // 95 %, resampled
+    Interval application_interval, architecture_interval;  // 95 %, from times drawn anew
     std::vector<CascadeStep> cascade;
 };
 
-// Over all platforms of all results; rows of sweeps and of the reference, a yardstick and no application, are left out.
-// Where a backend runs on a platform as several devices, the fastest counts.
-std::vector<Portability> portability(std::span<const Result> results);
+// Over all platforms of all results, told apart as told_apart() does; rows of sweeps and of the reference, a yardstick
+// and no application, are left out. Where a backend runs on a platform as several devices, the fastest counts.
+std::vector<Portability> portability(std::span<const Result> given);
 
 nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities);
 

@@ -9,7 +9,9 @@
 #include "apps/progress_bar.h"
 #include "bench/command_line.h"
 #include "bench/compare.h"
+#include "bench/duel_run.h"
 #include "bench/launches.h"
+#include "bench/on_demand.h"
 #include "bench/outputs.h"
 #include "bench/portability.h"
 #include "bench/report.h"
@@ -162,6 +164,35 @@ int compare_files(const std::string& old_file, const std::string& new_file)
     return comparison.regression() ? exit_failure : exit_fine;
 }
 
+int duel(const CommandLine& line)
+{
+    Duel found;
+    std::vector<Judged> judged;
+    Outputs outputs;
+    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found, judged)); });
+    outputs.check({line.duel.old_program, line.duel.new_program});
+    Display display(line.quiet);
+    found = run_duel(line.duel, line.options, [&](double share) { display.show("duel", share); });
+    display.finish();
+    judged = judge(found);
+    const bool written = outputs.write_files();
+    const std::string table = to_console(found, judged);
+    if (outputs.on_stdout()) {
+        say(std::string_view(table));
+    } else {
+        print(std::string_view(table));
+    }
+    outputs.write_stdout();
+    const bool whole = found.launches == line.duel.launches;
+    return written && whole && !regression(judged) ? exit_fine : exit_failure;
+}
+
+int on_demand(const Registry& registry, const CommandLine& line)
+{
+    draw_on_demand(registry, line.options, !line.unproven);
+    return exit_fine;
+}
+
 // Each discrepancy at once, on stderr, with what draws it again.
 int equivalence(const Registry& registry, const CommandLine& line)
 {
@@ -201,7 +232,10 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::random: return random_scenes(registry, line);
         case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
+        case Command::duel: return duel(line);
+        case Command::on_demand: return on_demand(registry, line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
+        case Command::json: print(std::string_view(text_of(to_json(read_result(line.files.at(0)))))); return exit_fine;
         case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
         default: return run(registry, line);
     }

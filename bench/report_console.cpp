@@ -32,12 +32,24 @@ std::string percent(const std::optional<double>& share)
     return share ? fmt::format("{:.1f}%", 100 * *share) : std::string("-");
 }
 
+std::optional<double> ratio_of(const std::optional<Quotient>& quotient)
+{
+    return quotient ? std::optional(quotient->ratio) : std::nullopt;
+}
+
 std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
 
-std::string head(const Row& row)
+// "openmp 1" is the text as scalar C++, where the study does not vary the packs.
+std::string backend_of(const Result& result, const Row& row)
+{
+    const bool scalar = result.study == standard_study && is_scalar(result, row);
+    return row.backend + (scalar ? " 1" : "");
+}
+
+std::string head(const Result& result, const Row& row)
 {
     return fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", nickname(row.fractal), name_of(row.precision),
-                       name_of(row.mode), row.backend, row.device);
+                       name_of(row.mode), backend_of(result, row), row.device);
 }
 
 // A sweep shows its point where other studies show the share of peak and the speed-up.
@@ -60,18 +72,18 @@ std::string main_table(const Result& result, bool sweep)
                                              : fmt::format("FAILED: {}", row.failure),
                          "");
         } else if (!row.unavailable.empty()) {
-            text += line(head(row), row.point, fmt::format("unavailable: {}", row.unavailable), "");
+            text += line(head(result, row), row.point, fmt::format("unavailable: {}", row.unavailable), "");
         } else if (!row.timed()) {
             const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
-            text += line(head(row), row.point, fmt::format("FAILED: {}", why), "");
+            text += line(head(result, row), row.point, fmt::format("FAILED: {}", why), "");
         } else {
             const Figures f = figures_of(result, row);
             text +=
-                line(head(row), row.point,
+                line(head(result, row), row.point,
                      fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
                                  interval(f.kernel, 1e3), digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
                                  of(f.operation_rate, 1e-9)),
-                     fmt::format(" {:>6} {:>8}", percent(f.share), of(f.speed_up, 1)));
+                     fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
         }
     }
     return text;
@@ -103,7 +115,8 @@ std::string wide_table(const Result& result)
             digits(1e3 * f.upload), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
             digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
             row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
-            percent(f.share), of(f.bound, 1e3), of(f.speed_up, 1), row.threads, row.pack, row.instruction_set);
+            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.pack,
+            row.instruction_set);
     }
     return text;
 }
@@ -126,6 +139,33 @@ std::string devices(const Result& result)
             "\n";
     }
     return text;
+}
+
+// A ratio and its interval in 28 columns.
+std::string cells(const std::optional<Quotient>& quotient)
+{
+    if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
+    const auto& i = quotient->interval;
+    return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
+                       i ? fmt::format("[{}, {}]", digits(i->low), digits(i->high)) : "too few samples");
+}
+
+// How many times as fast as the two baselines.
+std::string speed_ups(const Result& result)
+{
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (!row.timed()) continue;
+        const Figures f = figures_of(result, row);
+        if (f.speed_up || f.over_scalar) {
+            text += fmt::format("{} {} {} {}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar), row.point);
+        }
+    }
+    if (text.empty()) return {};
+    return fmt::format(
+        "\nSpeed-up of wall time: over reference (serial, double, exact), and over the same text as scalar C++ on the "
+        "host's\nthreads, in the row's precision and mode\n{:<33} {:>8} {:<19} {:>8} {:<19}\n{}",
+        "", "serial", "95 % interval", "scalar", "95 % interval", text);
 }
 
 std::string ratio_table(const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
@@ -167,14 +207,17 @@ std::string to_console(const Result& result, bool wide)
     for (const Row& row : result.rows) {
         if (any == nullptr && row.timed()) any = &row;
     }
-    const bool sweep = std::ranges::any_of(result.rows, [](const Row& row) { return !row.point.empty(); });
+    const bool sweep = result.study != standard_study &&
+                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.point.empty(); });
     std::string text = wide ? wide_table(result) : main_table(result, sweep);
     text += fmt::format("\n{}", devices(result));
-    if (any != nullptr && result.study == "standard") {
+    if (any != nullptr && result.study == standard_study) {
         text += fmt::format(
-            "{} x {} pixels; kernel and wall: medians in ms; speed-up: wall time of reference, exact, over the row's\n",
-            any->setting.width, any->setting.height);
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference, see below; {} 1: the text as "
+            "scalar C++\n",
+            any->setting.width, any->setting.height, result.host());
     }
+    text += speed_ups(result);
     text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's",
                         false);
     text += ratio_table(double_to_float(result), "Double against float: kernel time of the one over the other's", true);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
 
 #include "bench/figures.h"
 #include "bench/report.h"
@@ -8,6 +11,15 @@ namespace mandelmarch::bench {
 namespace {
 
 std::string or_empty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+
+// The ratio and the ends of its interval.
+std::array<std::string, 3> three_cells(const std::optional<Quotient>& quotient)
+{
+    if (!quotient) return {};
+    const auto& interval = quotient->interval;
+    return {fmt::format("{}", quotient->ratio), interval ? fmt::format("{}", interval->low) : "",
+            interval ? fmt::format("{}", interval->high) : ""};
+}
 
 }  // namespace
 
@@ -35,7 +47,9 @@ std::string to_csv(const Result& result)
         "limit,"
         "detail,threads,pack,frames,proof,proof_fine,differing_pixels,samples,kernel_s,kernel_low_s,kernel_high_s,"
         "kernel_mad_s,wall_s,context_s,build_s,upload_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
-        "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,steps,de_calls,iterations,"
+        "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,speed_up_low,speed_up_high,"
+        "over_scalar,over_scalar_low,over_scalar_high,"
+        "steps,de_calls,iterations,"
         "unavailable,failure\n";
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
@@ -44,6 +58,8 @@ std::string to_csv(const Result& result)
         const Figures f = row.timed() ? figures_of(result, row) : Figures{};
         const auto timed = [&](double value) { return row.timed() ? fmt::format("{}", value) : std::string(); };
         const auto& interval = f.kernel.interval;
+        const auto up = three_cells(f.speed_up);
+        const auto scalar = three_cells(f.over_scalar);
         const std::vector<std::string> cells{csv_cell(problem),
                                              row.backend,
                                              csv_cell(row.platform),
@@ -83,7 +99,12 @@ std::string to_csv(const Result& result)
                                              or_empty(f.peak),
                                              or_empty(f.share),
                                              or_empty(f.bound),
-                                             or_empty(f.speed_up),
+                                             up[0],
+                                             up[1],
+                                             up[2],
+                                             scalar[0],
+                                             scalar[1],
+                                             scalar[2],
                                              timed(static_cast<double>(row.work.steps)),
                                              timed(static_cast<double>(row.work.estimates)),
                                              timed(static_cast<double>(row.work.iterations)),

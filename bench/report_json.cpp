@@ -19,11 +19,12 @@ Json or_null(const std::optional<Value>& value)
     return value ? Json(*value) : Json();
 }
 
+Json of(const std::optional<Interval>& interval) { return interval ? Json{interval->low, interval->high} : Json(); }
+
 Json of(const Summary& s)
 {
-    return {{"count", s.count}, {"median", s.median},
-            {"mad", s.mad},     {"least", s.least},
-            {"most", s.most},   {"interval", s.interval ? Json{s.interval->low, s.interval->high} : Json()}};
+    return {{"count", s.count}, {"launches", s.launches}, {"median", s.median},        {"mad", s.mad},
+            {"least", s.least}, {"most", s.most},         {"interval", of(s.interval)}};
 }
 
 Json of(const Setting& s)
@@ -68,7 +69,10 @@ Json of(const Figures& f)
             {"peak_operations_per_second", or_null(f.peak)},
             {"share_of_peak", or_null(f.share)},
             {"bound_seconds", or_null(f.bound)},
-            {"speed_up", or_null(f.speed_up)}};
+            {"speed_up", f.speed_up ? Json(f.speed_up->ratio) : Json()},
+            {"speed_up_interval", f.speed_up ? of(f.speed_up->interval) : Json()},
+            {"over_scalar", f.over_scalar ? Json(f.over_scalar->ratio) : Json()},
+            {"over_scalar_interval", f.over_scalar ? of(f.over_scalar->interval) : Json()}};
 }
 
 Json of(const Result& result, const Row& row)

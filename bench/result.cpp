@@ -6,6 +6,21 @@
 #include <algorithm>
 
 namespace mandelmarch::bench {
+namespace {
+
+// `otherwise`: in results without roles, which are older.
+std::string backend_with(const nlohmann::ordered_json& environment, Role role, const char* otherwise)
+{
+    const auto backends = environment.find("backends");
+    if (backends != environment.end() && backends->is_array()) {
+        for (const auto& backend : *backends) {
+            if (backend.is_object() && backend.value("role", "") == name_of(role)) return backend.value("name", "");
+        }
+    }
+    return otherwise;
+}
+
+}  // namespace
 
 std::string Row::name() const
 {
@@ -16,18 +31,9 @@ std::string Row::name() const
 
 bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
 
-std::string Result::reference() const
-{
-    const auto backends = environment.find("backends");
-    if (backends != environment.end() && backends->is_array()) {
-        for (const auto& backend : *backends) {
-            if (backend.is_object() && backend.value("role", "") == name_of(Role::reference)) {
-                return backend.value("name", "");
-            }
-        }
-    }
-    return "reference";  // in results without roles, which are older
-}
+std::string Result::reference() const { return backend_with(environment, Role::reference, "reference"); }
+
+std::string Result::host() const { return backend_with(environment, Role::host, "openmp"); }
 
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
 {

@@ -12,12 +12,15 @@
 namespace mandelmarch::bench {
 
 inline constexpr int schema_version = 1;
+// The study that compares backends, and has the rows that others are compared with.
+inline constexpr std::string_view standard_study = "standard";
 
 // One picture of the timed rounds. Seconds.
 struct Sample {
     int launch = 0;  // which process took it
     int round = 0;   // in which round of that process
     double kernel = 0, wall = 0, upload = 0, readback = 0;
+    double processor = 0;  // of all threads of the process that drew it; for duels, in no file
 };
 
 // What was asked of a row beside fractal, precision, mode, backend and device.
@@ -120,6 +123,8 @@ struct Result {
     bool failed() const;
     // The name of the backend that has the role of the reference.
     std::string reference() const;
+    // Of the backend that runs the text on the host's cores.
+    std::string host() const;
 };
 
 }  // namespace mandelmarch::bench

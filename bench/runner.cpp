@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <random>
 
 #include "bench/figures.h"
@@ -13,6 +14,14 @@
 
 namespace mandelmarch::bench {
 namespace {
+
+// Seconds that all threads of this process have used.
+double processor_seconds()
+{
+    timespec used{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
 
 // Pictures faster than this are drawn once, unmeasured, before the measured one: the row before has left its own
 // threads, caches and clock behind. Seconds.
@@ -123,6 +132,7 @@ Sample draw_sample(Live& row, Image& image)
     // No picture of another row may pass for this one's.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
+    const double processor = processor_seconds();
     const auto add = [&](const Timings& t) {
         sample.kernel += t.kernel;
         sample.wall += t.wall;
@@ -140,10 +150,26 @@ Sample draw_sample(Live& row, Image& image)
             sample.*part /= frames;
         }
     }
+    sample.processor = (processor_seconds() - processor) / std::max(1, frames);
     if (fingerprint(image) != row.fingerprint) {
         throw Error("the timed picture is not the one that was proven");
     }
     return sample;
+}
+
+void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
+{
+    for (Live& live : rows) {
+        if (live.expected <= rules.long_picture) continue;
+        const Timings& t = live.first.timings;
+        live.one->row.samples.push_back({.launch = rules.launch,
+                                         .round = 0,
+                                         .kernel = t.kernel,
+                                         .wall = t.wall,
+                                         .upload = t.upload,
+                                         .readback = t.readback});
+        live.done = true;
+    }
 }
 
 void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)

@@ -20,7 +20,8 @@ namespace mandelmarch::bench {
 struct Live {
     Case* one = nullptr;
     std::unique_ptr<Renderer> renderer;
-    std::uint64_t fingerprint = 0;  // of the picture that was proven: every timed one must be the same
+    RenderReport first = {};        // of the picture that was proven
+    std::uint64_t fingerprint = 0;  // of that picture: every timed one must be the same
     double expected = 0;            // seconds of a picture
     double spent = 0;               // seconds in the timed rounds
     bool done = false;
@@ -37,6 +38,9 @@ struct Rules {
     std::uint64_t seed = 1;
     int launch = 0;
 };
+
+// Rows whose picture takes longer than rules.long_picture are done: the picture that was proven is their sample.
+void keep_long_pictures(std::vector<Live>& rows, const Rules& rules);
 
 // Draws the rounds and puts the samples into the rows. A row that throws, or whose picture is no longer the proven one,
 // fails and loses its samples. `progress` is told the finished share, 0 to 1.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/options.h"
+#include "bench/peaks.h"
 #include "bench/result.h"
 #include "core/render/registry.h"
 
@@ -20,7 +21,14 @@ using Phase = std::function<void(const std::string& what, double share)>;
 // that was asked for is not there.
 Result measure(const Registry& registry, const Options& options, const Phase& phase);
 
-// The multiply-add peak of every device in the precisions asked for. Backends that measure none are left out.
-std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase);
+// The multiply-add peak of every device in the precisions asked for, of those that are wanted (by all but their rate).
+// Backends that measure none are left out.
+inline bool every_peak(const Peak&) { return true; }
+std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
+                                const std::function<bool(const Peak&)>& wanted = every_peak);
+
+// The record, with those peaks measured again, three times at most, that are doubtful.
+using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
+PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
 
 }  // namespace mandelmarch::bench

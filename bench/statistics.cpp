@@ -29,6 +29,49 @@ Moments moments(std::span<const double> values)
     return m;
 }
 
+// How sure a shift of logarithms is to be beyond the margin.
+Difference tested(const Moments& shift, double margin)
+{
+    const double within = std::log1p(margin);
+    Difference d;
+    d.ratio = std::exp(shift.mean);
+    d.degrees = shift.degrees;
+    if (!(shift.variance_of_mean > 0)) {
+        // Every number equal: a difference is certain, or there is none.
+        d.interval = {d.ratio, d.ratio};
+        d.p = std::abs(shift.mean) > within ? 0 : 1;
+        return d;
+    }
+    const boost::math::students_t distribution(d.degrees);
+    const double error = std::sqrt(shift.variance_of_mean);
+    const double reach = quantile(distribution, (1 + confidence) / 2) * error;
+    d.interval = {std::exp(shift.mean - reach), std::exp(shift.mean + reach)};
+    if (std::abs(shift.mean) > within) {
+        d.p = cdf(complement(distribution, (std::abs(shift.mean) - within) / error)) +
+              cdf(complement(distribution, (std::abs(shift.mean) + within) / error));
+    }
+    return d;
+}
+
+bool all_positive(std::span<const double> values)
+{
+    return std::ranges::all_of(values, [](double value) { return value > 0; });
+}
+
+std::vector<double> together(const Launches& launches)
+{
+    std::vector<double> all;
+    for (const auto& [launch, values] : launches) all.insert(all.end(), values.begin(), values.end());
+    return all;
+}
+
+// The interval made wide enough for the value. It is of the mean of logarithms, the value a median.
+std::optional<Interval> holding(std::optional<Interval> interval, double value)
+{
+    if (!interval) return interval;
+    return Interval{std::min(interval->low, value), std::max(interval->high, value)};
+}
+
 }  // namespace
 
 std::optional<double> Summary::half_width() const
@@ -72,6 +115,7 @@ Summary summary(std::span<const double> values)
     Summary s;
     s.count = static_cast<int>(values.size());
     if (values.empty()) return s;
+    s.launches = 1;
     s.median = median({values.begin(), values.end()});
     std::vector<double> deviations;
     for (const double value : values) deviations.push_back(std::abs(value - s.median));
@@ -82,37 +126,70 @@ Summary summary(std::span<const double> values)
     return s;
 }
 
+std::vector<double> medians_of(const Launches& launches)
+{
+    std::vector<double> medians;
+    medians.reserve(launches.size());
+    for (const auto& [launch, values] : launches) medians.push_back(median(values));
+    return medians;
+}
+
+// The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3): what
+// differs between launches is in the scatter of their figures already, so that these are all that the interval needs;
+// samples within a launch only make each figure surer. On logarithms, as disturbances multiply.
+std::optional<Interval> launch_interval(std::span<const double> medians)
+{
+    if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
+    const Moments m = moments(medians);
+    const boost::math::students_t distribution(m.degrees);
+    const double reach = quantile(distribution, (1 + confidence) / 2) * std::sqrt(m.variance_of_mean);
+    return Interval{std::exp(m.mean - reach), std::exp(m.mean + reach)};
+}
+
+Summary summary(const Launches& launches)
+{
+    const std::vector<double> medians = medians_of(launches);
+    Summary s = summary(together(launches));
+    s.launches = static_cast<int>(medians.size());
+    if (s.launches > 1) s.interval = holding(launch_interval(medians), s.median);
+    return s;
+}
+
+Quotient quotient(const Launches& numerator, const Launches& denominator)
+{
+    const std::vector<double> above = together(numerator);
+    const std::vector<double> below = together(denominator);
+    Quotient q;
+    q.ratio = median(above) / median(below);
+    if (!all_positive(above) || !all_positive(below)) return q;
+    std::vector<double> ratios;
+    for (const auto& [launch, values] : numerator) {
+        const auto same = denominator.find(launch);
+        if (same != denominator.end()) ratios.push_back(median(values) / median(same->second));
+    }
+    if (ratios.size() > 1) {
+        q.interval = holding(launch_interval(ratios), q.ratio);
+    } else if (above.size() > 1 && below.size() > 1) {
+        q.interval = holding(difference(below, above, 0).interval, q.ratio);
+    }
+    return q;
+}
+
 // Welch (Biometrika 34, 1947): the difference of two means, with variances that need not be equal. The null hypothesis
 // is not "equal" but "within the margin": p is taken at the margin's edge, where it is largest.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin)
 {
     const Moments a = moments(old_values);
     const Moments b = moments(new_values);
-    const double shift = b.mean - a.mean;
     const double variance = a.variance_of_mean + b.variance_of_mean;
-    const double within = std::log1p(margin);
-    Difference d;
-    d.ratio = std::exp(shift);
-    if (!(variance > 0)) {
-        // Every number equal: a difference is certain, or there is none.
-        d.interval = {d.ratio, d.ratio};
-        d.degrees = a.degrees + b.degrees;
-        d.p = std::abs(shift) > within ? 0 : 1;
-        return d;
-    }
-    d.degrees =
-        variance * variance /
-        (a.variance_of_mean * a.variance_of_mean / a.degrees + b.variance_of_mean * b.variance_of_mean / b.degrees);
-    const boost::math::students_t distribution(d.degrees);
-    const double error = std::sqrt(variance);
-    const double reach = quantile(distribution, (1 + confidence) / 2) * error;
-    d.interval = {std::exp(shift - reach), std::exp(shift + reach)};
-    if (std::abs(shift) > within) {
-        d.p = cdf(complement(distribution, (std::abs(shift) - within) / error)) +
-              cdf(complement(distribution, (std::abs(shift) + within) / error));
-    }
-    return d;
+    const double degrees = variance > 0 ? variance * variance /
+                                              (a.variance_of_mean * a.variance_of_mean / a.degrees +
+                                               b.variance_of_mean * b.variance_of_mean / b.degrees)
+                                        : a.degrees + b.degrees;
+    return tested({.mean = b.mean - a.mean, .variance_of_mean = variance, .degrees = degrees}, margin);
 }
+
+Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
 // Holm (Scandinavian Journal of Statistics 6, 1979): the smallest of m p-values is multiplied by m, the next by m - 1,
 // and so on; none may come out below the one before.

@@ -2,6 +2,7 @@
 // The statistics of the harness, each explained where it is computed (statistics.cpp) and in docs/benchmarking.md.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,13 +15,19 @@ struct Interval {
     double low = 0, high = 0;
 };
 
+// Numbers by the launch, the process that is, that measured them.
+using Launches = std::map<int, std::vector<double>>;
+
 // Of at least one number. A single number has the deviation 0 and no interval.
 struct Summary {
     int count = 0;
+    int launches = 0;  // that the numbers come from
     double median = 0;
     double mad = 0;  // median absolute deviation from the median, not scaled
     double least = 0, most = 0;
-    std::optional<Interval> interval;  // of the median, at least 95 %; nullopt below six numbers
+    // Of one launch: of the median, from order statistics, at least 95 %; nullopt below six numbers. Of several:
+    // launch_interval() of their medians, widened to hold the median of all.
+    std::optional<Interval> interval;
 
     // Half the interval's width, relative to the median; nullopt where there is no interval.
     std::optional<double> half_width() const;
@@ -29,7 +36,19 @@ struct Summary {
 // 0 for no numbers.
 double median(std::vector<double> values);
 
+// Of numbers that are independent: those of one launch.
 Summary summary(std::span<const double> values);
+
+// Of numbers of several launches. Those of one launch share what only other launches show.
+Summary summary(const Launches& launches);
+
+// The 95 % interval of what a launch finds on average, from what each found (its median): Student's t of their
+// logarithms, with as many degrees of freedom as there are launches beyond the first. nullopt below two launches, or
+// where a value is not above 0.
+std::optional<Interval> launch_interval(std::span<const double> medians);
+
+// The medians of the launches, in their order.
+std::vector<double> medians_of(const Launches& launches);
 
 // The interval of the median from order statistics: the k-th smallest to the k-th largest of n numbers, with the
 // largest k for which the interval covers the median with probability 0.95 whatever the distribution. nullopt where
@@ -47,6 +66,20 @@ struct Difference {
 
 // `margin`: a true ratio between 1 / (1 + margin) and 1 + margin is no difference. All values must be above 0.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin);
+
+// The same of ratios that are one each from a launch of both (two at least, all above 0): Student's test of their
+// logarithms.
+Difference paired_difference(std::span<const double> ratios, double margin);
+
+// How many times as long one thing takes as another, from times of both in the same launches.
+struct Quotient {
+    double ratio = 1;                  // of the medians of all times
+    std::optional<Interval> interval;  // 95 %, holds the ratio
+};
+
+// Times of both, at least one of each. Where several launches have both: launch_interval() of the launches' ratios of
+// medians. Else Welch's of the logarithms of all times; nullopt where either has fewer than two.
+Quotient quotient(const Launches& numerator, const Launches& denominator);
 
 // Holm's correction: each p raised so that calling what is below 0.05 raises a false alarm anywhere with probability
 // 0.05 at most. In the order given.

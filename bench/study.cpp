@@ -22,7 +22,7 @@ constexpr int usual_side = 540;   // pixels
 constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
 
 constexpr std::array<Study, 11> all_studies{{
-    {"standard", "", "every fractal, precision, mode, backend and device at one size"},
+    {standard_study, "", "every fractal, precision, mode, backend and device at one size"},
     {"resolution", "pixels", "pictures from 270 x 270 to 4096 x 2160"},
     {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
     {"iterations", "iterations", "the distance estimator's limit of iterations"},
@@ -102,6 +102,23 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     return {{"", {}}};
 }
 
+// The text as scalar C++ beside its packs: what a speed-up is of that is due to neither another program nor more
+// threads.
+std::vector<Point> points_for(const Options& options, std::string_view nickname, const Facts& facts)
+{
+    std::vector<Point> points = points_of(options.study, nickname);
+    if (options.baselines && options.study == standard_study && facts.role == Role::host && facts.pack)
+        points.push_back({"pack=1", {.pack = 1}});
+    return points;
+}
+
+// A row of the standard study that another is compared with: it is there whichever backend is asked for.
+bool is_baseline(const Facts& facts, const Point& point, Precision precision, Mode mode)
+{
+    if (facts.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
+    return facts.role == Role::host && point.change.pack == 1;
+}
+
 // Only backends that have what the study varies.
 bool takes_part(std::string_view study, const Facts& facts)
 {
@@ -111,7 +128,7 @@ bool takes_part(std::string_view study, const Facts& facts)
     // Its stages are openmp's (profile.h).
     if (study == "profile") return facts.role == Role::host;
     // Sweeps ask how a row changes, not how it compares with the reference, which would take minutes.
-    if (study != "standard") return facts.role != Role::reference;
+    if (study != standard_study) return facts.role != Role::reference;
     return true;
 }
 
@@ -223,10 +240,12 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     }
     for (const auto& backend : registry.backends()) {
         const Facts facts = backend->facts();
-        // Speed-ups need the reference.
-        const bool yardstick = options.study == "standard" && facts.role == Role::reference;
-        const bool asked = options.backend == "all" || options.backend == backend->name();
-        if ((!asked && !yardstick) || !takes_part(options.study, facts)) continue;
+        // Speed-ups need their baselines.
+        const bool baselines = options.baselines && options.study == standard_study && facts.role != Role::none &&
+                               facts.role != Role::accelerator;
+        const bool all = options.backend == "all" && (options.baselines || facts.role != Role::reference);
+        const bool asked = all || options.backend == backend->name();
+        if ((!asked && !baselines) || !takes_part(options.study, facts)) continue;
         Listing listing = listing_of(*backend);
         if (listing.devices.empty()) {
             if (asked) cases.push_back(missing(*backend, std::move(listing)));
@@ -234,10 +253,10 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
         }
         const std::vector<Device>& devices = listing.devices;
         for (const std::string& nickname : fractals_of(options.fractal)) {
-            for (const Point& point : points_of(options.study, nickname)) {
+            for (const Point& point : points_for(options, nickname, facts)) {
                 for (const Precision precision : precisions_of(options)) {
                     for (const Mode mode : modes_of(options)) {
-                        if (!asked && (mode == Mode::fast || precision == Precision::f32)) continue;
+                        if (!asked && !is_baseline(facts, point, precision, mode)) continue;
                         for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
                             Case made = case_of(nickname, point, size);
                             const Setting& setting = made.row.setting;

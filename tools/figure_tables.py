@@ -134,7 +134,8 @@ def row_cells(row):
     interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
     share = row.figures["share_of_peak"]
     up = row.figures["speed_up"]
-    return [row["fractal"], row["precision"], row["mode"], row["backend"], row["proof"]["text"] or row["proof"]["level"],
+    backend = row["backend"] + (" 1" if row["point"] == "pack=1" else "")
+    return [row["fractal"], row["precision"], row["mode"], backend, row["proof"]["text"] or row["proof"]["level"],
             digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", digits(up) if up else "-"]
 
 

@@ -56,8 +56,32 @@ Cpu read_cpuinfo(std::istream& cpuinfo)
     for (std::string flag; flags >> flag;) {
         const auto begins = [&](std::string_view prefix) { return flag.starts_with(prefix); };
         if (std::ranges::any_of(vector_flags, begins)) cpu.vectors.push_back(flag);
+        cpu.flags.push_back(flag);
     }
+    std::ranges::sort(cpu.flags);
     return cpu;
+}
+
+std::vector<Cache> read_caches(const std::string& folder)
+{
+    std::vector<Cache> caches;
+    for (int index = 0;; ++index) {
+        const auto line = [&](const char* name) {
+            std::ifstream file(fmt::format("{}/index{}/{}", folder, index, name));
+            std::string text;
+            std::getline(file, text);
+            return text;
+        };
+        const auto level = number(line("level"));
+        if (!level) return caches;
+        std::istringstream size(line("size"));  // "1024K"
+        Cache cache{.level = *level, .type = line("type"), .bytes = 0, .cores = line("shared_cpu_list")};
+        char unit = ' ';
+        size >> cache.bytes >> unit;
+        if (unit == 'K') cache.bytes <<= 10;
+        if (unit == 'M') cache.bytes <<= 20;
+        caches.push_back(cache);
+    }
 }
 
 Cpu host_cpu()

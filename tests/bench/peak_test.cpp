@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "bench/session.h"
+
 namespace mandelmarch {
 namespace {
 
@@ -71,6 +73,62 @@ TEST(Peak, ADeviceThatIsTooFastForTheClockIsGivenTheMostRounds)
         1);
     EXPECT_NEAR(rate / (peak_operations_per_round / 1e-13), 1, 1e-9);
     EXPECT_EQ(most, 1 << 28);
+}
+
+// What a machine gives, measurement by measurement; behind the end the last one again and again.
+bench::PeakMeasurement measurements(std::vector<double> rates)
+{
+    return [rates = std::move(rates), next = std::size_t{0}](const auto& wanted) mutable {
+        const bench::Peak peak{"machine", "openmp", 0, Precision::f32, rates[std::min(next++, rates.size() - 1)]};
+        return wanted(peak) ? std::vector{peak} : std::vector<bench::Peak>{};
+    };
+}
+
+// The peak before and after the rounds, and what is made of it.
+bench::PeakRecord record(const std::vector<double>& rates)
+{
+    const bench::PeakMeasurement measure = measurements(rates);
+    bench::PeakRecord both;
+    for (int i = 0; i < 2; ++i) both.add(measure(bench::every_peak));
+    return bench::settled_peaks(std::move(both), measure);
+}
+
+TEST(PeakRecord, WhatADisturbanceSpoiltIsMeasuredAgain)
+{
+    const bench::PeakRecord settled = record({100e9, 240e9, 90e9, 242e9, 1});
+    EXPECT_EQ(settled.best().at(0).rate, 242e9);
+    EXPECT_TRUE(settled.warnings().empty());
+}
+
+TEST(PeakRecord, WhatAgreesIsNotMeasuredAgain)
+{
+    // The third measurement would be another rate.
+    EXPECT_EQ(record({240e9, 242e9, 500e9}).best().at(0).rate, 242e9);
+}
+
+TEST(PeakRecord, OnlyWhatIsDoubtfulIsAskedFor)
+{
+    bench::PeakRecord both;
+    const bench::Peak sure{"machine", "openmp", 0, Precision::f64, 100};
+    const bench::Peak spoilt{"machine", "opencl", 1, Precision::f64, 50};
+    both.add({sure, spoilt});
+    both.add({sure, {"machine", "opencl", 1, Precision::f64, 100}});
+    int asked = 0;
+    static_cast<void>(bench::settled_peaks(both, [&](const auto& wanted) {
+        EXPECT_FALSE(wanted(sure));
+        EXPECT_TRUE(wanted(spoilt));
+        ++asked;
+        return std::vector<bench::Peak>{{"machine", "opencl", 1, Precision::f64, 101}};
+    }));
+    EXPECT_EQ(asked, 1);
+}
+
+TEST(PeakRecord, WhatNeverAgreesIsAWarning)
+{
+    const bench::PeakRecord settled = record({100e9, 200e9, 300e9, 400e9, 500e9, 600e9});
+    EXPECT_EQ(settled.best().at(0).rate, 500e9) << "three more measurements at most";
+    ASSERT_EQ(settled.warnings().size(), 1U);
+    EXPECT_EQ(settled.warnings()[0], "peak: openmp 0, float: 500.0 GFLOP/s is the best of 5, the next is 400.0");
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "bench/compare.h"
 #include "bench/differences.h"
+#include "bench/platforms.h"
 #include "bench/portability.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
@@ -66,6 +69,86 @@ TEST(Platform, TwoDesignsOfOneNameAreTwoPlatforms)
     std::vector<Result> by_name = results;
     for (Result& result : by_name) result.rows[0].platform = result.rows[0].device_name;
     EXPECT_EQ(portability(by_name)[0].platforms.size(), 1U);
+}
+
+// A result whose environment and peak are given.
+Result machine(const nlohmann::ordered_json& cpu, double peak)
+{
+    Result result = on(epyc(26, 2), 1);
+    result.environment["cpu"] = cpu;
+    result.peaks.push_back({result.rows[0].platform, "openmp", 0, Precision::f32, peak});
+    return result;
+}
+
+std::size_t platforms(const Result& a, const Result& b)
+{
+    const std::vector<Result> both{a, b};
+    return portability(both).at(0).platforms.size();
+}
+
+TEST(Platform, OneNameWithTwiceThePeakIsTwo)
+{
+    const Result slow = machine({}, 231e9);
+    EXPECT_EQ(platforms(slow, machine({}, 464e9)), 2U);
+    EXPECT_EQ(platforms(slow, machine({}, 250e9)), 1U) << "a peak that was measured again";
+    EXPECT_EQ(platforms(slow, machine({}, 0)), 1U) << "no peak is known";
+    EXPECT_THROW(compare_results(slow, machine({}, 464e9)), InputError);
+    EXPECT_EQ(compare_results(slow, machine({}, 250e9)).rows[0].verdict, Verdict::no_difference);
+    const std::vector<Result> apart = told_apart(std::vector{slow, machine({}, 464e9), machine({}, 230e9)});
+    EXPECT_EQ(apart[1].rows[0].platform, "AMD EPYC (family 26 model 2), machine 2");
+    EXPECT_EQ(apart[1].peaks[0].platform, apart[1].rows[0].platform);
+    EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
+}
+
+TEST(Platform, FactsThatDifferMakeTwo)
+{
+    const nlohmann::ordered_json cpu{{"stepping", 1},
+                                     {"flags", {"avx2", "fma"}},
+                                     {"caches", {{{"level", 3}, {"bytes", 33554432}}}},
+                                     {"cores_usable", 2}};
+    const Result one = machine(cpu, 100e9);
+    EXPECT_EQ(platforms(one, one), 1U);
+    for (const auto& [fact, value] : std::vector<std::pair<std::string, nlohmann::ordered_json>>{
+             {"stepping", 2}, {"flags", {"avx2"}}, {"caches", nlohmann::ordered_json::array()}, {"cores_usable", 64}}) {
+        nlohmann::ordered_json other = cpu;
+        other[fact] = value;
+        EXPECT_EQ(platforms(one, machine(other, 100e9)), 2U) << fact;
+        other.erase(fact);
+        EXPECT_EQ(platforms(one, machine(other, 100e9)), 1U) << fact << " is not known";
+    }
+}
+
+TEST(Platform, ItsCachesAreRead)
+{
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(testing::TempDir()) / "bench_platform_test";
+    fs::remove_all(folder);
+    const auto cache = [&](int index, const char* level, const char* type, const char* size) {
+        const fs::path made = folder / ("index" + std::to_string(index));
+        fs::create_directories(made);
+        for (const auto& [name, text] : {std::pair("level", level), {"type", type}, {"size", size}}) {
+            std::ofstream(made / name) << text << '\n';
+        }
+        std::ofstream(made / "shared_cpu_list") << "0-7\n";
+    };
+    cache(0, "1", "Data", "48K");
+    cache(1, "3", "Unified", "32M");
+    const std::vector<Cache> caches = read_caches(folder.string());
+    fs::remove_all(folder);
+    ASSERT_EQ(caches.size(), 2U);
+    EXPECT_EQ(caches[0].bytes, 48U << 10);
+    EXPECT_EQ(caches[0].type, "Data");
+    EXPECT_EQ(caches[1].level, 3);
+    EXPECT_EQ(caches[1].bytes, 32U << 20);
+    EXPECT_EQ(caches[1].cores, "0-7");
+    EXPECT_TRUE(read_caches(folder.string()).empty());
+}
+
+TEST(Platform, FlagsThatDifferAreNamed)
+{
+    const auto lines = differences_of({{"cpu", {{"flags", {"avx2", "fma", "sse2"}}}}},
+                                      {{"cpu", {{"flags", {"avx2", "avx512f", "sse2"}}}}});
+    EXPECT_EQ(lines, std::vector<std::string>{"CPU flags: fma in the old result only, avx512f in the new only"});
 }
 
 TEST(Platform, CompareSaysWhereEnvironmentsDiffer)

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/duel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "bench/compare.h"
+#include "bench/console_studies.h"
+#include "bench/differences.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr std::size_t columns = 120;
+constexpr std::size_t longest_note = 1000;  // bytes
+
+// The medians of the pairs' ratios, by launch.
+std::map<int, double> ratios_of(const DuelRow& row)
+{
+    Launches launches;
+    for (const DuelPair& pair : row.pairs) launches[pair.launch].push_back(pair.new_seconds / pair.old_seconds);
+    std::map<int, double> ratios;
+    for (auto& [launch, values] : launches) ratios[launch] = median(std::move(values));
+    return ratios;
+}
+
+// Why nothing can be tested; empty where it can.
+std::string lack_of(const DuelRow& row)
+{
+    const auto positive = [](const DuelPair& pair) { return pair.old_seconds > 0 && pair.new_seconds > 0; };
+    if (!std::ranges::all_of(row.pairs, positive)) return "a time is not above 0";
+    if (ratios_of(row).size() < 2) return "fewer than two launches";
+    return {};
+}
+
+Judged tested(std::string name, const std::map<int, double>& by_launch, double margin)
+{
+    std::vector<double> ratios;
+    for (const auto& [launch, ratio] : by_launch) ratios.push_back(ratio);
+    Judged j{.name = std::move(name), .outcome = Outcome::undecided};
+    j.difference = paired_difference(ratios, margin);
+    j.launches = static_cast<int>(ratios.size());
+    return j;
+}
+
+Judged judged(const DuelRow& row, double margin)
+{
+    Judged j{.name = row.name};
+    if (!row.old_failure.empty()) {
+        j.why = "old: " + row.old_failure;
+    } else if (!row.new_failure.empty()) {
+        j.outcome = Outcome::broken;
+        j.why = "new: " + row.new_failure;
+    } else if (j.why = lack_of(row); j.why.empty()) {
+        j = tested(row.name, ratios_of(row), margin);
+    }
+    j.pairs = static_cast<int>(row.pairs.size());
+    j.same_picture = row.same_picture;
+    return j;
+}
+
+// The geometric mean of the rows that were tested, in the launches that have all of them.
+std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& rows)
+{
+    std::map<int, double> logarithms;
+    std::map<int, int> counts;
+    int tested_rows = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].outcome != Outcome::undecided) continue;
+        ++tested_rows;
+        for (const auto& [launch, ratio] : ratios_of(duel.rows[i])) {
+            logarithms[launch] += std::log(ratio);
+            ++counts[launch];
+        }
+    }
+    std::map<int, double> means;
+    for (const auto& [launch, sum] : logarithms) {
+        if (counts[launch] == tested_rows) means[launch] = std::exp(sum / tested_rows);
+    }
+    return means;
+}
+
+bool within(const Interval& interval, double margin)
+{
+    return interval.low >= 1 / (1 + margin) && interval.high <= 1 + margin;
+}
+
+}  // namespace
+
+std::string_view name_of(DuelClock clock) { return clock == DuelClock::wall ? "wall" : "processor"; }
+
+std::string_view name_of(Outcome outcome)
+{
+    switch (outcome) {
+        case Outcome::faster: return "faster";
+        case Outcome::slower: return "SLOWER";
+        case Outcome::same: return "same";
+        case Outcome::undecided: return "undecided";
+        case Outcome::broken: return "BROKEN";
+        default: return "no speed";
+    }
+}
+
+std::vector<Judged> judge(const Duel& duel)
+{
+    std::vector<Judged> all;
+    for (const DuelRow& row : duel.rows) all.push_back(judged(row, duel.margin));
+    if (std::ranges::count(all, Outcome::undecided, &Judged::outcome) > 1) {
+        const std::map<int, double> means = mean_of_rows(duel, all);
+        if (means.size() > 1) all.push_back(tested(std::string(all_rows), means, duel.margin));
+    }
+    std::vector<Judged*> open;
+    std::vector<double> p;
+    for (Judged& row : all) {
+        if (row.outcome != Outcome::undecided) continue;
+        open.push_back(&row);
+        p.push_back(row.difference.p);
+    }
+    const std::vector<double> adjusted = holm(p);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        Judged& row = *open[i];
+        row.p = adjusted[i];
+        if (row.p < significance) {
+            row.outcome = row.difference.ratio > 1 ? Outcome::slower : Outcome::faster;
+        } else if (within(row.difference.interval, duel.margin)) {
+            row.outcome = Outcome::same;
+        }
+    }
+    return all;
+}
+
+bool regression(const std::vector<Judged>& judged)
+{
+    return std::ranges::any_of(
+        judged, [](const Judged& row) { return row.outcome == Outcome::slower || row.outcome == Outcome::broken; });
+}
+
+std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
+{
+    std::string text = fmt::format("{:<44} {:>7} {:<18} {:>8} {:>8}  {}\n", "row", "new/old", "95 % interval",
+                                   "p, Holm", "launches", "verdict");
+    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), columns) + "\n"; };
+    for (const Judged& row : judged) {
+        if (!row.why.empty()) {
+            line(fmt::format("{:<44} {}: {}", row.name, name_of(row.outcome), row.why));
+            continue;
+        }
+        const Difference& d = row.difference;
+        line(fmt::format("{:<44} {:>7.4f} {:<18} {:>8.2g} {:>8}  {}{}", row.name, d.ratio,
+                         fmt::format("[{:.4f}, {:.4f}]", d.interval.low, d.interval.high), row.p, row.launches,
+                         name_of(row.outcome), row.same_picture ? "" : ", another picture"));
+    }
+    text += fmt::format(
+        "{} launches of each program, {} pictures of each row in each, {}; the same: within {:.3g} %, for certain\n",
+        duel.launches, duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time",
+        100 * duel.margin);
+    for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
+        text += printable("differs: " + difference, longest_note) + "\n";
+    }
+    for (const std::string& warning : duel.warnings) text += printable("warning: " + warning, longest_note) + "\n";
+    return text;
+}
+
+nlohmann::ordered_json to_json(const Duel& duel, const std::vector<Judged>& judged)
+{
+    using Json = nlohmann::ordered_json;
+    const auto side = [](const DuelSide& s) { return Json{{"program", s.program}, {"environment", s.environment}}; };
+    Json verdicts = Json::array();
+    for (const Judged& row : judged) {
+        const Difference& d = row.difference;
+        const bool told = row.why.empty();
+        verdicts.push_back({{"name", row.name},
+                            {"verdict", name_of(row.outcome)},
+                            {"why", told ? Json() : Json(row.why)},
+                            {"ratio", told ? Json(d.ratio) : Json()},
+                            {"interval", told ? Json{d.interval.low, d.interval.high} : Json()},
+                            {"p", told ? Json(row.p) : Json()},
+                            {"launches", row.launches}});
+    }
+    Json rows = Json::array();
+    for (const DuelRow& row : duel.rows) {
+        Json pairs = Json::array();
+        for (const DuelPair& pair : row.pairs) {
+            pairs.push_back(
+                {{"launch", pair.launch}, {"round", pair.round}, {"old", pair.old_seconds}, {"new", pair.new_seconds}});
+        }
+        rows.push_back({{"name", row.name},
+                        {"old_failure", row.old_failure.empty() ? Json() : Json(row.old_failure)},
+                        {"new_failure", row.new_failure.empty() ? Json() : Json(row.new_failure)},
+                        {"same_picture", row.same_picture},
+                        {"pairs", pairs}});
+    }
+    return {{"schema", "mandelmarch-duel"},
+            {"version", 1},
+            {"old", side(duel.old_side)},
+            {"new", side(duel.new_side)},
+            {"clock", name_of(duel.clock)},
+            {"margin", duel.margin},
+            {"launches", duel.launches},
+            {"rounds", duel.rounds},
+            {"warnings", duel.warnings},
+            {"verdicts", verdicts},
+            {"rows", rows}};
+}
+
+}  // namespace mandelmarch::bench

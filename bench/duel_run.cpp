@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/duel_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+
+#include "bench/contender.h"
+#include "bench/steadiness.h"
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+void check_program(const std::string& program)
+{
+    if (!std::filesystem::is_regular_file(program) || access(program.c_str(), X_OK) != 0) {
+        throw InputError(fmt::format("bench duel: {}: no program, expected the file of a bench", program));
+    }
+}
+
+// What chooses the rows, for the programs' command lines.
+std::vector<std::string> arguments_of(const Options& o, bool first)
+{
+    std::vector<std::string> words{"--backend",   o.backend,   "--fractal", o.fractal,
+                                   "--study",     o.study,     "--seed",    std::to_string(o.seed),
+                                   "--precision", o.precision, "--quiet"};
+    const auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {option, value});
+    };
+    add("--mode", o.mode);
+    add("--size", o.size);
+    if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);
+    if (!first) words.emplace_back("--unproven");
+    return words;
+}
+
+class Running {
+public:
+    Running(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
+        : plan_(plan), options_(options), progress_(progress), random_(options.seed)
+    {
+        duel_.old_side.program = plan.old_program;
+        duel_.new_side.program = plan.new_program;
+        duel_.clock = plan.clock;
+        duel_.margin = plan.margin;
+        duel_.rounds = plan.rounds;
+    }
+
+    Duel run()
+    {
+        const Steadiness steadiness;
+        for (int number = 0; number < plan_.launches; ++number) {
+            try {
+                launch(number);
+                ++duel_.launches;
+            } catch (const Error& error) {
+                duel_.warnings.push_back(fmt::format("launch {}: {}", number, error.what()));
+                say("bench: {}, the other launches are kept\n", printable(duel_.warnings.back()));
+            }
+        }
+        if (duel_.launches == 0) throw Error("bench duel: " + duel_.warnings.back());
+        for (std::string& warning : steadiness.warnings({})) duel_.warnings.push_back(std::move(warning));
+        return std::move(duel_);
+    }
+
+private:
+    // Errors say which side they are of.
+    template <class Work>
+    static auto of(const char* side, const Work& work)
+    {
+        try {
+            return work();
+        } catch (const Error& error) {
+            throw Error(fmt::format("the {} program {}", side, error.what()));
+        }
+    }
+
+    void launch(int number)
+    {
+        const std::vector<std::string> arguments = arguments_of(options_, duel_.launches == 0);
+        Contender old_one(plan_.old_program, arguments, plan_.clock);
+        Contender new_one(plan_.new_program, arguments, plan_.clock);
+        of("old", [&] { old_one.wait(); });
+        of("new", [&] { new_one.wait(); });
+        if (duel_.launches == 0) {
+            duel_.old_side.environment = old_one.environment();
+            duel_.new_side.environment = new_one.environment();
+            first_ = {old_one.rows(), new_one.rows()};
+            duel_.rows.clear();
+            for (const auto& [name, row] : old_one.rows()) duel_.rows.push_back({.name = name});
+            for (const auto& [name, row] : new_one.rows()) {
+                if (!old_one.rows().contains(name)) duel_.rows.push_back({.name = name});
+            }
+            if (duel_.rows.empty()) throw Error("has no row that can be measured here (bench --list shows the rows)");
+        }
+        for (DuelRow& row : duel_.rows) look(row, old_one, new_one);
+        std::vector<std::vector<DuelPair>> pairs(duel_.rows.size());
+        for (int round = 0; round < plan_.rounds; ++round) {
+            std::vector<std::size_t> order;
+            for (std::size_t i = 0; i < duel_.rows.size(); ++i) order.push_back(i);
+            std::ranges::shuffle(order, random_);
+            for (const std::size_t i : order)
+                draw(duel_.rows[i], pairs[i], {.launch = number, .round = round}, old_one, new_one);
+            progress_((number + (round + 1.0) / plan_.rounds) / plan_.launches);
+        }
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            duel_.rows[i].pairs.insert(duel_.rows[i].pairs.end(), pairs[i].begin(), pairs[i].end());
+        }
+    }
+
+    // What a program says of a row in this launch, beside what it said in the first.
+    std::string failure_of(const std::string& name, const Contender& now,
+                           const std::map<std::string, Contender::Ready>& first) const
+    {
+        const auto found = now.rows().find(name);
+        if (found == now.rows().end()) return "there is no such row";
+        if (!found->second.failure.empty()) return found->second.failure;
+        if (plan_.clock == DuelClock::processor && !found->second.in_process) {
+            return "a driver draws it, whose processor time is not known";
+        }
+        const auto before = first.find(name);
+        const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
+        return same ? std::string() : "the picture is not the one that the first launch has proven";
+    }
+
+    void look(DuelRow& row, const Contender& old_one, const Contender& new_one)
+    {
+        if (row.old_failure.empty()) row.old_failure = failure_of(row.name, old_one, first_.first);
+        if (row.new_failure.empty()) row.new_failure = failure_of(row.name, new_one, first_.second);
+        if (!row.old_failure.empty() || !row.new_failure.empty()) return;
+        row.same_picture = old_one.rows().at(row.name).fingerprint == new_one.rows().at(row.name).fingerprint;
+    }
+
+    void draw(DuelRow& row, std::vector<DuelPair>& pairs, DuelPair pair, Contender& old_one, Contender& new_one)
+    {
+        if (!row.old_failure.empty() || !row.new_failure.empty()) return;
+        Contender::Drawn by_old;
+        Contender::Drawn by_new;
+        const auto old_draws = [&] { by_old = of("old", [&] { return old_one.draw(row.name); }); };
+        const auto new_draws = [&] { by_new = of("new", [&] { return new_one.draw(row.name); }); };
+        const bool old_first = random_() % 2 == 0;
+        if (old_first) old_draws();
+        new_draws();
+        if (!old_first) old_draws();
+        row.old_failure = by_old.failure;
+        row.new_failure = by_new.failure;
+        if (!by_old.seconds || !by_new.seconds) return;
+        pair.old_seconds = *by_old.seconds;
+        pair.new_seconds = *by_new.seconds;
+        pairs.push_back(pair);
+    }
+
+    const DuelPlan& plan_;
+    const Options& options_;
+    const std::function<void(double)>& progress_;
+    std::mt19937_64 random_;
+    Duel duel_;
+    std::pair<std::map<std::string, Contender::Ready>, std::map<std::string, Contender::Ready>> first_;
+};
+
+}  // namespace
+
+Duel run_duel(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
+{
+    check_program(plan.old_program);
+    check_program(plan.new_program);
+    return Running(plan, options, progress).run();
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/prepare.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/memory.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// What the proof of one row needs: its picture with values and that of its yardstick, and one more for the timing.
+void check_memory(const Scene& scene)
+{
+    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t needed =
+        pixels * (3 * Image::bytes_per_pixel(Image::Layers::all) + Image::bytes_per_pixel(Image::Layers::bytes));
+    if (const std::uint64_t available = available_memory(); needed > available) {
+        throw Unavailable(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
+                                      scene.height, needed >> 20, available >> 20));
+    }
+}
+
+void describe(Row& row, const RenderReport& report)
+{
+    row.threads = report.threads;
+    row.pack = report.pack;
+    row.instruction_set = report.instruction_set;
+    row.context = report.timings.context;
+    row.build = report.timings.build;
+    row.stride = report.stride;
+    row.unsettled = report.unsettled;
+    row.work = report.work;
+}
+
+// What `draw` throws becomes the row's reason to have no speed.
+template <class Draw>
+std::optional<Live> prepared(Case& one, const Draw& draw)
+{
+    Row& row = one.row;
+    Live live;
+    live.one = &one;
+    try {
+        check_memory(one.scene);
+        draw(live);
+        describe(row, live.first);
+    } catch (const Unavailable& error) {
+        row.unavailable = error.what();
+    } catch (const InputError& error) {
+        // A pack width that this machine does not have, say.
+        row.unavailable = error.what();
+    } catch (const Error& error) {
+        row.failure = error.what();
+    }
+    if (!row.proof.fine || !row.unavailable.empty()) return std::nullopt;
+    live.expected = live.first.timings.kernel;
+    return live;
+}
+
+}  // namespace
+
+std::optional<Live> proven(Case& one, Yardsticks& yardsticks)
+{
+    return prepared(one, [&](Live& live) {
+        Row& row = one.row;
+        const auto& yardstick = yardsticks.for_case(one);
+        live.renderer = one.backend->create(one.options);
+        if (yardsticks.is_yardstick(one)) {
+            live.first = yardstick.report;
+            row.proof.drawn = row.proof.fine = row.proof.yardstick = true;
+            row.proof.text = row.proof.level = "yardstick";
+            live.fingerprint = fingerprint(yardstick.image);
+        } else {
+            Image image(one.scene.width, one.scene.height, Image::Layers::all);
+            live.first = live.renderer->render(one.scene, image);
+            prove(row, one.backend->facts().role, image, yardstick);
+            live.fingerprint = fingerprint(image);
+        }
+    });
+}
+
+std::optional<Live> unproven(Case& one)
+{
+    return prepared(one, [&](Live& live) {
+        live.renderer = one.backend->create(one.options);
+        Image image(one.scene.width, one.scene.height, Image::Layers::bytes);
+        live.first = live.renderer->render(one.scene, image);
+        live.fingerprint = fingerprint(image);
+        one.row.proof.fine = true;
+    });
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often the intervals of several launches hold the truth, on studies that are made: each launch has a speed of its
+// own, each sample a disturbance that only slows it down. The twins are shortcuts that the same count finds out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "bench/figures.h"
+#include "bench/portability.h"
+#include "made.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr double launch_scatter = 0.015;  // standard deviations of logarithms, as in report/results/bench.json
+constexpr double sample_scatter = 0.02;
+constexpr double target = 0.93;
+constexpr int studies = 2000;
+// A skewed disturbance, divided by its median (of the chi-squared distribution with one degree of freedom), 0.4549.
+constexpr double skew_median = 0.4549364;
+
+using Random = std::mt19937_64;
+
+// What a machine does to a launch: a factor of time that all its rows share.
+std::map<int, double> machine(Random& random, int launches)
+{
+    std::normal_distribution<double> normal;
+    std::map<int, double> factors;
+    for (int launch = 0; launch < launches; ++launch) factors[launch] = std::exp(0.03 * normal(random));
+    return factors;
+}
+
+// A row whose median time is `seconds`, with as many samples in each launch as asked.
+Row study_row(Random& random, const std::string& backend, double seconds, const std::map<int, double>& factors,
+              int samples)
+{
+    std::normal_distribution<double> normal;
+    Row row = made_row(backend, {});
+    for (const auto& [launch, factor] : factors) {
+        const double speed = seconds * factor * std::exp(launch_scatter * normal(random));
+        for (int round = 0; round < samples; ++round) {
+            const double x = normal(random);
+            const double time = speed * std::exp(sample_scatter * (x * x - skew_median));
+            row.samples.push_back({.launch = launch, .round = round, .kernel = time, .wall = time});
+        }
+    }
+    return row;
+}
+
+// The share of the studies whose interval holds the truth.
+double coverage(double truth, const std::function<Interval(Random&)>& interval, int of = studies)
+{
+    Random random(3);
+    int held = 0;
+    for (int i = 0; i < of; ++i) {
+        const Interval found = interval(random);
+        held += found.low <= truth && truth <= found.high ? 1 : 0;
+    }
+    return static_cast<double>(held) / of;
+}
+
+class Coverage : public testing::TestWithParam<int> {
+protected:
+    int launches() const { return GetParam(); }
+    // Launches that differ by themselves only.
+    std::map<int, double> quiet() const
+    {
+        std::map<int, double> factors;
+        for (int launch = 0; launch < launches(); ++launch) factors[launch] = 1;
+        return factors;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Launches, Coverage, testing::Values(3, 5, 10));
+
+TEST_P(Coverage, OfATime)
+{
+    const auto interval = [&](Random& random) {
+        return summary(kernel_launches(study_row(random, "openmp", 0.1, quiet(), 12))).interval.value();
+    };
+    EXPECT_GE(coverage(0.1, interval), target);
+}
+
+// The twin: samples of one launch taken for independent.
+TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
+{
+    const auto pooled = [&](Random& random) {
+        return summary(kernel_times(study_row(random, "openmp", 0.1, quiet(), 12))).interval.value();
+    };
+    EXPECT_LT(coverage(0.1, pooled), 0.85);
+}
+
+// The other twin: the percentiles of a hierarchical bootstrap are too narrow for few launches.
+TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
+{
+    const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
+    const auto bootstrap = [&](Random& random) {
+        const Launches launches = kernel_launches(study_row(random, "openmp", 0.1, quiet, 12));
+        std::vector<double> found;
+        for (int i = 0; i < 200; ++i) {
+            std::vector<double> medians;
+            for (int j = 0; j < 3; ++j) {
+                const std::vector<double>& samples = launches.at(static_cast<int>(random() % 3));
+                std::vector<double> again;
+                for (std::size_t k = 0; k < samples.size(); ++k) again.push_back(samples[random() % samples.size()]);
+                medians.push_back(median(again));
+            }
+            found.push_back((medians[0] + medians[1] + medians[2]) / 3);
+        }
+        std::ranges::sort(found);
+        return Interval{found[4], found[195]};
+    };
+    EXPECT_LT(coverage(0.1, bootstrap, 1000), target);
+}
+
+// Both rows of a ratio feel what the machine does to a launch; the rows are paired, so that it cancels.
+TEST_P(Coverage, OfARatio)
+{
+    const auto interval = [&](Random& random) {
+        const auto factors = machine(random, launches());
+        Row slow = study_row(random, "openmp", 0.3, factors, 10);
+        Row fast = study_row(random, "openmp", 0.1, factors, 10);
+        fast.fractal = bulb;
+        return box_to_bulb(made_result({slow, fast}, launches())).at(0).summary.interval.value();
+    };
+    EXPECT_GE(coverage(3, interval), target);
+}
+
+// The reference has three samples a launch, the row beside it twelve.
+Interval speed_up(Random& random, int launches, double reference_seconds)
+{
+    const auto factors = machine(random, launches);
+    Row reference = study_row(random, "reference", reference_seconds, factors, 3);
+    const Row row = study_row(random, "openmp", 0.1, factors, 12);
+    reference.precision = Precision::f64;
+    const Result result = made_result({reference, row}, launches);
+    return figures_of(result, result.rows[1]).speed_up->interval.value();
+}
+
+TEST_P(Coverage, OfASpeedUp)
+{
+    EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4); }), target);
+}
+
+// The twin: an interval of the wrong ratio is found out.
+TEST_P(Coverage, OfAnotherSpeedUpIsNone)
+{
+    EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4.3); }), 0.8);
+}
+
+TEST_P(Coverage, OfPortability)
+{
+    // Two platforms; the slower backend takes 2 and 1.25 times as long: its efficiencies are 0.5 and 0.8.
+    const auto interval = [&](Random& random) {
+        std::vector<Result> results;
+        for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
+            Result result = made_result(
+                {study_row(random, "best", 0.1, quiet(), 8), study_row(random, "other", seconds, quiet(), 8)},
+                launches());
+            for (Row& row : result.rows) row.platform = platform;
+            results.push_back(std::move(result));
+        }
+        return portability(results).at(1).application_interval;
+    };
+    EXPECT_GE(coverage(2 / (1 / 0.5 + 1 / 0.8), interval, 300), target);
+}
+
+// The twin of several: one launch sees nothing of what differs between launches.
+TEST(CoverageOfOneLaunch, IsOfThatLaunchAlone)
+{
+    const auto interval = [](Random& random) {
+        return summary(kernel_launches(study_row(random, "openmp", 0.1, {{0, 1}}, 12))).interval.value();
+    };
+    EXPECT_LT(coverage(0.1, interval), 0.8);
+}
+
+TEST(LaunchInterval, ByHand)
+{
+    // Logarithms -1, 0, 1: mean 0, standard error 1 / sqrt(3), and 4.3027 is the 97.5th percentile of t with two
+    // degrees of freedom.
+    const auto interval = launch_interval(std::vector{std::exp(-1.0), 1.0, std::exp(1.0)});
+    ASSERT_TRUE(interval);
+    EXPECT_NEAR(std::log(interval->high), 4.3027 / std::sqrt(3.0), 1e-3);
+    EXPECT_NEAR(interval->low * interval->high, 1, 1e-12);
+    EXPECT_FALSE(launch_interval(std::vector{1.0}));
+    EXPECT_FALSE(launch_interval(std::vector{1.0, 0.0, 2.0}));
+}
+
+TEST(LaunchInterval, HoldsTheMedianOfAll)
+{
+    // One launch has many more samples than the others.
+    Launches launches{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};
+    const Summary s = summary(launches);
+    EXPECT_EQ(s.count, 7);
+    EXPECT_EQ(s.launches, 3);
+    EXPECT_EQ(s.median, 2);
+    EXPECT_GE(s.interval->high, 2);
+}
+
+TEST(QuotientOfOneLaunch, HasAnIntervalFromTwoSamplesOn)
+{
+    const Launches row{{0, {1.0, 1.1, 1.05}}};
+    EXPECT_FALSE(quotient({{0, {9.0}}}, row).interval);
+    const Quotient q = quotient({{0, {9.0, 9.1}}}, row);
+    EXPECT_NEAR(q.ratio, 9.05 / 1.05, 1e-12);
+    ASSERT_TRUE(q.interval);
+    EXPECT_LT(q.interval->low, q.ratio);
+    EXPECT_GT(q.interval->high, q.ratio);
+    EXPECT_FALSE(quotient({{0, {9.0, 0.0}}}, row).interval) << "a time that is not above 0";
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

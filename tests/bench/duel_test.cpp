@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is judged of duels that are made, whose truth is known.
+#include "bench/duel.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "bench/compare.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int rows = 8;
+
+// How much a machine disturbs: standard deviations of logarithms.
+struct Noise {
+    double launch = 0.01;   // of each program, which has its own memory layout in each launch
+    double moment = 0.20;   // of a pair: both feel it
+    double picture = 0.02;  // of one picture
+    double hit = 0.05;      // the share of pictures that something falls upon, which makes them twice as long
+};
+constexpr Noise loaded{.launch = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
+
+// Row i of the new program takes factor(i) times as long.
+Duel made_duel(std::mt19937_64& random, const std::function<double(int)>& factor, const Noise& noise = {},
+               int launches = 10)
+{
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> any;
+    Duel duel{.launches = launches, .rounds = 20};
+    for (int i = 0; i < rows; ++i) {
+        DuelRow row{.name = fmt::format("row{}", i)};
+        for (int launch = 0; launch < launches; ++launch) {
+            const double old_speed = 0.1 * std::exp(noise.launch * normal(random));
+            const double new_speed = 0.1 * factor(i) * std::exp(noise.launch * normal(random));
+            for (int round = 0; round < duel.rounds; ++round) {
+                const double moment = std::exp(noise.moment * normal(random));
+                const auto picture = [&](double speed) {
+                    return moment * speed * std::exp(noise.picture * normal(random)) *
+                           (any(random) < noise.hit ? 2 : 1);
+                };
+                row.pairs.push_back({launch, round, picture(old_speed), picture(new_speed)});
+            }
+        }
+        duel.rows.push_back(row);
+    }
+    return duel;
+}
+
+double same(int) { return 1; }
+double all_slower(int) { return 1.03; }
+
+bool called(const std::vector<Judged>& judged)
+{
+    return std::ranges::any_of(
+        judged, [](const Judged& row) { return row.outcome == Outcome::slower || row.outcome == Outcome::faster; });
+}
+
+using Alarm = std::function<bool(const Duel&)>;
+
+int alarms(const std::function<double(int)>& factor, const Noise& noise, const Alarm& alarm, int of = 400)
+{
+    std::mt19937_64 random(9);
+    int count = 0;
+    for (int i = 0; i < of; ++i) count += alarm(made_duel(random, factor, noise)) ? 1 : 0;
+    return count;
+}
+
+bool judge_alarms(const Duel& duel) { return called(judge(duel)); }
+
+TEST(Duel, EqualProgramsRaiseAtMostOneAlarmInTwenty)
+{
+    EXPECT_LE(alarms(same, {}, judge_alarms), 20) << "of 400";
+    EXPECT_LE(alarms(same, loaded, judge_alarms), 20) << "of 400, under load";
+}
+
+// The twins: each shortcut raises many.
+TEST(Duel, ShortcutsRaiseMany)
+{
+    const auto pairs_as_units = [](const Duel& duel) {
+        std::vector<double> p;
+        for (const DuelRow& row : duel.rows) {
+            std::vector<double> ratios;
+            for (const DuelPair& pair : row.pairs) ratios.push_back(pair.new_seconds / pair.old_seconds);
+            p.push_back(paired_difference(ratios, duel.margin).p);
+        }
+        return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
+    };
+    const Noise quiet_pictures{.launch = 0.03, .moment = 0.1, .picture = 0.01, .hit = 0};
+    EXPECT_GT(alarms(same, quiet_pictures, pairs_as_units), 100) << "pairs of one launch taken for independent";
+    const auto uncorrected = [](const Duel& duel) {
+        const auto judged = judge(duel);
+        return std::ranges::any_of(judged, [&](const Judged& row) {
+            return row.name != all_rows && (row.difference.interval.low > 1 || row.difference.interval.high < 1);
+        });
+    };
+    EXPECT_GT(alarms(same, {}, uncorrected), 100) << "each row by itself, without a margin";
+}
+
+TEST(Duel, FindsThreePercentInNineOfTen)
+{
+    EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
+    // One row alone, too, where launches differ less.
+    const auto third = [](const Duel& duel) { return judge(duel).at(3).outcome == Outcome::slower; };
+    EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.launch = 0.005}, third), 360) << "of 400";
+}
+
+// The twin: what compare is given by the same pictures, without their pairs.
+TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
+{
+    const auto unpaired = [](const Duel& duel) {
+        std::vector<double> p;
+        for (const DuelRow& row : duel.rows) {
+            Launches before;
+            Launches after;
+            for (const DuelPair& pair : row.pairs) {
+                before[pair.launch].push_back(pair.old_seconds);
+                after[pair.launch].push_back(pair.new_seconds);
+            }
+            p.push_back(difference(medians_of(before), medians_of(after), margin).p);
+        }
+        return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
+    };
+    EXPECT_LT(alarms(all_slower, {}, unpaired), 100) << "of 400";
+}
+
+TEST(Duel, EachVerdict)
+{
+    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    std::mt19937_64 random(4);
+    Duel duel = made_duel(
+        random, [](int i) { return i == 0   ? 1.05
+                                   : i == 1 ? 0.95
+                                            : 1.0; }, quiet);
+    // Launches that contradict each other.
+    for (DuelPair& pair : duel.rows[2].pairs) pair.new_seconds *= pair.launch % 2 == 0 ? 1.1 : 0.9;
+    duel.rows[4].new_failure = "the picture is wrong";
+    duel.rows[4].pairs.clear();
+    duel.rows[5].old_failure = "there is no such row";
+    duel.rows[6].pairs[7].old_seconds = 0;
+    const auto judged = judge(duel);
+    ASSERT_EQ(judged.size(), 9U);
+    EXPECT_EQ(judged[0].outcome, Outcome::slower);
+    EXPECT_NEAR(judged[0].difference.ratio, 1.05, 0.01);
+    EXPECT_EQ(judged[1].outcome, Outcome::faster);
+    EXPECT_EQ(judged[2].outcome, Outcome::undecided);
+    EXPECT_EQ(judged[3].outcome, Outcome::same);
+    EXPECT_EQ(judged[4].outcome, Outcome::broken);
+    EXPECT_EQ(judged[4].why, "new: the picture is wrong");
+    EXPECT_EQ(judged[5].outcome, Outcome::no_speed);
+    EXPECT_EQ(judged[6].why, "a time is not above 0");
+    EXPECT_EQ(judged[8].name, all_rows);
+    EXPECT_TRUE(regression(judged));
+}
+
+TEST(Duel, OnlySlowerAndBrokenAreRegressions)
+{
+    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    std::mt19937_64 random(4);
+    EXPECT_FALSE(regression(judge(made_duel(random, same, quiet))));
+    EXPECT_FALSE(regression(judge(made_duel(
+        random, [](int) { return 0.9; }, quiet))));
+    EXPECT_TRUE(regression(judge(made_duel(
+        random, [](int i) { return i == 1 ? 1.1 : 1.0; }, quiet))));
+}
+
+TEST(Duel, TheMarginIsWhatIsAskedFor)
+{
+    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    std::mt19937_64 random(4);
+    Duel duel = made_duel(random, all_slower, quiet);
+    EXPECT_EQ(judge(duel)[0].outcome, Outcome::slower);
+    duel.margin = 0.06;
+    EXPECT_EQ(judge(duel)[0].outcome, Outcome::same);
+}
+
+TEST(Duel, TheTableSaysWhatDiffers)
+{
+    std::mt19937_64 random(4);
+    Duel duel = made_duel(random, same);
+    duel.old_side.environment = {{"build", {{"flags", "-O3"}}}};
+    duel.new_side.environment = {{"build", {{"flags", "-O2"}}}};
+    duel.warnings = {"load: much"};
+    duel.rows[0].same_picture = false;
+    const std::string text = to_console(duel, judge(duel));
+    EXPECT_NE(text.find("differs: compiler flags: -O3 in the old result, -O2 in the new\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("warning: load: much\n"), std::string::npos);
+    EXPECT_NE(text.find("another picture\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench

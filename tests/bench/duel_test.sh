@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# duel_test.sh BIN: bench duel from outside: exit codes, what is said, and a program that is twice as slow.
+set -euo pipefail
+bench=$1/bench
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+# expect CODE ARGUMENT...
+expect() {
+    local code=$1 got=0
+    shift
+    "$bench" "$@" >out 2>err || got=$?
+    [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
+}
+for percent in 0 100; do cp "$1/bench_slowed" "slowed_$percent"; done
+rows=(--backend openmp --fractal box --precision float --size 64x48)
+few=(--launches 4 --repetitions 4 --clock processor)
+
+# Twice the work is found, and half of it.
+expect 1 duel ./slowed_0 ./slowed_100 "${rows[@]}" "${few[@]}" --json slower.json
+grep -q '^mandelbox/float/exact/openmp/0 .*SLOWER$' out || fail "$(cat out)"
+expect 0 duel ./slowed_100 ./slowed_0 "${rows[@]}" "${few[@]}"
+grep -q '^mandelbox/float/exact/openmp/0 .*faster$' out || fail "$(cat out)"
+! grep -q reference out || fail "the yardstick is in a duel"
+
+# Equal programs measure every pair, whatever is said of them on a machine that others use.
+got=0
+"$bench" duel ./slowed_0 ./slowed_0 "${rows[@]}" --launches 2 --repetitions 3 --json pairs.json >out 2>err || got=$?
+[ "$got" -le 1 ] || fail "a duel of equal programs exited with $got: $(cat err)"
+python3 - <<'PY'
+import json
+duel = json.load(open("pairs.json"))
+assert duel["launches"] == 2 and duel["rounds"] == 3
+for row in duel["rows"]:
+    assert sorted((p["launch"], p["round"]) for p in row["pairs"]) == [(l, r) for l in (0, 1) for r in range(3)], row["name"]
+    assert row["same_picture"] and all(p["old"] > 0 and p["new"] > 0 for p in row["pairs"])
+PY
+
+# What is no bench, and what dies.
+expect 2 duel ./nosuch ./slowed_0
+grep -q 'nosuch: no program' err || fail "$(cat err)"
+expect 2 duel ./slowed_0
+expect 2 duel ./slowed_0 ./slowed_0 --csv x.csv
+expect 2 duel ./slowed_0 ./slowed_0 --launches 1
+expect 2 duel ./slowed_0 ./slowed_0 --margin -1
+cp ./slowed_0 kept
+expect 2 duel ./slowed_0 ./slowed_100 --json slowed_0
+cmp slowed_0 kept || fail "a duel wrote over a program"
+printf '#!/bin/sh\nexit 3\n' >refuses
+printf '#!/bin/sh\nread line; exit 0\n' >silent
+printf '#!/bin/sh\necho "no JSON" >&0; cat >/dev/null\n' >babbles
+chmod +x refuses silent babbles
+expect 1 duel ./refuses ./slowed_0 "${rows[@]}" --launches 2
+grep -q 'the old program ended with 3' err || fail "$(cat err)"
+expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --launches 2
+grep -q 'the new program does not answer as bench does' err || fail "$(cat err)"
+
+# A launch in which a program is killed costs its own pairs.
+"$bench" duel ./slowed_0 ./slowed_100 "${rows[@]}" --launches 4 --repetitions 4 --clock processor --json killed.json >out 2>err &
+duel=$!
+until victim=$(pgrep -P $duel -f -- '^\./slowed_100 .*--unproven' | head -1) && [ -n "$victim" ]; do
+    kill -0 $duel 2>/dev/null || fail "no program to kill"
+    sleep 0.01
+done
+kill -9 "$victim"
+got=0
+wait $duel || got=$?
+[ "$got" = 1 ] || fail "a killed program: exit code $got"
+grep -q 'the new program was ended by signal 9, the other launches are kept' err || fail "$(cat err)"
+grep -q '"launches": 3' killed.json || fail "the launches that are left"
+
+# The schema, where the pinned Python package is installed (make python).
+echo fine

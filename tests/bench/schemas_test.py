@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""schemas_test.py BIN SOURCE [FILE...]: every JSON file below SOURCE/report/results, those that programs write here, and the
+given ones follow the schema of their kind, and no schema takes a file that lacks a key or has one too many."""
+import copy
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+    from referencing import Registry, Resource
+except ImportError as error:
+    print(f"skipped: {error}; the report's pinned packages have it (make python)", file=sys.stderr)
+    sys.exit(1 if os.environ.get("MANDELMARCH_NEED_PYTHON") else 77)
+
+BIN, SOURCE = map(pathlib.Path, sys.argv[1:3])
+PATHS = [SOURCE / "bench" / "result.schema.json", *sorted((SOURCE / "bench" / "schemas").glob("*.schema.json"))]
+SCHEMAS = {path.name.removesuffix(".schema.json"): json.loads(path.read_text()) for path in PATHS}
+REGISTRY = Registry().with_resources((schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values())
+BY_NAME = {
+    "mandelmarch-bench": "result", "mandelmarch-bench-random": "random", "mandelmarch-duel": "duel",
+    "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film",
+}
+
+
+def kind_of(data):
+    """The schema's name, by what a reader can see."""
+    if isinstance(data, list):
+        return "portability"
+    if "format" in data:
+        return "map"
+    if data["schema"] != 1:
+        return BY_NAME[data["schema"]]
+    return "audit" if "promises_kept" in data else "demo" if "repetitions" in data else "stats"
+
+
+def validator(kind):
+    return jsonschema.Draft202012Validator(SCHEMAS[kind], registry=REGISTRY)
+
+
+def check(name, data):
+    kind = kind_of(data)
+    error = next(validator(kind).iter_errors(data), None)
+    assert error is None, f"{name}: no {kind}: {'/'.join(map(str, error.absolute_path))}: {error.message[:200]}"
+    return kind
+
+
+def check_twins(kind, data):
+    """The schema is about each key of the file."""
+    whole = data[0] if isinstance(data, list) else data
+    for key in whole:
+        twin = copy.deepcopy(data)
+        del (twin[0] if isinstance(data, list) else twin)[key]
+        assert not validator(kind).is_valid(twin), f"{kind} without {key}"
+    twin = copy.deepcopy(data)
+    (twin[0] if isinstance(data, list) else twin)["nosuch"] = 1
+    assert not validator(kind).is_valid(twin), f"{kind} with a key too many"
+
+
+def run(*words):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True)
+    assert done.returncode in (0, 1), f"{words}: {done.returncode}: {done.stderr}"
+
+
+def written(folder):
+    """What programs write here and now."""
+    results = SOURCE / "report" / "results"
+    bench = BIN / "bench"
+    run(bench, "random", "--scenes", 1, "--sets", 1, "--json", folder / "random.json")
+    run(bench, "equivalence", "--backend", "openmp", "--scenes", 2, "--json", folder / "equivalence.json")
+    run(bench, "portability", results / "bench.json", results / "targets.json", "--json", folder / "portability.json")
+    run(bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float", "--repetitions", 1,
+        "--json", folder / "result.json")
+    run(bench, "duel", bench, bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float",
+        "--launches", 2, "--repetitions", 1, "--json", folder / "duel.json")
+    run(BIN / "mandelbox", SOURCE / "paramsBox.dat", "--size", "32x32", "--output", folder / "a.bmp", "--stats",
+        folder / "stats.json")
+    run(BIN / "demo", "--folder", folder / "demo", "--side", 32)
+    return sorted(folder.rglob("*.json"))
+
+
+for schema in SCHEMAS.values():
+    jsonschema.Draft202012Validator.check_schema(schema)
+with tempfile.TemporaryDirectory() as folder:
+    files = [*sorted((SOURCE / "report" / "results").rglob("*.json")), *map(pathlib.Path, sys.argv[3:])]
+    seen = {}
+    for path in [*files, *written(pathlib.Path(folder))]:
+        data = json.loads(path.read_text())
+        seen[check(path, data)] = data
+for kind, data in seen.items():
+    check_twins(kind, data)
+unseen = set(SCHEMAS) - set(seen)
+assert not unseen, f"no file for the schemas of {unseen}"
+print("fine:", ", ".join(sorted(seen)))

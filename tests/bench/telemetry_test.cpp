@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a made machine tells of itself, and what is said where one tells nothing.
+#include "bench/telemetry.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace mandelmarch::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
+
+// A folder as Linux' powercap has it, with a package and its cores.
+class MadeMachine : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        fs::remove_all(folder_);
+        domain("intel-rapl:0", "package-0", "1000000");
+        domain("intel-rapl:0:0", "core", "500000");
+        fs::create_directories(folder_ / "intel-rapl");  // the driver's own, without a counter
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void domain(const std::string& id, const std::string& name, const std::string& microjoules) const
+    {
+        fs::create_directories(folder_ / id);
+        write(folder_ / id / "name", name);
+        write(folder_ / id / "energy_uj", microjoules);
+        write(folder_ / id / "max_energy_range_uj", "9000000");
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / "bench_telemetry_test";
+};
+
+TEST_F(MadeMachine, EnergyIsWhatWasUsedSinceTheStart)
+{
+    const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
+    write(folder_ / "intel-rapl:0" / "energy_uj", "3500000");
+    write(folder_ / "intel-rapl:0:0" / "energy_uj", "600000");
+    const auto energy = telemetry.since_start()["energy"];
+    ASSERT_EQ(energy["domains"].size(), 2U) << energy;
+    EXPECT_EQ(energy["domains"][0]["name"], "intel-rapl:0 package-0");
+    EXPECT_NEAR(energy["domains"][0]["joules"], 2.5, 1e-12);
+    EXPECT_NEAR(energy["domains"][1]["joules"], 0.1, 1e-12);
+    EXPECT_GE(energy["seconds"], 0);
+}
+
+TEST_F(MadeMachine, ACounterThatBeganAgainIsUnwrapped)
+{
+    write(folder_ / "intel-rapl:0" / "energy_uj", "8500000");
+    const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
+    write(folder_ / "intel-rapl:0" / "energy_uj", "500000");
+    EXPECT_NEAR(telemetry.since_start()["energy"]["domains"][0]["joules"], 1, 1e-12);
+}
+
+TEST_F(MadeMachine, WhatIsMissingIsSaid)
+{
+    const Telemetry telemetry({.powercap = folder_ / "nosuch", .nvml = "libnosuch.so"});
+    const auto told = telemetry.since_start();
+    EXPECT_EQ(told["energy"]["missing"], (folder_ / "nosuch").string() + " has no domain of RAPL");
+    EXPECT_EQ(told["gpus"]["missing"], "libnosuch.so is not installed");
+    EXPECT_FALSE(told["energy"].contains("domains"));
+}
+
+// Counters are allowed on some machines only; where they are, work is counted.
+TEST_F(MadeMachine, CountersCountOrSayWhyNot)
+{
+    const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
+    volatile double sum = 0;
+    for (int i = 0; i < 1'000'000; ++i) sum = sum + i;
+    const auto counters = telemetry.since_start()["counters"];
+    if (counters.contains("missing")) {
+        EXPECT_NE(counters["missing"], "");
+    } else {
+        EXPECT_TRUE(counters["instructions"].is_null() || counters["instructions"] > 1e6) << counters;
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
