@@ -5,10 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace mandelmarch {
+#include "core/scene/scene.h"
 
-inline constexpr const char* counted_estimate = "counted";
-inline constexpr const char* conservative_estimate = "conservative";
+namespace mandelmarch {
 
 // `name` is the default, too.
 inline void add_estimate_option(CLI::App& app, std::string& name)
@@ -16,7 +15,7 @@ inline void add_estimate_option(CLI::App& app, std::string& name)
     app.add_option(
            "--estimate", name,
            "counted: the original's distance estimate; conservative: one that is seldom larger than the distance")
-        ->check(CLI::IsMember({counted_estimate, conservative_estimate}))
+        ->check(CLI::IsMember({std::string(counted_estimate), std::string(conservative_estimate)}))
         ->capture_default_str();
 }
 

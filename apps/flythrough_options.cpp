@@ -25,7 +25,7 @@ constexpr int most_frames = 10'000'000;
 struct Texts {
     std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "1", device, threads = "0", look,
                          segments, every = "1", precision = "float", mode = "fast", kind = "png",
-                         estimate = "conservative";
+                         estimate{conservative_estimate};
 };
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)

@@ -67,7 +67,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string pack = "0";
     std::string precision = "double";
     std::string mode = "exact";
-    std::string estimate = counted_estimate;
+    std::string estimate{counted_estimate};
     std::string without;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
     if (fractal == nullptr) {

@@ -34,10 +34,13 @@ std::string Yardsticks::key(const Case& one) const
 {
     const Scene& s = one.scene;
     const auto triple = [](const Vector& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
-    return fmt::format("{} {}x{} n{} D{} shape {} escape {} at {} to {} up {} field {} look {} {} step {} {} {}",
-                       s.fractal->name, s.width, s.height, s.iterations, s.detail, fmt::join(s.shape, " "), s.escape,
-                       triple(s.eye), triple(s.target), triple(s.up), s.field_of_view, s.colouring, s.brightness,
-                       s.limits.stride, s.limits.root_share, source_for(one).name);
+    return fmt::format(
+        "{} {}x{} n{} D{} shape {} escape {} at {} to {} up {} field {} look {} {} conservative {} smooth {} "
+        "centred {} part {} {} of {} {} step {} {} {}",
+        s.fractal->name, s.width, s.height, s.iterations, s.detail, fmt::join(s.shape, " "), s.escape, triple(s.eye),
+        triple(s.target), triple(s.up), s.field_of_view, s.colouring, s.brightness, s.conservative, s.smooth, s.centred,
+        s.part.left, s.part.bottom, s.part.whole_width, s.part.whole_height, s.limits.stride, s.limits.root_share,
+        source_for(one).name);
 }
 
 bool Yardsticks::is_yardstick(const Case& one) const

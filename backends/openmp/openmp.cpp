@@ -30,7 +30,6 @@ using openmp::Notes;
 using openmp::ThreadMemory;
 using openmp::TileQueue;
 using openmp::Variant;
-constexpr std::int64_t band_pixels = 1 << 21;  // 28 bytes a pixel in float, 44 in double
 
 void add_to(Work& to, const Work& from)
 {
@@ -146,9 +145,7 @@ private:
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
         BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_));
-        // Large bands: at the end of each the threads run out of rays to fill their lanes with.
-        run_schedule(scene, options_.mode, {.pixels_per_band = band_pixels, .pixels_to_fill = band_pixels}, executor,
-                     image, progress);
+        run_schedule(scene, options_.mode, openmp::band_limits, executor, image, progress);
         RenderReport report{.backend = "openmp",
                             .device = host_device(),
                             .precision = options_.precision,

@@ -36,6 +36,10 @@ struct Notes {
     }
 };
 
+// Large bands: at the end of each the threads run out of rays to fill their lanes with. 28 bytes a pixel in float, 44
+// in double.
+inline constexpr Limits band_limits{.pixels_per_band = 1 << 21, .pixels_to_fill = 1 << 21};
+
 // Where a band's pixels go: `bytes`, or, where that is null, planes.
 template <class Real>
 struct Target {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/openmp/profile.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "backends/openmp/picture.h"
@@ -19,7 +20,8 @@ class ProfilerOf : public Profiler {
 public:
     ProfilerOf(const Scene& scene, Mode mode)
         : variant_(variants_of<Real>(scene.fractal->name, mode).back()),
-          picture_(scene, mode, {.surroundings = false}, variant_, notes_)
+          picture_(scene, mode, {.surroundings = false}, variant_, notes_),
+          rows_(rows_per_band(scene, band_limits))
     {
         if (variant_.profile == nullptr)
             throw Unavailable("backend openmp: it has no packs on this machine, only scalars");
@@ -44,20 +46,25 @@ public:
     }
 
 private:
+    // In the renderer's bands: where rays begin beside a band's edge depends on it.
     template <class Draw>
     void each_lattice(Image& image, Draw draw)
     {
-        const Band band{.first_row = 0, .rows = image.height()};
-        for (const Lattice& lattice : picture_.lattices()) {
-            TileQueue queue(image.width(), band, 1);
-            TileQueue::Share share{queue};
-            draw(picture_.canvas(lattice, band, {.bytes = image.bytes().data()}), share.tiles());
+        for (int row = 0; row < image.height(); row += rows_) {
+            const Band band{.first_row = row, .rows = std::min(rows_, image.height() - row)};
+            unsigned char* const bytes = image.bytes().data() + 3 * Image::pixels(image.width(), row);
+            for (const Lattice& lattice : picture_.lattices()) {
+                TileQueue queue(image.width(), band, 1);
+                TileQueue::Share share{queue};
+                draw(picture_.canvas(lattice, band, {.bytes = bytes}), share.tiles());
+            }
         }
     }
 
     Variant<Real> variant_;
     Notes<Real> notes_;
     Picture<Real> picture_;
+    int rows_;
     ThreadMemory profile_memory_;
     ThreadMemory memory_;
 };

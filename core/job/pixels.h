@@ -63,6 +63,14 @@ FN Scene scene_of(const Job* job)
     return fixed_scene(job);
 }
 
+// The same for marching, which in exact mode does not ask where normals come from.
+FN Scene march_scene_of(const Job* job)
+{
+    Scene scene = scene_of(job);
+    if (canonical == 0) scene.differences = differences;
+    return scene;
+}
+
 // A GPU thread's pixel.
 struct Place {
     bool inside;  // of the job
@@ -102,7 +110,7 @@ FN void march_pixel(const Job* job, int thread)
     Place place = place_of(job, thread);
     if (!place.inside) return;
     Ray ray = begun(job, place);
-    while (marching(scene_of(job), ray)) ray = march(scene_of(job), ray, 1);
+    while (marching(march_scene_of(job), ray)) ray = march(march_scene_of(job), ray, 1);
     place = place_of(job, thread);
     // The plain schedule asks for t, refinement for the estimate before the hit.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;

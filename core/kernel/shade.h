@@ -47,18 +47,18 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 // h does not show: no pixel's normal depends on a detail that the next one misses.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
-    real step = h * R(0.57735026918962576);  // 1 / sqrt(3)
     vec3 slope = vec3(0, 0, 0);
     Normal normal;
     normal.estimates = 0;
     normal.iterations = 0;
     int corner = 0;
     while (corner < 4) {
-        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)
-        scalar x = corner < 2 ? R(1.0) : R(-1.0);
-        scalar y = corner == 0 || corner == 2 ? R(1.0) : R(-1.0);
-        vec3 towards = vec3(x, y, x * y);
-        Estimate there = estimate(scene, along(p, towards, step), on);
+        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1), each over sqrt(3): a unit vector.
+        scalar x = corner < 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
+        scalar y = corner == 0 || corner == 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
+        scalar z = corner == 0 || corner == 3 ? R(0.57735026918962576) : R(-0.57735026918962576);
+        vec3 towards = vec3(x, y, z);
+        Estimate there = estimate(scene, along(p, towards, h), on);
         slope = along(slope, towards, there.distance);
         normal.estimates = tally(normal.estimates, on);
         normal.iterations = normal.iterations + there.iterations;

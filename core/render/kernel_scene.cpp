@@ -50,22 +50,6 @@ void assign(Triple& to, Vector from)
           static_cast<std::remove_reference_t<Real>>(from.z)};
 }
 
-}  // namespace
-
-Camera camera_of(const Scene& scene)
-{
-    const double tangent = std::tan(scene.field_of_view * degrees_per_field / 2 * std::numbers::pi / 180);
-    const Part& part = scene.part;
-    const double aspect = part.whole_width > 0 ? static_cast<double>(part.whole_width) / part.whole_height
-                                               : static_cast<double>(scene.width) / scene.height;
-    const Vector forward = unit(scene.target - scene.eye);
-    const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
-    const Vector right = unit(cross(forward, (1 / up_length) * scene.up));
-    return {forward, (aspect * tangent) * right, tangent * cross(right, forward)};
-}
-
-namespace {
-
 // Where pixel 0 and the pixels' number of a side lie in the whole picture's side, from -1 to 1: `middle` of the side is
 // moved by half a pixel where rays go through pixels' middles.
 struct Side {
@@ -90,6 +74,18 @@ Camera kernel_camera(const Scene& scene)
 }
 
 }  // namespace
+
+Camera camera_of(const Scene& scene)
+{
+    const double tangent = std::tan(scene.field_of_view * degrees_per_field / 2 * std::numbers::pi / 180);
+    const Part& part = scene.part;
+    const double aspect = part.whole_width > 0 ? static_cast<double>(part.whole_width) / part.whole_height
+                                               : static_cast<double>(scene.width) / scene.height;
+    const Vector forward = unit(scene.target - scene.eye);
+    const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
+    const Vector right = unit(cross(forward, (1 / up_length) * scene.up));
+    return {forward, (aspect * tangent) * right, tangent * cross(right, forward)};
+}
 
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)

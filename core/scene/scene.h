@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/scene/vector.h"
 
@@ -21,6 +22,10 @@ inline constexpr int colouring_types = 5;  // 0 and 1: the original's; from 2: c
 
 // A step of the original program, in distance estimates.
 inline constexpr double plain_stride = 0.95;
+
+// The names of distance estimates: the original program's, and the fractal's conservative one (core/scene/fractal.h).
+inline constexpr std::string_view counted_estimate = "counted";
+inline constexpr std::string_view conservative_estimate = "conservative";
 
 // What a film or a trial asks of a ray's steps; no part of a parameter file (core/render/stepping.h).
 struct StepLimits {
@@ -50,7 +55,7 @@ struct Scene {
     std::string image_file;
 
     // No part of a parameter file, as the original program knows none of them:
-    bool conservative = false;  // the distance estimate is the fractal's conservative one (core/scene/fractal.h)
+    bool conservative = false;  // the distance estimate is the fractal's conservative one
     bool smooth = false;        // normals see nothing that is smaller than a tolerance
     bool centred = false;       // rays go through the pixels' middles, not their lower left corners
     StepLimits limits;

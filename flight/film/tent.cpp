@@ -9,8 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr unsigned middle = 6;  // tenths
-constexpr unsigned around = 1;  // tenths, of each of four
+constexpr unsigned middle = 6;  // tenths; each of the four around has one
 constexpr unsigned whole = 10;
 constexpr std::size_t grain = 16;  // rows
 

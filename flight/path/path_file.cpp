@@ -25,8 +25,6 @@ using Json = nlohmann::json;
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::size_t most_frames = 10'000'000;  // 92 hours
 constexpr const char* by_size = "by size";
-constexpr const char* counted = "counted";
-constexpr const char* conservative = "conservative";
 constexpr double usual_detail = -3;  // where it follows the size: what none of the pictures has
 constexpr Meaning detail_meaning{"detail level", -37, 3};
 constexpr Meaning brightness_meaning{"brightness", 0, 1e6};
@@ -146,10 +144,11 @@ public:
     bool is_conservative(const char* key) const
     {
         const Json& found = value(key);
-        if (found != counted && found != conservative) {
-            fail(fmt::format("\"{}\" is {}, expected \"{}\" or \"{}\"", key, shown(found), counted, conservative));
+        if (found != counted_estimate && found != conservative_estimate) {
+            fail(fmt::format("\"{}\" is {}, expected \"{}\" or \"{}\"", key, shown(found), counted_estimate,
+                             conservative_estimate));
         }
-        return found == conservative;
+        return found == conservative_estimate;
     }
 
     Changes changes() const
@@ -233,7 +232,7 @@ std::string to_text(const Path& path)
         format_name, scene.fractal->name, path.seed, frames_per_second,
         path.detail_by_size ? fmt::format("\"{}\"", by_size) : number(scene.detail), triple({a, b, c}),
         scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness),
-        scene.conservative ? conservative : counted);
+        scene.conservative ? conservative_estimate : counted_estimate);
     for (std::size_t i = 0; i < path.frames.size(); ++i) {
         const Frame& frame = path.frames[i];
         text += fmt::format("{{\"location\": {}, \"look_at\": {}, \"up\": {}, \"field_of_view\": {}{}}}{}\n",

@@ -42,12 +42,13 @@ Image by_stages(const Scene& scene, Precision precision, Mode mode)
 
 class ProfiledPicture : public testing::TestWithParam<std::tuple<Precision, Mode>> {};
 
+// But that each pixel of a film finds its own surroundings.
 TEST_P(ProfiledPicture, IsTheBackendsOwn)
 {
     const auto [precision, mode] = GetParam();
     const Registry registry = all_backends();
     const auto renderer = registry.find("openmp")->create(
-        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false}});
+        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false, .surroundings = false}});
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     for (const auto& [name, scene] : scenes()) {
         Image own(scene.width, scene.height, Image::Layers::bytes);
