@@ -129,7 +129,7 @@ constexpr FractalStudy::Look close_up{
 
 // The estimate is about 3.5 times too small: the free space looks narrower and may be flown through faster.
 constexpr FlightMeasures measures{
-    .roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24, .most_tilt = 0.7};
+    .roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24};
 constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 25};
 
 }  // namespace
