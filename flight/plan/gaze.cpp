@@ -14,12 +14,12 @@ constexpr std::size_t middle_until = 90;  // frames: after it the gaze has left 
 // A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.
 std::vector<Vector> blurred(const std::vector<Vector>& in, double deviation)
 {
-    const int reach = static_cast<int>(3 * deviation);
+    const int half = static_cast<int>(3 * deviation);
     const int count = static_cast<int>(in.size());
     std::vector<Vector> out(in.size());
     for (int i = 0; i < count; ++i) {
         Vector sum{};
-        for (int k = -reach; k <= reach; ++k) {
+        for (int k = -half; k <= half; ++k) {
             const double weight = std::exp(-0.5 * k * k / (deviation * deviation));
             sum = sum + weight * in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
         }
