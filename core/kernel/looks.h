@@ -159,7 +159,8 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     glint = glint * glint;
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
-    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * (R(0.3) + R(0.7) * hazed))));
+    hazed = saturated(hazed * hazed * (R(0.3) + R(0.7) * hazed));
+    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), hazed));
     // The trap is one more.
     result.estimates = tally(found.estimates, on);
     result.iterations = found.iterations;

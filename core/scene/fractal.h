@@ -119,7 +119,7 @@ struct FlightMeasures {
     double roads = 0.012;        // least clearance of the balls
     double gate_least = 0.0040;  // bounds of a gate's clearance
     double gate_most = 0.02;
-    double pace = 0.19;       // clearances a frame
+    double pace = 0.19;  // clearances a frame
 };
 
 // What an audit holds a flight to.

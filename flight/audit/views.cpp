@@ -117,9 +117,8 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
     std::vector<double> moved;
     for (std::size_t k = 0; k < along.size(); ++k) {
         // What is not hit is infinitely far.
-        const Vector seen_after = std::isfinite(depths[k])
-                                      ? from.eye + static_cast<double>(depths[k]) * along[k] - to.eye
-                                      : along[k];
+        const Vector seen_after =
+            std::isfinite(depths[k]) ? from.eye + static_cast<double>(depths[k]) * along[k] - to.eye : along[k];
         if (!(dot(seen_after, after.forward) > 0)) {
             moved.push_back(1);
             continue;

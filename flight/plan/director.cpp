@@ -16,23 +16,23 @@ namespace mandelmarch {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr int directions = 1024;         // 6 degrees apart
-constexpr double window = 42 * degree;   // half a picture's width and height, in the mean
-constexpr double middle = 22 * degree;   // the middle of a picture
-constexpr double spacing = 1;            // clearances between panoramas
-constexpr double far = 12;               // hull sizes: rays end there
-constexpr std::size_t every = 10;        // frames between choices
+constexpr int directions = 1024;                 // 6 degrees apart
+constexpr double window = 42 * degree;           // half a picture's width and height, in the mean
+constexpr double middle = 22 * degree;           // the middle of a picture
+constexpr double spacing = 1;                    // clearances between panoramas
+constexpr double far = 12;                       // hull sizes: rays end there
+constexpr std::size_t every = 10;                // frames between choices
 constexpr double farthest_turn = 11.5 * degree;  // from one choice to the next
-constexpr double aside = 50 * degree;    // off the motion: more is dear
-constexpr double off_motion = 0.5;       // what it costs to be so far off
+constexpr double aside = 50 * degree;            // off the motion: more is dear
+constexpr double off_motion = 0.5;               // what it costs to be so far off
 constexpr double too_far_off = 20;
-constexpr double turning = 0.6;          // what the farthest turn costs
+constexpr double turning = 0.6;  // what the farthest turn costs
 
 // What a view should have, and what it costs where it has none of it. Tuned on ten seeds of both fractals.
-constexpr double enough_hits = 0.75, few_hits = 0.3;       // shares of the view
-constexpr double enough_middle = 0.6;                      // share of the middle that shows something
-constexpr double near_wall = 2.2, much_wall = 0.65;        // clearances; share of the view
-constexpr double enough_depths = 0.55;                     // standard deviation of the depths' logarithms
+constexpr double enough_hits = 0.75, few_hits = 0.3;  // shares of the view
+constexpr double enough_middle = 0.6;                 // share of the middle that shows something
+constexpr double near_wall = 2.2, much_wall = 0.65;   // clearances; share of the view
+constexpr double enough_depths = 0.55;                // standard deviation of the depths' logarithms
 
 const Sphere& sphere()
 {
@@ -111,7 +111,8 @@ Director::Director(const Field& field, const Track& track)
 void Director::rate(std::span<const float> depths, double clearance, std::span<float> costs)
 {
     std::vector<double> logarithms(depths.size());
-    std::ranges::transform(depths, logarithms.begin(), [](float d) { return std::log(static_cast<double>(d) + 1e-12); });
+    std::ranges::transform(depths, logarithms.begin(),
+                           [](float d) { return std::log(static_cast<double>(d) + 1e-12); });
     const double wall = std::log(near_wall * clearance);
     for (int d = 0; d < directions; ++d) {
         const auto near = sphere().near(d);
@@ -137,8 +138,8 @@ void Director::rate(std::span<const float> depths, double clearance, std::span<f
         const double mean = sum / std::max(hits, 1.0);
         const double spread = std::sqrt(std::max(squares / std::max(hits, 1.0) - mean * mean, 0.0));
         const double cost = 2 * lack(hits / count, enough_hits, few_hits) +
-                            lack(middle_hits / middles, enough_middle, 0) + 1.5 * lack(-walls / count, -much_wall, -0.95) +
-                            0.7 * lack(spread, enough_depths, 0);
+                            lack(middle_hits / middles, enough_middle, 0) +
+                            1.5 * lack(-walls / count, -much_wall, -0.95) + 0.7 * lack(spread, enough_depths, 0);
         costs[static_cast<std::size_t>(d)] = static_cast<float>(cost);
     }
 }
@@ -170,7 +171,9 @@ std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
 {
     // Slots every tenth frame, and one at the last.
     const std::size_t slots = (static_cast<std::size_t>(frames) + every - 2) / every + 1;
-    const auto frame_of = [&](std::size_t slot) { return std::min(slot * every, static_cast<std::size_t>(frames) - 1); };
+    const auto frame_of = [&](std::size_t slot) {
+        return std::min(slot * every, static_cast<std::size_t>(frames) - 1);
+    };
     const double infinite = std::numeric_limits<double>::infinity();
     std::vector<double> best(directions, 0);
     std::vector<std::vector<int>> before(slots, std::vector<int>(directions, -1));

@@ -22,8 +22,8 @@ public:
     // fractal.
     std::vector<Vector> gaze(const Ride& ride, int frames) const;
 
-    // How far a gaze's picture moves from one frame to the next, as median_motion of a view: by the panorama at a sample
-    // of the track.
+    // How far a gaze's picture moves from one frame to the next, as median_motion of a view: by the panorama at a
+    // sample of the track.
     double motion(double sample, const Frame& from, const Frame& to) const;
 
 private:

@@ -8,7 +8,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double blur = 24;          // frames: the standard deviation of the smoothing in time
+constexpr double blur = 24;               // frames: the standard deviation of the smoothing in time
 constexpr std::size_t middle_until = 90;  // frames: after it the gaze has left the fractal's middle
 
 // A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.

@@ -28,7 +28,8 @@ Sphere::Sphere(int count, double window)
     for (std::size_t i = 0; i < directions_.size(); ++i) {
         near_[i].push_back(static_cast<int>(i));
         for (std::size_t j = 0; j < directions_.size(); ++j) {
-            if (i != j && dot(directions_[i], directions_[j]) > std::cos(window)) near_[i].push_back(static_cast<int>(j));
+            if (i != j && dot(directions_[i], directions_[j]) > std::cos(window))
+                near_[i].push_back(static_cast<int>(j));
         }
     }
 }
@@ -49,11 +50,9 @@ std::vector<float> panoramas(const Field& field, const Sphere& sphere, std::span
         for (std::size_t i = first; i < last; ++i) {
             std::ranges::fill(from, places[i]);
             field.casts(from, sphere.directions(), {.floor = 0, .tolerance = coarse, .end = end, .steps = steps}, t);
-            std::ranges::transform(t, depths.begin() + static_cast<std::ptrdiff_t>(i * count),
-                                   [end](double depth) {
-                                       return depth < end ? static_cast<float>(depth)
-                                                          : std::numeric_limits<float>::infinity();
-                                   });
+            std::ranges::transform(t, depths.begin() + static_cast<std::ptrdiff_t>(i * count), [end](double depth) {
+                return depth < end ? static_cast<float>(depth) : std::numeric_limits<float>::infinity();
+            });
         }
     });
     return depths;

@@ -26,8 +26,8 @@ private:
     std::vector<std::vector<int>> near_;
 };
 
-// The depths along all of the sphere's directions, place after place, in the scene's units; +infinity where nothing is met
-// within `end`.
+// The depths along all of the sphere's directions, place after place, in the scene's units; +infinity where nothing is
+// met within `end`.
 std::vector<float> panoramas(const Field& field, const Sphere& sphere, std::span<const Vector> places, double end);
 
 }  // namespace mandelmarch
