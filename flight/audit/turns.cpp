@@ -12,7 +12,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double most_jerk = 60;          // clearances a second^3
-constexpr double most_angular_jerk = 60;  // degrees a second^3
+constexpr double most_angular_jerk = 30;  // degrees a second^3
 constexpr double cube = static_cast<double>(frames_per_second) * frames_per_second * frames_per_second;
 
 // The rotation from each frame's camera to the next: its axis, as long as its angle in radians.

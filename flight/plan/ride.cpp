@@ -12,7 +12,7 @@ namespace {
 
 constexpr int samples_per_span = 6;
 constexpr double gentle = 0.03;       // the speed's logarithm changes by at most this a frame: twice as fast in 0.8 s
-constexpr double smooth_frames = 10;  // the speed is smoothed over so many before and behind
+constexpr double smooth_frames = 15;  // the speed is smoothed over so many before and behind
 constexpr double foresight = 1;       // clearances ahead and behind whose least counts
 
 // The speed without its kinks and nowhere above it: the least within a quarter of a second before and behind, then the
