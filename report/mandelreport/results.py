@@ -20,8 +20,9 @@ from .random_scenes import read_random
 
 @dataclass
 class Results:
-    """All result files, each kind in the order of the files' names."""
+    """All result files, each kind in the order of the files' names. `files`: what each holds, by its name."""
 
+    files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
     audits: list[Audit] = field(default_factory=list)
@@ -44,13 +45,23 @@ class Results:
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
     def machines(self) -> list[Bench]:
-        """One standard study a machine, that with the most launches: machines are compared, not picture sizes."""
+        """One standard study a machine, that with the most backends and, of these, launches: machines are compared, not
+        picture sizes, and only where as many backends were timed as anywhere."""
         chosen: dict[str, Bench] = {}
         for bench in self.study("standard"):
             kept = chosen.setdefault(bench.machine, bench)
-            if bench.data["launches"] > kept.data["launches"]:
+            if bench.rank() > kept.rank():
                 chosen[bench.machine] = bench
-        return list(chosen.values())
+        most = max((bench.rank()[0] for bench in chosen.values()), default=0)
+        return [bench for bench in chosen.values() if bench.rank()[0] == most]
+
+    def primary(self) -> Bench | None:
+        """The standard study that the report is mostly about."""
+        return max(self.machines(), key=Bench.rank, default=None)
+
+    def name_of(self, data: Any) -> str:
+        """The file that holds exactly this."""
+        return next(name for name, held in self.files.items() if held is data)
 
 
 def _add_json(results: Results, name: str, path: Path, text: str) -> None:
@@ -58,6 +69,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         data = json.loads(text)
     except ValueError as error:
         raise InputError(f"{name}: no JSON: {error}") from None
+    results.files[name] = data
     kind = data if isinstance(data, dict) else {}
     if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
         results.portability = read_portability(name, data)
@@ -77,6 +89,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
+    results.files[name] = text
     if text.startswith(("ptxas ", "K40 on paper")):
         results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
     elif text.startswith("loop mix: "):
