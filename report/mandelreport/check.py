@@ -20,8 +20,10 @@ from PIL import Image
 
 from .browser import Browser
 from .errors import Unavailable, write_whole
+from .page import APPENDIX, MAIN
 
-DESKTOP, NARROW = (1200, 900), (400, 800)  # pixels
+DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
+SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # for a picture on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
@@ -66,7 +68,8 @@ class Checker:
         run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
         self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture is decoded")
         self.expect(run("[...document.images].every((i) => i.alt.length > 10)"), "every picture has an alternative text")
-        self.expect(run("document.querySelectorAll('section').length") == 8, "eight sections")
+        self.expect(run("document.querySelectorAll('section').length") == SECTIONS, f"{SECTIONS} sections, the front page first")
+        self.expect(run("document.querySelectorAll('#front .answer data').length") > 0, "the front page's answers have numbers")
         for name, (width, height) in (("desktop", DESKTOP), ("narrow", NARROW)):
             self.browser.size(width, height)
             self.expect(

@@ -56,6 +56,11 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
     return contents
 
 
+def front_page(material: Material) -> str:
+    """The front page alone."""
+    return environment().get_template("front.html.j2").render(s=front.section(material))
+
+
 def render(material: Material) -> str:
     """The whole page. The same results and programs give the same text."""
     return environment().get_template("page.html.j2").render(

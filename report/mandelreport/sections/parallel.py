@@ -48,10 +48,11 @@ def _worth(material: Material) -> str:
     found = {name: ratios for name, ratios in found.items() if ratios}
     if not found:
         return ""
+    together = found.pop("all-four", [])
     most, least = (pick(found, key=lambda name: max(found[name])) for pick in (max, min))
     return (
-        f"without {most} a picture takes up to {digits(max(found[most]))} times as long, without {least} at most "
-        f"{digits(max(found[least]))} times."
+        f"without {most} a picture takes up to {digits(max(found[most]))} times as long, without {least} at most {digits(max(found[least]))} times"
+        + (f"; without the four that find empty space together up to {digits(max(together))} times." if together else ".")
     )
 
 

@@ -18,7 +18,7 @@ FRACTALS = ("mandelbox", "mandelbulb")
 
 def factor_table(material: Material) -> Table | None:
     """What a picture of each scene of every such study costs."""
-    found = [(bench.name, f) for bench in material.results.study("box-vs-bulb") for f in factors(bench)]
+    found = [(bench.name, f) for bench in material.results.study("box-vs-bulb") for f in factors(bench, material.backends.host)]
     rows = [
         [
             name,
@@ -60,7 +60,7 @@ def factor_table(material: Material) -> Table | None:
     )
 
 
-def _answer(bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
+def _answer(bench: Bench, found: list[Factors], precision: str, host: str) -> dict[str, Any] | None:
     """The official scenes' factors in words' numbers."""
     of = {f.fractal: f for f in found if f.view == "official" and f.precision == precision}
     if set(of) != set(FRACTALS):
@@ -73,6 +73,7 @@ def _answer(bench: Bench, found: list[Factors], precision: str) -> dict[str, Any
     answer: dict[str, Any] = {
         "precision": precision,
         "machine": bench.machine,
+        "backend": host,
         "ratio": digits(ratio),
         "slower": ratio > 1,
         "close": 0.95 < ratio < 1.05,
@@ -94,8 +95,8 @@ def _answer(bench: Bench, found: list[Factors], precision: str) -> dict[str, Any
     return answer
 
 
-def _study(bench: Bench) -> dict[str, Any]:
-    found = factors(bench)
+def _study(bench: Bench, host: str) -> dict[str, Any]:
+    found = factors(bench, host)
     views: dict[str, dict[str, Factors]] = {}
     for f in found:
         if f.precision == "double":
@@ -103,7 +104,7 @@ def _study(bench: Bench) -> dict[str, Any]:
     pairs = [(of["mandelbox"], of["mandelbulb"]) for of in views.values() if set(FRACTALS) <= set(of)]
     figure = comparison(pairs)
     return {
-        "answers": [a for p in ("double", "float") if (a := _answer(bench, found, p))],
+        "answers": [a for p in ("double", "float") if (a := _answer(bench, found, p, host))],
         "figure": figure and dataclasses.replace(figure, see=_see(pairs)),
     }
 
@@ -132,7 +133,7 @@ def section(material: Material) -> dict[str, Any]:
     # The study that asked most backends, in both numbers.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
     return {
-        "study": _study(first) if first else None,
+        "study": _study(first, backends.host) if first else None,
         "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json report/results/box-vs-bulb.json"),
         "ratios": ratio
         and dataclasses.replace(
