@@ -70,7 +70,7 @@ class Answers:
         return {
             "host": self.backends.host,
             "host_wins": all(ratio["ratio"]["median"] > 1 for ratio in others),
-            "machines": _names(bench.machine for bench in self.results.machines() if bench.host_wins()),
+            "machines": _names(bench.machine for bench in self.results.whole() if bench.host_wins()),
             "slower": self._count("questions:others_to_host:ratio.interval.0>1", (name,)),
             "compared": self._count("questions:others_to_host:numerator=*", (name,)),
             "ends": [(self._ratio("others_to_host", r["numerator"]), *r["numerator"].split("/")[:4]) for r in ends],

@@ -106,6 +106,12 @@ class Bench:
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
         return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus])
 
+    @property
+    def size(self) -> str:
+        """Of the pictures that were timed."""
+        settings = [row.setting for row in self.rows if row.timed]
+        return ", ".join(dict.fromkeys(f"{s['width']} x {s['height']}" for s in settings))
+
     def rank(self) -> tuple[int, int]:
         """Backends that were timed, and launches."""
         return len(self.values("backend")), self.data["launches"]

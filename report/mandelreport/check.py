@@ -9,6 +9,7 @@ import argparse
 import base64
 import io
 import json
+import re
 import subprocess
 import sys
 import time
@@ -23,6 +24,8 @@ from .errors import Unavailable, write_whole
 from .page import APPENDIX, MAIN
 
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
+PAPER = 680  # pixels: A4 without its margins
+MOST_PAGES = 12
 SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # for a picture on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
@@ -79,6 +82,21 @@ class Checker:
             run("window.scrollTo(0, 0)")
             self.shot(name)
         self.browser.size(*DESKTOP)
+
+    def paper(self) -> None:
+        """On paper nothing sticks out, which would shrink every page, and the main part is short."""
+        run, call = self.browser.run, self.browser.call
+        call("Emulation.setEmulatedMedia", media="print")
+        self.browser.size(PAPER, 1000)
+        wide = run("document.documentElement.scrollWidth")
+        self.expect(wide <= PAPER, f"paper: nothing sticks out ({wide} of {PAPER} pixels)")
+        call("Emulation.setEmulatedMedia", media="")
+        self.browser.size(*DESKTOP)
+        run("document.head.append(Object.assign(document.createElement('style'), "
+            "{ id: 'main-only', textContent: '.appendix, footer.page { display: none }' }))")
+        pages = len(re.findall(rb"/Type\s*/Page\b", self.browser.pdf()))
+        run("document.getElementById('main-only').remove()")
+        self.expect(0 < pages <= MOST_PAGES, f"paper: the main part has {pages} pages, at most {MOST_PAGES}")
 
     def slider(self) -> None:
         run = self.browser.run
@@ -254,6 +272,7 @@ def main() -> int:
             browser.size(*DESKTOP)
             browser.open(arguments.page)
             checker.page()
+            checker.paper()
             checker.slider()
             checker.viewer()
             problems = browser.problems()

@@ -44,20 +44,25 @@ class Results:
         applications = [entry["application"] for entry in self.portability or []]
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
+    def whole(self) -> list[Bench]:
+        """The standard studies that timed as many backends as any."""
+        standard = self.study("standard")
+        most = max((bench.rank()[0] for bench in standard), default=0)
+        return [bench for bench in standard if bench.rank()[0] == most]
+
     def machines(self) -> list[Bench]:
-        """One standard study a machine, that with the most backends and, of these, launches: machines are compared, not
-        picture sizes, and only where as many backends were timed as anywhere."""
-        chosen: dict[str, Bench] = {}
-        for bench in self.study("standard"):
-            kept = chosen.setdefault(bench.machine, bench)
-            if bench.rank() > kept.rank():
+        """One of those a machine, all of one size: that which most machines share. Else machines would be compared by
+        different pictures."""
+        by_size: dict[str, dict[str, Bench]] = {}
+        for bench in self.whole():
+            chosen = by_size.setdefault(bench.size, {})
+            if bench.machine not in chosen or bench.rank() > chosen[bench.machine].rank():
                 chosen[bench.machine] = bench
-        most = max((bench.rank()[0] for bench in chosen.values()), default=0)
-        return [bench for bench in chosen.values() if bench.rank()[0] == most]
+        return list(max(by_size.values(), key=len, default={}).values())
 
     def primary(self) -> Bench | None:
-        """The standard study that the report is mostly about."""
-        return max(self.machines(), key=Bench.rank, default=None)
+        """The standard study that the report is mostly about: of the whole ones that with the most launches."""
+        return max(self.whole(), key=Bench.rank, default=None)
 
     def name_of(self, data: Any) -> str:
         """The file that holds exactly this."""

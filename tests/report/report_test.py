@@ -248,12 +248,20 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("left out"), 2)
 
-    def test_one_study_a_machine(self) -> None:
-        more = made.bench() | {"launches": made.bench()["launches"] + 2}
-        files = {"a.json": made.bench(), "b.json": more, "c.json": made.bench()}
+    def test_machines_are_compared_at_one_size(self) -> None:
+        def of(machine: str, launches: int, side: int) -> dict[str, object]:
+            data = made.bench() | {"launches": launches}
+            data["environment"]["cpu"]["model"] = machine
+            for row in data["rows"]:
+                row["setting"] |= {"width": side, "height": side}
+            return data
+
+        files = {"a.json": of("one", 1, 540), "b.json": of("one", 3, 540), "c.json": of("one", 5, 1080), "d.json": of("two", 1, 540)}
+        files["e.json"] = of("three", 9, 540)
+        files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # not a whole study
         found = read_results(made.write(self.folder / "results", files))
-        self.assertEqual(len(found.study("standard")), 3)
-        self.assertEqual([bench.name for bench in found.machines()], ["b.json"])
+        self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
+        self.assertEqual(found.primary().name, "c.json")
 
     def test_both_tables_of_the_k40(self) -> None:
         folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})

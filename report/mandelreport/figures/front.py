@@ -10,7 +10,12 @@ from ..text import ms, plain, where
 from . import style
 
 # Precision and mode: filled or not, and the marker.
-KINDS = {("double", "exact"): ("full", "o"), ("float", "exact"): ("none", "o"), ("double", "fast"): ("full", "s"), ("float", "fast"): ("none", "s")}
+KINDS = {
+    ("double", "exact"): ("full", "o"),
+    ("float", "exact"): ("none", "o"),
+    ("double", "fast"): ("full", "s"),
+    ("float", "fast"): ("none", "s"),
+}
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
@@ -20,7 +25,7 @@ def times(bench: Bench, backends: Backends) -> Figure:
     scalar = f"{backends.host}, scalar"
     names = backends.order(where(row) for row in rows if row.backend != backends.reference)
     names += [scalar] * any(row.point for row in rows) + [backends.reference]
-    figure, axes = style.panels(len(fractals), 1, 5, 1.0 + 0.32 * len(names) * len(fractals), sharex=True)
+    figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.26 * len(names) * len(fractals), sharex=True)
     said = []
     for (axis,), fractal in zip(axes, fractals):
         for row in (row for row in rows if row.fractal == fractal):
@@ -28,8 +33,16 @@ def times(bench: Bench, backends: Backends) -> Figure:
             fill, marker = KINDS[(row.precision, row.mode)]
             low, high = row.kernel.errors()
             at = names.index(name) + 0.15 * (list(KINDS).index((row.precision, row.mode)) - 1.5)
-            axis.errorbar(1e3 * row.kernel.median, at, xerr=[[1e3 * low], [1e3 * high]], marker=marker, fillstyle=fill,
-                          color=style.COLOURS[backends.number_of(row.backend) % 8], linestyle="", markersize=4.5)
+            axis.errorbar(
+                1e3 * row.kernel.median,
+                at,
+                xerr=[[1e3 * low], [1e3 * high]],
+                marker=marker,
+                fillstyle=fill,
+                color=style.COLOURS[backends.number_of(row.backend) % 8],
+                linestyle="",
+                markersize=4.5,
+            )
             said.append(f"{fractal}, {name}, {row.precision}, {row.mode}: {ms(row.kernel.median)} ms")
         axis.set_yticks(range(len(names)), names)
         axis.invert_yaxis()

@@ -8,7 +8,7 @@ from typing import Any
 from ..bench import Bench
 from ..blocks import Missing, Table
 from . import Material
-from .method import instructions, sizes
+from .method import instructions
 
 
 def _facts(bench: Bench, host: str) -> dict[str, str]:
@@ -16,7 +16,7 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
     cpu, git, build, during = e["cpu"], e["git"], e["build"], e["during"]
     return {
         "file": bench.name,
-        "pixels": sizes(bench),
+        "pixels": bench.size,
         "launches, seed": f"{bench.data['launches']}, {bench.data['seed']}",
         "SIMD": instructions(bench, host) or "–",
         "date": e["date"][:16].replace("T", " "),
@@ -31,7 +31,7 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
         "load meanwhile": f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
         "others' share": f"{100 * during['others_share']:.1f} %",
         "stolen": f"{100 * during['stolen_share']:.2f} %",
-        "warnings": "; ".join(bench.data["warnings"]) or "none",
+        "warnings": str(len(bench.data["warnings"])),
     }
 
 
@@ -68,4 +68,5 @@ def section(material: Material) -> dict[str, Any]:
     ]
     headers = ["file", "study", "machine", "launches", "revision", "date"]
     tables = [_environments(material), _backends(material), Table(headers, others, "The other result files.", [3]) if others else None]
-    return {"tables": [table for table in tables if table], "missing": Missing("The environment of the timings", "make bench")}
+    warnings = [(material.letter(b.name), b.data["warnings"]) for b in material.results.study("standard") if b.data["warnings"]]
+    return {"tables": [table for table in tables if table], "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}

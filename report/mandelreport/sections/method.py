@@ -10,11 +10,6 @@ from ..blocks import Missing, Table
 from . import Material
 
 
-def sizes(bench: Bench) -> str:
-    settings = [row.setting for row in bench.rows if row.timed]
-    return ", ".join(dict.fromkeys(f"{s['width']} x {s['height']}" for s in settings))
-
-
 def instructions(bench: Bench, host: str) -> str:
     rows = [row for row in bench.timed(backend=host) if row.instruction_set]
     return ", ".join(dict.fromkeys(row.instruction_set for row in rows))
@@ -29,7 +24,7 @@ def section(material: Material) -> dict[str, Any]:
                 material.letter(bench.name),
                 bench.name,
                 bench.machine,
-                sizes(bench),
+                bench.size,
                 str(bench.data["launches"]),
                 instructions(bench, material.backends.host),
                 git["revision"][:7] + (" and changes" if git["dirty"] else ""),

@@ -84,7 +84,7 @@ def section(material: Material) -> dict[str, Any]:
         _see(timings.share_of_peak(bench, backends), _peak_see(bench)),
         _see(
             timings.machines(machines),
-            "; ".join(f"{b.machine}: {fastest(b)} is the fastest" for b in machines) + ". Pixels a second forgive that the sizes differ.",
+            "; ".join(f"{b.machine}: {fastest(b)} is the fastest" for b in machines) + f"; {machines[0].size} pixels on each." if machines else "",
         ),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

@@ -40,7 +40,7 @@ def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Ta
         for row in map(Row, bench.data["rows"]):
             if row.fractal != "all":
                 name = f"{where(row)}{', scalar' if row.point else ''}"
-                text = cell(row) if row.timed else row.unavailable or row.failure or row.proof["text"] or "–"
+                text = cell(row) if row.timed else "–" if row.unavailable else "FAILED"
                 found.setdefault((row.fractal, row.precision, row.mode, name), {})[bench.name] = text
     order = ("mandelbulb", "mandelbox", "double", "float", "exact", "fast", *material.backends.names)
 
@@ -57,6 +57,12 @@ def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Ta
         return None
     letters = [material.letter(bench.name) for bench in benches]
     return Table(["fractal", "number", "mode", "backend", *letters], lines, caption, list(range(4, 4 + len(letters))))
+
+
+def _reasons(material: Material) -> list[str]:
+    """Why rows were not timed, each reason once."""
+    rows = [row for bench in material.results.study("standard") for row in bench.rows if not row.timed]
+    return list(dict.fromkeys(row.unavailable or row.failure or f"{row.name}: {row.proof['text']}" for row in rows))
 
 
 def _peaks(material: Material) -> Table | None:
@@ -149,6 +155,7 @@ def section(material: Material) -> dict[str, Any]:
     ]
     return {
         "tables": [table for table in tables if table],
+        "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric),
         "cascade": portability.cascade(metric, material.backends),
