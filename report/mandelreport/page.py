@@ -67,6 +67,7 @@ def render(material: Material) -> str:
         front=front.section(material),
         main=_contents(material, MAIN),
         appendix=_contents(material, APPENDIX),
+        gpu_measured=material.results.gpu_measured(),
         machines=list(dict.fromkeys(bench.machine for bench in material.results.benches)),
         style=viewer.raw("templates/style.css"),
         slider=viewer.raw("templates/slider.js"),

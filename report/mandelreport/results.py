@@ -64,6 +64,9 @@ class Results:
         """The standard study that the report is mostly about: of the whole ones that with the most launches."""
         return max(self.whole(), key=Bench.rank, default=None)
 
+    def gpu_measured(self) -> bool:
+        return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
+
     def name_of(self, data: Any) -> str:
         """The file that holds exactly this."""
         return next(name for name, held in self.files.items() if held is data)

@@ -220,6 +220,17 @@ class FrontTest(unittest.TestCase):
         self.assertIn("No backend is shown to be the fastest everywhere.", page_of(results))
         self.assertNotIn("No backend is shown to be the fastest everywhere.", self.page)
 
+    def test_a_gpu_that_was_measured_is_not_predicted(self) -> None:
+        self.assertIn("No GPU was measured.", self.page)
+        results = read_results(RESULTS)
+        for row in results.primary().data["rows"]:
+            if row["backend"] == "vulkan":
+                row |= {"is_gpu": True, "device_name": "Card 9"}
+        page = page_of(results)
+        self.assertNotIn("No GPU was measured.", page)
+        self.assertIn('Measured on <span class="name">Card 9</span>', page)
+        self.assertEqual(faults(page, results.files), [])
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -41,5 +41,5 @@ def section(material: Material) -> dict[str, Any]:
     )
     return {
         "table": table if rows else Missing("The prediction", "make k40"),
-        "measured": any(row.is_gpu for bench in material.results.benches for row in bench.rows if row.timed),
+        "measured": material.results.gpu_measured(),
     }
