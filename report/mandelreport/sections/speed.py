@@ -42,7 +42,7 @@ def _table(material: Material, bench: Bench) -> Table:
 
 def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> str:
     found = material.answers.speed_up("over_scalar", fractal, precision, mode)
-    return quotient_cell(found[1], "over_scalar") + " *" if found else "–"
+    return quotient_cell(found[1], "over_scalar").replace(" [", " * [") if found else "–"
 
 
 def fastest(bench: Bench) -> str:
