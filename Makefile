@@ -59,6 +59,11 @@ bench: build ## the standard study, by three processes one after the other: repo
 # The parameter files of scenes that differ come into build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
+# FILES="bench.json packs.json" takes these only. tools/results.txt has the list.
+FILES ?=
+results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (3 hours)
+	@python3 tools/results.py $(FILES)
+
 equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
