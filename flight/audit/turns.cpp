@@ -6,12 +6,13 @@
 #include <numbers>
 
 #include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr double most_jerk = 60;          // clearances a second^3
+constexpr double most_jerk = 0.3;         // of the cube of the pace in clearances a second
 constexpr double most_angular_jerk = 30;  // degrees a second^3
 constexpr double cube = static_cast<double>(frames_per_second) * frames_per_second * frames_per_second;
 
@@ -69,7 +70,9 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
         const Vector second = turned[i] - 2.0 * turned[i - 1] + turned[i - 2];
         angular.push_back(length(second) * cube * 180 / std::numbers::pi);
     }
-    return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), most_jerk, true, false, "DE/s^3", ""},
+    const double pace = path.scene.fractal->flight.measures.pace * frames_per_second;
+    const double bar = most_jerk * pace * pace * pace;
+    return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
             {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,
              "deg/s^3", ""}};
 }
