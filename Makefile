@@ -59,6 +59,11 @@ bench: build ## the standard study, by three processes one after the other: repo
 # The parameter files of scenes that differ come into build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
+# FILES="bench.json packs.json" takes these only. tools/results.txt has the list.
+FILES ?=
+results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (3 hours)
+	@python3 tools/results.py $(FILES)
+
 equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
@@ -87,6 +92,9 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report
 	    -frames:v 1 report/results/contact.jpg
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
+
+gallery: flythrough ## pictures of docs: five frames in each look, and 24 frames of the flights of seed 1 (2 min)
+	@tools/gallery bin/flythrough docs/pictures
 
 # Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.
 SEEDS ?= 10

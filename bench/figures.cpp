@@ -33,7 +33,9 @@ bool same_text(const Row& a, const Row& b)
            a.setting.without == b.setting.without;
 }
 
-// The rest of a row's name must be the same for both.
+bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && a.device == b.device; }
+
+// Mode and point must be the same for both.
 template <class Same>
 std::vector<Ratio> ratios(const Result& result, Same other_of)
 {
@@ -42,10 +44,7 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
         if (!denominator.timed()) continue;
         for (const Row& numerator : result.rows) {
             if (!numerator.timed() || !other_of(numerator, denominator)) continue;
-            if (numerator.backend != denominator.backend || numerator.device != denominator.device ||
-                numerator.mode != denominator.mode || numerator.point != denominator.point) {
-                continue;
-            }
+            if (numerator.mode != denominator.mode || numerator.point != denominator.point) continue;
             std::map<std::pair<int, int>, double> by_round;
             for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
             Launches pairs;
@@ -126,15 +125,24 @@ Figures figures_of(const Result& result, const Row& row)
 std::vector<Ratio> box_to_bulb(const Result& result)
 {
     return ratios(result, [](const Row& a, const Row& b) {
-        return a.fractal == box && b.fractal == bulb && a.precision == b.precision;
+        return same_device(a, b) && a.fractal == box && b.fractal == bulb && a.precision == b.precision;
     });
 }
 
 std::vector<Ratio> double_to_float(const Result& result)
 {
     return ratios(result, [](const Row& in_double, const Row& in_float) {
-        return in_double.fractal == in_float.fractal && in_double.precision == Precision::f64 &&
-               in_float.precision == Precision::f32;
+        return same_device(in_double, in_float) && in_double.fractal == in_float.fractal &&
+               in_double.precision == Precision::f64 && in_float.precision == Precision::f32;
+    });
+}
+
+std::vector<Ratio> others_to_host(const Result& result)
+{
+    const std::string host = result.host(), reference = result.reference();
+    return ratios(result, [&](const Row& other, const Row& own) {
+        return own.backend == host && other.backend != host && other.backend != reference &&
+               other.fractal == own.fractal && other.precision == own.precision;
     });
 }
 

@@ -58,9 +58,11 @@ struct Ratio {
 inline constexpr std::string_view box = "mandelbox";
 inline constexpr std::string_view bulb = "mandelbulb";
 
-// The two questions. Mandelbox / Mandelbulb, for every backend, device, precision and mode; double / float, for every
-// fractal, backend, device and mode. Only rows that are timed.
+// The three questions. Mandelbox / Mandelbulb, for every backend, device, precision and mode; double / float, for every
+// fractal, backend, device and mode; another backend of the text / the host's, for every device, fractal, precision and
+// mode. Only rows that are timed.
 std::vector<Ratio> box_to_bulb(const Result& result);
 std::vector<Ratio> double_to_float(const Result& result);
+std::vector<Ratio> others_to_host(const Result& result);
 
 }  // namespace mandelmarch::bench

@@ -176,7 +176,8 @@ Json to_json(const Result& result)
     json["rows"] = Json::array();
     for (const Row& row : result.rows) json["rows"].push_back(of(result, row));
     json["questions"] = {{fmt::format("{}_to_{}", box, bulb), of(box_to_bulb(result))},
-                         {"double_to_float", of(double_to_float(result))}};
+                         {"double_to_float", of(double_to_float(result))},
+                         {"others_to_host", of(others_to_host(result))}};
     json["portability"] = to_json(portability({&result, 1}));
     return json;
 }

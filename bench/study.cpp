@@ -54,9 +54,9 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     };
     if (study == "resolution") {
         std::vector<Point> made;
-        for (const auto& [width, height] :
+        for (const auto& [columns, rows] :
              {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {2160, 2160}, {4096, 2160}}) {
-            made.push_back({fmt::format("size={}x{}", width, height), {.width = width, .height = height}});
+            made.push_back({fmt::format("size={}x{}", columns, rows), {.width = columns, .height = rows}});
         }
         return made;
     }

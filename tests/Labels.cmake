@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # mandelmarch_label_tests(): every test of this directory gets a label, `slow` or `quick`. Slow ones take more than some
-# four seconds on two cores. Tests of gtest are known only when ctest runs, so a file that ctest reads labels them.
+# four seconds on two cores, and begin first where several run at a time. Tests of gtest are known only when ctest runs, so a
+# file that ctest reads labels them.
 set(slow_tests
     "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer fuzz report "report\\.viewer"
     flight "flight\\.films" "flight\\.files" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"
@@ -17,6 +18,10 @@ function(mandelmarch_label_tests)
     foreach(test ${tests})
         if(test MATCHES "^(${slow_tests})$")
             set_tests_properties(${test} PROPERTIES LABELS slow)
+            get_test_property(${test} COST cost)
+            if(NOT cost)
+                set_tests_properties(${test} PROPERTIES COST 1)
+            endif()
         else()
             set_tests_properties(${test} PROPERTIES LABELS quick)
         endif()

@@ -43,6 +43,17 @@ def speed_up(results, study, *row):
     return f"{results.row(study, *row).figures['speed_up']:.0f}"
 
 
+def over_scalar(results, packs, fractal, precision, mode):
+    """openmp's widest packs over the same text in scalar C++ on the same threads, with the interval: wall times."""
+    rows = [row for row in results.rows(packs) if row["backend"] == "openmp" and row.figures.get("over_scalar") is not None and
+            (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
+    if not rows:
+        raise FigureError(f"{packs}.json has no row {fractal} {precision} {mode} beside the scalar text")
+    figures = min(rows, key=lambda row: row.kernel_ms).figures
+    low, high = figures["over_scalar_interval"]
+    return f"{figures['over_scalar']:.1f} [{low:.1f}, {high:.1f}]"
+
+
 def share(results, study, *row):
     """Of the measured multiply-add peak, in percent."""
     return f"{100 * results.row(study, *row).figures['share_of_peak']:.0f}"
@@ -138,6 +149,7 @@ NUMBERS = {
     "off": off,
     "one-register": one_register,
     "over-openmp": over_openmp,
+    "over-scalar": over_scalar,
     "peak": peak,
     "random-off": random_off,
     "rows-proven": rows_proven,

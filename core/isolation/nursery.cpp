@@ -103,11 +103,11 @@ int status_of(pid_t child, bool now)
 
 Nursery::Nursery(const Work& work) : channel_(Descriptor())
 {
-    auto [ours, theirs] = Channel::pair();
+    std::pair<Channel, Channel> ends = Channel::pair();
     id_ = fork_tied();
     if (id_ < 0) fail("no process");
-    if (id_ == 0) tend(work, theirs);
-    channel_ = std::move(ours);
+    if (id_ == 0) tend(work, ends.second);
+    channel_ = std::move(ends.first);
 }
 
 Nursery::~Nursery()

@@ -15,6 +15,7 @@ FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
 
 struct Openness {
     real share;  // 0: closed in, 1: open
+    real least;  // the same at the distance where it is most closed in
     effort estimates;
     effort iterations;
 };
@@ -25,13 +26,16 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;
     result.share = 0;
+    result.least = 1;
     result.estimates = 0;
     result.iterations = 0;
     real h = t * R(0.004);
     int i = 0;
     while (i < 4) {
         Estimate there = estimate(scene, along(p, n, h), on);
-        result.share = result.share + R(0.25) * saturated(quotient(2 * there.distance, h));
+        real open = saturated(quotient(2 * there.distance, h));
+        result.share = result.share + R(0.25) * open;
+        result.least = pick(open < result.least, open, result.least);
         result.estimates = tally(result.estimates, on);
         result.iterations = result.iterations + there.iterations;
         h = h * R(2.85);
@@ -56,25 +60,42 @@ FN vec3 albedo(Scene scene, vec3 trap)
     return colour;
 }
 
+FN vec3 sun_direction() { return vec3(R(0.48), R(0.64), R(0.6)); }  // a unit vector
+
 // What a ray meets that hits nothing, and what the haze looks like in its direction.
 FN vec3 sky(Scene scene, vec3 direction)
 {
-    real height = R(0.5) + R(0.5) * direction.y;
-    vec3 colour = blend(vec3(R(0.62), R(0.66), R(0.70)), vec3(R(0.16), R(0.30), R(0.52)), height);
+    vec3 zenith = vec3(R(0.10), R(0.24), R(0.55));
+    vec3 horizon = vec3(R(0.42), R(0.50), R(0.58));
+    vec3 glow = vec3(R(0.80), R(0.66), R(0.44));
     if (scene.colouring == 3) {
-        colour = blend(vec3(R(0.60), R(0.50), R(0.42)), vec3(R(0.10), R(0.20), R(0.34)), height);
+        zenith = vec3(R(0.05), R(0.10), R(0.30));
+        horizon = vec3(R(0.30), R(0.27), R(0.36));
+        glow = vec3(R(0.95), R(0.58), R(0.26));
     }
     if (scene.colouring == 4) {
-        colour = blend(vec3(R(0.01), R(0.05), R(0.09)), vec3(R(0.02), R(0.10), R(0.16)), height);
+        zenith = vec3(R(0.00), R(0.02), R(0.06));
+        horizon = vec3(R(0.01), R(0.10), R(0.15));
+        glow = vec3(R(0.02), R(0.16), R(0.16));
     }
-    return colour;
+    // Bright at the horizon, darker up and down; around the sun a wide halo and a narrow one.
+    real low = 1 - direction.y * direction.y;
+    low = low * low;
+    low = low * low;
+    real near = saturated(inner(direction, sun_direction()));
+    near = near * near;
+    real wide_halo = near * near;
+    real halo = wide_halo * wide_halo;
+    halo = halo * halo;
+    halo = halo * halo;
+    return along(blend(zenith, horizon, low), glow, R(0.30) * wide_halo + R(0.6) * halo);
 }
 
-// Light to what is displayed: brightness, a shoulder that keeps highlights, gamma 2.
+// Light to what is displayed: brightness, a film's curve (Narkowicz, "ACES filmic tone mapping curve", 2016), gamma 2.
 FN real displayed(Scene scene, real light)
 {
-    real x = R(1.2) * scene.brightness * light;
-    return root(saturated(quotient(x * (1 + R(0.1) * x), 1 + R(0.45) * x)));
+    real x = R(0.8) * scene.brightness * light;
+    return root(saturated(quotient(x * (R(2.51) * x + R(0.03)), x * (R(2.43) * x + R(0.59)) + R(0.14))));
 }
 
 struct Look {
@@ -87,8 +108,6 @@ FN vec3 displayed3(Scene scene, vec3 light)
 {
     return vec3(displayed(scene, light.x), displayed(scene, light.y), displayed(scene, light.z));
 }
-
-FN vec3 sun_direction() { return vec3(R(0.48), R(0.64), R(0.6)); }  // a unit vector
 
 // How open it is at a hit: what a look costs most. It changes little from pixel to pixel of one surface.
 struct Surroundings {
@@ -105,7 +124,7 @@ FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on
     Openness sunwards = openness(scene, p, sun_direction(), 2 * t, on);
     Surroundings found;
     found.along_normal = along_normal.share;
-    found.sunwards = sunwards.share;
+    found.sunwards = R(0.5) * (sunwards.share + sunwards.least) * sunwards.share;
     found.estimates = along_normal.estimates + sunwards.estimates;
     found.iterations = along_normal.iterations + sunwards.iterations;
     return found;
@@ -117,16 +136,18 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     vec3 sun = sun_direction();
     vec3 stone = albedo(scene, orbit_trap(scene, p, on));
     real facing = saturated(-inner(n, direction));
-    real key = saturated(R(0.15) + R(0.85) * inner(n, sun)) * found.sunwards * found.sunwards;
+    real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
-    vec3 light = times(shelter * (R(0.6) + R(0.4) * n.y), vec3(R(0.42), R(0.52), R(0.66)));
-    light = along(light, vec3(R(1.15), R(0.98), R(0.72)), key);
-    light = along(light, vec3(R(0.40), R(0.36), R(0.30)), shelter * facing);
+    // The sky's light from above, the ground's from below, the sun's, and a little from the eye.
+    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.34), R(0.46), R(0.74)));
+    light = along(light, vec3(R(0.30), R(0.17), R(0.11)), shelter * (R(0.5) - R(0.5) * n.y));
+    light = along(light, vec3(R(2.30), R(1.75), R(1.05)), key);
+    light = along(light, vec3(R(0.20), R(0.18), R(0.17)), shelter * facing);
     real hazed = haze(t);
     if (scene.colouring == 4) {
         // A lamp at the camera: its light falls off, and the rims stay dark.
         real fall = quotient(1 - hazed, 1 + 5 * hazed);
-        light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(2.6), R(2.4), R(1.9)));
+        light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(1.8), R(1.65), R(1.3)));
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
         hazed = hazed * R(1.2);
     }
@@ -138,7 +159,8 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     glint = glint * glint;
     glint = glint * glint * glint * key;
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
-    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), saturated(hazed * hazed * hazed)));
+    hazed = saturated(hazed * hazed * (R(0.3) + R(0.7) * hazed));
+    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), hazed));
     // The trap is one more.
     result.estimates = tally(found.estimates, on);
     result.iterations = found.iterations;

@@ -119,8 +119,7 @@ struct FlightMeasures {
     double roads = 0.012;        // least clearance of the balls
     double gate_least = 0.0040;  // bounds of a gate's clearance
     double gate_most = 0.02;
-    double pace = 0.19;       // clearances a frame
-    double most_tilt = 0.85;  // of the gaze, added to the unit vector along the motion
+    double pace = 0.19;  // clearances a frame
 };
 
 // What an audit holds a flight to.

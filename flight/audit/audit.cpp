@@ -9,6 +9,7 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/passages.h"
 #include "flight/audit/standing.h"
+#include "flight/audit/turns.h"
 #include "flight/audit/view_rows.h"
 #include "flight/plan/tour.h"
 
@@ -75,6 +76,7 @@ public:
              std::floor(bars.passages * static_cast<double>(places_.size()) / official_frames), false, false, "", ""});
         add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%", ""});
         gazes(bars.aside);
+        for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
         views();
     }
 
@@ -191,6 +193,7 @@ private:
         }
         add(motion_row(path_, seen));
         for (Row& row : dull_rows(seen, clearances_, stride_)) add(std::move(row));
+        for (Row& row : subject_rows(seen, stride_)) add(std::move(row));
         add(again_row(seen));
     }
 
@@ -204,25 +207,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<double> turns_of(const Path& path)
-{
-    const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };
-    std::vector<double> turns(path.frames.size());
-    Camera before = camera(0);
-    for (std::size_t i = 1; i < turns.size(); ++i) {
-        const Camera now = camera(i);
-        const Vector r0 = unit(before.across);
-        const Vector u0 = unit(before.upward);
-        const Vector r1 = unit(now.across);
-        const Vector u1 = unit(now.upward);
-        const double trace = dot(before.forward, now.forward) + dot(r0, r1) + dot(u0, u1);
-        const double sine = 0.5 * length(cross(before.forward, now.forward) + cross(r0, r1) + cross(u0, u1));
-        turns[i] = std::atan2(sine, (trace - 1) / 2) * 180 / std::numbers::pi;
-        before = now;
-    }
-    return turns;
-}
 
 bool Audit::promises_kept() const
 {

@@ -36,10 +36,6 @@ Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
 // The promises alone, which need no views: seconds less.
 Audit audit_promises(const Path& path, int threads);
 
-// Of each frame: the angle in degrees of the rotation, roll included, from the camera of the frame before; 0 of the
-// first.
-std::vector<double> turns_of(const Path& path);
-
 std::string table_of(const Path& path, const Audit& audit);
 std::string json_of(const Path& path, const Audit& audit);
 

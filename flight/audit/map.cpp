@@ -9,6 +9,7 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
+#include "flight/audit/turns.h"
 
 namespace mandelmarch {
 namespace {

@@ -12,6 +12,8 @@ namespace {
 constexpr double same_view = 0.95;  // correlation
 constexpr double moved_on = 0.5;    // a view is seen again only after one that is less like it than this
 constexpr double minute = 60;       // seconds
+constexpr double much_sky = 0.4;    // share of a view that shows something: less is mostly sky
+constexpr double some = 0.05;       // share of a view's middle that shows something: less is the subject at its edge
 constexpr int view_every = 15;      // frames between views that are compared for likeness
 
 }  // namespace
@@ -67,6 +69,27 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
     const double seconds = static_cast<double>(longest * stride) / frames_per_second;
     return {{"dull frames", dull, 3, true, false, "%", why},
             {"longest time of dull frames on end", seconds, 1, true, false, "s", longest > 0 ? at_frame(where) : ""}};
+}
+
+std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
+{
+    std::size_t sky = 0;
+    std::size_t longest = 0;
+    std::size_t where = 0;
+    std::size_t on_end = 0;
+    for (std::size_t v = 0; v < seen.views.size(); ++v) {
+        sky += seen.views[v].hit_share() < much_sky ? 1 : 0;
+        on_end = seen.views[v].middle_hit_share() < some ? on_end + 1 : 0;
+        if (on_end > longest) {
+            longest = on_end;
+            where = seen.frames[v + 1 - on_end];
+        }
+    }
+    const double share = 100.0 * static_cast<double>(sky) / static_cast<double>(seen.views.size());
+    const double seconds = static_cast<double>(longest * stride) / frames_per_second;
+    return {{"frames under 40 % of which something is hit", share, 10, true, false, "%", ""},
+            {"longest time with the subject at the edge only", seconds, 2, true, false, "s",
+             longest > 0 ? at_frame(where) : ""}};
 }
 
 Row again_row(const Seen& seen)

@@ -21,6 +21,9 @@ Row motion_row(const Path& path, const Seen& seen);
 // frames between views.
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
 
+// The share of frames with little to see, and the longest time with it at the picture's edge only.
+std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
+
 Row again_row(const Seen& seen);
 
 // "frame 12"

@@ -54,6 +54,19 @@ double Glimpse::hit_share() const
     return static_cast<double>(hits) / view_pixels;
 }
 
+double Glimpse::middle_hit_share() const
+{
+    int pixels = 0;
+    int hits = 0;
+    for (int k = 0; k < view_pixels; ++k) {
+        const auto [u, v] = place_of(k);
+        if (std::abs(u) > 0.75 || std::abs(v) > 0.75) continue;
+        ++pixels;
+        hits += std::isfinite(depth[static_cast<std::size_t>(k)]) ? 1 : 0;
+    }
+    return static_cast<double>(hits) / pixels;
+}
+
 Dullness Glimpse::dullness(double clearance) const
 {
     if (hit_share() < least_hits) return Dullness::empty;
@@ -91,37 +104,48 @@ std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames,
     return views;
 }
 
-double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
+double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to)
 {
     const Camera before = camera_at(from);
     const Camera after = camera_at(to);
-    const double across2 = dot(after.across, after.across);
-    const double upward2 = dot(after.upward, after.upward);
-    const bool hits_only = seen.hit_share() > 0.02;
-    std::array<double, view_pixels> moved{};
-    std::size_t count = 0;
-    for (int k = 0; k < view_pixels; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        if (hits_only && !std::isfinite(seen.depth[n])) continue;
-        const Vector direction = direction_of(before, k);
+    // Where in the picture something is, from -1 to 1 over width and height.
+    const auto place_in = [](const Camera& camera, Vector seen) {
+        const double ahead = dot(seen, camera.forward);
+        return Place{dot(seen, camera.across) / (dot(camera.across, camera.across) * ahead),
+                     dot(seen, camera.upward) / (dot(camera.upward, camera.upward) * ahead)};
+    };
+    std::vector<double> moved;
+    for (std::size_t k = 0; k < along.size(); ++k) {
         // What is not hit is infinitely far.
-        const Vector seen_from = std::isfinite(seen.depth[n])
-                                     ? from.eye + static_cast<double>(seen.depth[n]) * direction - to.eye
-                                     : direction;
-        const double ahead = dot(seen_from, after.forward);
-        const auto [u, v] = place_of(k);
-        if (!(ahead > 0)) {
-            moved[count++] = 1;
+        const Vector seen_after =
+            std::isfinite(depths[k]) ? from.eye + static_cast<double>(depths[k]) * along[k] - to.eye : along[k];
+        if (!(dot(seen_after, after.forward) > 0)) {
+            moved.push_back(1);
             continue;
         }
-        const double u2 = dot(seen_from, after.across) / (across2 * ahead);
-        const double v2 = dot(seen_from, after.upward) / (upward2 * ahead);
-        // u and v run from -1 to 1 over width and height.
-        moved[count++] = 0.5 * std::hypot((u2 - u) * view_width / view_height, v2 - v);
+        const auto [u, v] = place_in(before, along[k]);
+        const auto [u2, v2] = place_in(after, seen_after);
+        moved.push_back(0.5 * std::hypot((u2 - u) * view_width / view_height, v2 - v));
     }
-    const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(moved.begin(), middle, moved.begin() + static_cast<std::ptrdiff_t>(count));
+    if (moved.empty()) return 0;
+    const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
+    std::ranges::nth_element(moved, middle);
     return *middle;
+}
+
+double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
+{
+    const Camera camera = camera_at(from);
+    const bool hits_only = seen.hit_share() > 0.02;
+    std::vector<Vector> along;
+    std::vector<float> depths;
+    for (int k = 0; k < view_pixels; ++k) {
+        const float depth = seen.depth[static_cast<std::size_t>(k)];
+        if (hits_only && !std::isfinite(depth)) continue;
+        along.push_back(direction_of(camera, k));
+        depths.push_back(depth);
+    }
+    return median_motion(along, depths, from, to);
 }
 
 double likeness(const Glimpse& a, const Glimpse& b)

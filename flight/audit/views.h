@@ -23,6 +23,8 @@ struct Glimpse {
     std::array<float, view_pixels> depth;  // along the ray, in the scene's units; +infinity: nothing hit
 
     double hit_share() const;
+    // Of the pixels that are not in the outer quarter of the width or of the height: an eighth on each side.
+    double middle_hit_share() const;
     Dullness dullness(double clearance) const;
     bool dull(double clearance) const { return dullness(clearance) != Dullness::lively; }
 };
@@ -36,6 +38,9 @@ std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames,
 // Pixels move by this much, in picture heights, from one frame to the next: the median over the pixels of the view
 // `seen` from the first that hit something, as the background has one colour; over all of them where few do.
 double median_motion(const Glimpse& seen, const Frame& from, const Frame& to);
+
+// The same of rays from `from`, given by their unit vectors and depths (+infinity: nothing hit); 0 of none.
+double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to);
 
 // The correlation of two views' logarithms of depth, of one as it is or mirrored, whichever is larger.
 double likeness(const Glimpse& a, const Glimpse& b);

@@ -8,18 +8,18 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double blur = 16;          // frames: the standard deviation of the smoothing in time
-constexpr double middle_until = 90;  // frames: after it the gaze has left the fractal's middle
+constexpr double blur = 24;               // frames: the standard deviation of the smoothing in time
+constexpr std::size_t middle_until = 90;  // frames: after it the gaze has left the fractal's middle
 
 // A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.
 std::vector<Vector> blurred(const std::vector<Vector>& in, double deviation)
 {
-    const int reach = static_cast<int>(3 * deviation);
+    const int half = static_cast<int>(3 * deviation);
     const int count = static_cast<int>(in.size());
     std::vector<Vector> out(in.size());
     for (int i = 0; i < count; ++i) {
         Vector sum{};
-        for (int k = -reach; k <= reach; ++k) {
+        for (int k = -half; k <= half; ++k) {
             const double weight = std::exp(-0.5 * k * k / (deviation * deviation));
             sum = sum + weight * in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
         }
@@ -44,21 +44,20 @@ double degrees_between(Vector a, Vector b)
     return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
 }
 
-std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int frames)
+Vector ahead(const Ride& ride, std::size_t frame, std::size_t frames)
 {
-    std::vector<Vector> aims;
-    const auto last = std::ssize(ride.at) - 1;
-    for (int i = 0; i < frames; ++i) {
-        const auto n = static_cast<std::size_t>(i);
-        const Vector ahead =
-            ride.at[static_cast<std::size_t>(std::min<std::ptrdiff_t>(i + look_ahead, last))] - ride.at[n];
-        Vector aim = length(ahead) > 0 ? unit(ahead) : aims.empty() ? Vector{1, 0, 0} : aims.back();
-        aim = aim + tilt[n];
-        if (i < middle_until) {
-            const double share = 0.5 + 0.5 * std::cos(i * std::numbers::pi / middle_until);
-            aim = (1 - share) * unit(aim) + share * unit(-1 * ride.at[n]);
-        }
-        aims.push_back(length(aim) > 1e-6 ? unit(aim) : aims.empty() ? Vector{1, 0, 0} : aims.back());
+    const std::size_t to = std::min(frame + frames, ride.at.size() - 1);
+    const Vector way = ride.at[to] - ride.at[std::min(frame, to - 1)];
+    return length(way) > 0 ? unit(way) : Vector{1, 0, 0};
+}
+
+std::vector<Vector> smoothed_gaze(const Ride& ride, std::vector<Vector> aims)
+{
+    for (std::size_t i = 0; i < std::min(aims.size(), middle_until); ++i) {
+        const double share =
+            0.5 + 0.5 * std::cos(static_cast<double>(i) * std::numbers::pi / static_cast<double>(middle_until));
+        const Vector aim = (1 - share) * aims[i] + share * unit(-1 * ride.at[i]);
+        if (length(aim) > 1e-6) aims[i] = unit(aim);
     }
     return blurred(aims, blur);
 }

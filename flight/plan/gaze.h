@@ -12,10 +12,11 @@ namespace mandelmarch {
 
 inline constexpr int look_ahead = 48;  // frames, 1.6 s
 
-// Unit vectors for the first `frames` places of a ride that goes on for look_ahead more: towards where the camera will
-// be, tilted by `tilt` (one a frame, added to the unit vector), smoothed in time. The first frames look at the middle
-// of the fractal.
-std::vector<Vector> gaze(const Ride& ride, const std::vector<Vector>& tilt, int frames);
+// The unit vector from a frame's place to where the camera will be so many frames later.
+Vector ahead(const Ride& ride, std::size_t frame, std::size_t frames);
+
+// Directions of the gaze, one a frame, smoothed in time; the first three seconds leave the fractal's middle.
+std::vector<Vector> smoothed_gaze(const Ride& ride, std::vector<Vector> aims);
 
 // The same with no turn of more than `most` degrees from frame to frame.
 void limit_turns(std::vector<Vector>& gaze, double most);

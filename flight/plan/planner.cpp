@@ -11,8 +11,8 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
-#include "flight/audit/views.h"
 #include "flight/plan/band.h"
+#include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
 #include "flight/plan/ride.h"
 
@@ -26,10 +26,9 @@ constexpr double wanted_turn = 0.95;    // degrees a frame: where the gaze turns
 constexpr double turn_limit = 1.17;     // degrees a frame; the promise is 1.2
 constexpr double slowest = 0.08;        // of the pace
 constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
-constexpr double slow_motion = 0.004;   // less tilts the gaze towards what is near
 constexpr int retimings = 7;
 constexpr int audit_stride = 5;  // the same while tours are compared
-constexpr int view_stride = 10;  // frames between the views that are looked at for dullness
+constexpr int view_stride = 10;  // frames between the views whose motion is looked at
 
 class Planner {
 public:
@@ -57,7 +56,7 @@ public:
     {
         Random random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
         for (int i = 0; i < 4; ++i) random.next();
-        const double budget = 0.8 * measures_.pace * frames_ + 60;
+        const double budget = 1.2 * measures_.pace * frames_ + 60;
         const Tour tour = make_tour(field_, balls_, gates_, budget, random);
         const auto points = smooth(field_, tour.way, least_clearance * size_);
         Track track = track_of(field_, points);
@@ -70,7 +69,7 @@ private:
     Path fly(Track& track)
     {
         const int needed = frames_ + look_ahead;
-        std::vector<Vector> tilt_of_sample(track.at.size());
+        const Director director(field_, track);
         std::vector<Vector> views;
         Ride now;
         for (int round = 0; round < retimings; ++round) {
@@ -78,9 +77,9 @@ private:
             // A ride that is too short now may last when it has slowed down in its bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
-            views = gaze(now, tilts(now, tilt_of_sample, flown), flown);
+            views = smoothed_gaze(now, director.gaze(now, flown));
             if (round + 1 == retimings) break;
-            look_around(track, now, views, tilt_of_sample, round >= 2 && round <= 5);
+            keep_moving(track, now, views, director);
             slow_turns(track, now, views);
         }
         limit_turns(views, turn_limit);
@@ -90,16 +89,6 @@ private:
         path.frames = cameras(now, views, first_up(views[0]), field_of_view);
         cut_digits(path);
         return path;
-    }
-
-    static std::vector<Vector> tilts(const Ride& ride, const std::vector<Vector>& of_sample, int frames)
-    {
-        std::vector<Vector> result;
-        result.reserve(static_cast<std::size_t>(frames));
-        for (int i = 0; i < frames; ++i) {
-            result.push_back(of_sample[static_cast<std::size_t>(ride.sample[static_cast<std::size_t>(i)])]);
-        }
-        return result;
     }
 
     // Where the gaze turns too fast, the track's samples become slow.
@@ -118,87 +107,22 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Looks at the ride's views: where the picture moves faster than usual the ride slows down, where slower it goes
-    // faster, as far as the pace allows; where a view is dull, or nearly, or stands nearly still, the gaze is tilted
-    // (if `tilt` is asked for): towards the surface, or, where a wall fills the picture, towards the open.
-    void look_around(Track& track, const Ride& ride, const std::vector<Vector>& views,
-                     std::vector<Vector>& tilt_of_sample, bool tilting) const
+    // Where the picture moves faster than usual the ride slows down, where slower it goes faster, as far as the pace
+    // allows.
+    void keep_moving(Track& track, const Ride& ride, const std::vector<Vector>& views, const Director& director) const
     {
         const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
-        const auto seen = views_of(field_, frames, view_stride);
-        std::vector<double> factor(track.slow.size(), 1);
-        std::vector<Vector> more(track.slow.size());
-        for (std::size_t v = 0; v < seen.size(); ++v) {
-            const std::size_t i = v * view_stride;
-            if (i + 1 >= frames.size()) break;
-            const double motion = median_motion(seen[v], frames[i], frames[i + 1]);
+        for (std::size_t i = 0; i + 1 < frames.size(); i += view_stride) {
+            const double motion = director.motion(ride.sample[i], frames[i], frames[i + 1]);
             const double wanted = std::clamp(std::pow(usual_motion / std::max(motion, 1e-5), 0.8), 0.4, 2.0);
             const std::size_t end = std::min(i + view_stride, ride.sample.size() - 1);
-            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]);
-                 ++s) {
-                factor[s] = wanted;
-            }
-            const double clearance = field_.distance(frames[i].eye);
-            Vector tilt{};
-            if (!tilting || i < 60) continue;
-            if (seen[v].hit_share() < 0.3) {
-                tilt = -0.7 * field_.uphill(frames[i].eye, 0.3 * clearance);
-            } else if (seen[v].dull(1.15 * clearance)) {
-                tilt = 0.7 * open_direction(seen[v], frames[i]);
-            } else if (motion < slow_motion) {
-                tilt = -0.3 * field_.uphill(frames[i].eye, 0.3 * clearance);
-            }
-            if (length(tilt) == 0) continue;
-            // It counts for a second and more around, less and less.
-            each_sample(ride, i, 40, [&](std::size_t s, double near) {
-                if (length(near * tilt) > length(more[s])) more[s] = near * tilt;
-            });
-        }
-        // What is dull still after a first tilt is tilted further.
-        for (std::size_t s = 0; s < more.size(); ++s) {
-            const Vector sum = tilt_of_sample[s] + more[s];
-            tilt_of_sample[s] = std::min(1.0, measures_.most_tilt / std::max(length(sum), 1e-9)) * sum;
-        }
-        for (std::size_t s = 0; s < factor.size(); ++s)
-            track.slow[s] = std::clamp(track.slow[s] * factor[s], slowest, 1.0);
-    }
-
-    // Calls body(sample, nearness) for the track's samples up to `reach` frames from frame i; nearness falls from 1 to
-    // 0.
-    template <class Body>
-    static void each_sample(const Ride& ride, std::size_t i, std::size_t reach, Body body)
-    {
-        const std::size_t from = i > reach ? i - reach : 0;
-        const std::size_t to = std::min(i + reach, ride.sample.size() - 1);
-        for (std::size_t f = from; f < to; ++f) {
-            const double near =
-                1 - std::abs(static_cast<double>(f) - static_cast<double>(i)) / static_cast<double>(reach + 1);
-            const auto last = static_cast<std::size_t>(ride.sample[f + 1]);
-            for (auto s = static_cast<std::size_t>(ride.sample[f]); s <= last; ++s) body(s, near);
+            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]); ++s)
+                track.slow[s] = std::clamp(track.slow[s] * wanted, slowest, 1.0);
         }
     }
 
     // The up vector of the first camera: y, or z where the gaze goes along y.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
-
-    static Vector open_direction(const Glimpse& view, const Frame& frame)
-    {
-        Scene scene;
-        scene.eye = frame.eye;
-        scene.target = frame.target;
-        scene.up = frame.up;
-        scene.width = 16;
-        scene.height = 9;
-        const Camera camera = camera_of(scene);
-        Vector sum{};
-        float most = 0;
-        for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
-        for (int k = 0; k < view_pixels; ++k) {
-            const float d = std::min(view.depth[static_cast<std::size_t>(k)], most);
-            sum = sum + static_cast<double>(d) * static_cast<double>(d) * direction_of(camera, k);
-        }
-        return length(sum) > 0 ? unit(sum) : Vector{};
-    }
 
     Field field_;
     FlightMeasures measures_;

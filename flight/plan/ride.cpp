@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "flight/plan/tour.h"
 
@@ -10,8 +11,44 @@ namespace mandelmarch {
 namespace {
 
 constexpr int samples_per_span = 6;
-constexpr double gentle = 0.03;  // the speed's logarithm changes by at most this a frame: twice as fast in 0.8 s
-constexpr double foresight = 1;  // clearances ahead and behind whose least counts
+constexpr double gentle = 0.03;       // the speed's logarithm changes by at most this a frame: twice as fast in 0.8 s
+constexpr double smooth_frames = 15;  // the speed is smoothed over so many before and behind
+constexpr double foresight = 1;       // clearances ahead and behind whose least counts
+
+// The speed without its kinks and nowhere above it: the least within a quarter of a second before and behind, then the
+// mean over as long.
+std::vector<double> smoothed(const Track& track, const std::vector<double>& speed)
+{
+    const std::size_t count = speed.size();
+    std::vector<double> time(count, 0);  // frames
+    for (std::size_t i = 1; i < count; ++i)
+        time[i] = time[i - 1] + (track.length[i] - track.length[i - 1]) * 2 / (speed[i] + speed[i - 1]);
+    std::vector<double> least(count);
+    std::vector<double> mean(count);
+    const auto each = [&](const std::vector<double>& in, auto into) {
+        std::size_t first = 0;
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            while (time[first] < time[i] - smooth_frames) ++first;
+            while (last < count && time[last] <= time[i] + smooth_frames) ++last;
+            into(i, std::span(in).subspan(first, last - first), std::span(time).subspan(first, last - first));
+        }
+    };
+    each(speed, [&](std::size_t i, auto near, auto) { least[i] = std::ranges::min(near); });
+    // Samples lie at unequal times: each counts by how long it lasts, less the farther it is.
+    each(least, [&](std::size_t i, auto near, auto at) {
+        double sum = 0;
+        double weights = 0;
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            const double lasts = k + 1 < near.size() ? at[k + 1] - at[k] : at[k] - at[std::max<std::size_t>(k, 1) - 1];
+            const double weight = lasts * std::max(0.0, 1 - std::abs(at[k] - time[i]) / smooth_frames);
+            sum += weight * near[k];
+            weights += weight;
+        }
+        mean[i] = weights > 0 ? std::min(sum / weights, speed[i]) : least[i];
+    });
+    return mean;
+}
 
 }  // namespace
 
@@ -57,6 +94,8 @@ Ride ride(const Field& field, const Track& track, double pace, int frames)
     };
     for (std::size_t i = 1; i < count; ++i) limit(i, i - 1);
     for (std::size_t i = count - 1; i-- > 0;) limit(i, i + 1);
+
+    speed = smoothed(track, speed);
 
     Ride result;
     double time = 0;  // frames, at sample i

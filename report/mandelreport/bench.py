@@ -106,6 +106,24 @@ class Bench:
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
         return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus])
 
+    @property
+    def size(self) -> str:
+        """Of the pictures that were timed."""
+        settings = [row.setting for row in self.rows if row.timed]
+        return ", ".join(dict.fromkeys(f"{s['width']} x {s['height']}" for s in settings))
+
+    def rank(self) -> tuple[int, int]:
+        """Backends that were timed, and launches."""
+        return len(self.values("backend")), self.data["launches"]
+
+    def others_to_host(self) -> list[dict[str, Any]]:
+        """Other backends' kernel times over the host's, where the rows share rounds; older builds of bench state none."""
+        return [entry for entry in self.data["questions"].get("others_to_host", []) if entry["ratio"]["count"]]
+
+    def host_wins(self) -> bool:
+        others = self.others_to_host()
+        return bool(others) and all(entry["ratio"]["median"] > 1 for entry in others)
+
     def values(self, key: str) -> list[str]:
         """The distinct values of a field of the timed rows, in the file's order."""
         return list(dict.fromkeys(row.data[key] for row in self.rows if row.timed))

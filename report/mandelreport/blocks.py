@@ -14,12 +14,13 @@ def data_uri(kind: str, data: bytes) -> str:
 
 @dataclass(frozen=True)
 class Figure:
-    """`source`: a data URI; `alt`: what the picture shows, for those who do not see it."""
+    """`source`: a data URI; `alt`: what the picture shows, for those who do not see it; `see`: what to see in it."""
 
     source: str
     alt: str
     caption: str
     wide: bool = True
+    see: str = ""
     kind: str = "figure"
 
 

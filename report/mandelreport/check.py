@@ -9,6 +9,7 @@ import argparse
 import base64
 import io
 import json
+import re
 import subprocess
 import sys
 import time
@@ -20,8 +21,12 @@ from PIL import Image
 
 from .browser import Browser
 from .errors import Unavailable, write_whole
+from .page import APPENDIX, MAIN
 
-DESKTOP, NARROW = (1200, 900), (400, 800)  # pixels
+DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
+PAPER = 680  # pixels: A4 without its margins
+MOST_PAGES = 12
+SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # for a picture on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
@@ -66,7 +71,8 @@ class Checker:
         run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
         self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture is decoded")
         self.expect(run("[...document.images].every((i) => i.alt.length > 10)"), "every picture has an alternative text")
-        self.expect(run("document.querySelectorAll('section').length") == 8, "eight sections")
+        self.expect(run("document.querySelectorAll('section').length") == SECTIONS, f"{SECTIONS} sections, the front page first")
+        self.expect(run("document.querySelectorAll('#front .answer data').length") > 0, "the front page's answers have numbers")
         for name, (width, height) in (("desktop", DESKTOP), ("narrow", NARROW)):
             self.browser.size(width, height)
             self.expect(
@@ -76,6 +82,21 @@ class Checker:
             run("window.scrollTo(0, 0)")
             self.shot(name)
         self.browser.size(*DESKTOP)
+
+    def paper(self) -> None:
+        """On paper nothing sticks out, which would shrink every page, and the main part is short."""
+        run, call = self.browser.run, self.browser.call
+        call("Emulation.setEmulatedMedia", media="print")
+        self.browser.size(PAPER, 1000)
+        wide = run("document.documentElement.scrollWidth")
+        self.expect(wide <= PAPER, f"paper: nothing sticks out ({wide} of {PAPER} pixels)")
+        call("Emulation.setEmulatedMedia", media="")
+        self.browser.size(*DESKTOP)
+        run("document.head.append(Object.assign(document.createElement('style'), "
+            "{ id: 'main-only', textContent: '.appendix, footer.page { display: none }' }))")
+        pages = len(re.findall(rb"/Type\s*/Page\b", self.browser.pdf()))
+        run("document.getElementById('main-only').remove()")
+        self.expect(0 < pages <= MOST_PAGES, f"paper: the main part has {pages} pages, at most {MOST_PAGES}")
 
     def slider(self) -> None:
         run = self.browser.run
@@ -251,6 +272,7 @@ def main() -> int:
             browser.size(*DESKTOP)
             browser.open(arguments.page)
             checker.page()
+            checker.paper()
             checker.slider()
             checker.viewer()
             problems = browser.problems()

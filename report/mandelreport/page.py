@@ -3,41 +3,72 @@
 
 from __future__ import annotations
 
+import importlib
 from pathlib import Path
+from typing import Any
 
 import jinja2
 
-from . import viewer
-from .sections import Material, s1_pictures, s2_timings, s3_parallel, s4_flight, s5_why, s6_summary, s7_reproduce, s8_viewer
+from . import sections, viewer
+from .sections import Material, front
 
 FOLDER = Path(__file__).parents[1]
-# Name in the page, title, module.
-SECTIONS = [
-    ("pictures", "The pictures", s1_pictures),
-    ("timings", "The timings", s2_timings),
-    ("parallel", "How it was parallelised", s3_parallel),
-    ("flight", "How the frames are chosen", s4_flight),
-    ("why", "Mandelbox and Mandelbulb: which is slower, and why", s5_why),
-    ("summary", "Summary of the film", s6_summary),
-    ("reproduce", "How to reproduce everything", s7_reproduce),
-    ("viewer", "Live viewer", s8_viewer),
+# Name, of the module, the template and the place in the page, and title. The front page comes before both.
+MAIN = [
+    ("method", "What was measured, and how"),
+    ("same", "The same picture everywhere"),
+    ("speed", "Who is fastest"),
+    ("why", "Mandelbox and Mandelbulb, float and double"),
+    ("parallel", "How it was parallelised"),
+    ("gpu", "What a GPU would do"),
+    ("film", "The film, and how its frames are chosen"),
+    ("discussion", "Discussion"),
+    ("related", "Related work"),
+    ("artifact", "Reproduction"),
 ]
+APPENDIX = [
+    ("pictures", "Pictures and their differences"),
+    ("tables", "All timings"),
+    ("sweeps", "Sweeps"),
+    ("backends", "The backends' design"),
+    ("flight", "Flights"),
+    ("environments", "Machines and settings"),
+    ("viewer", "Live viewer"),
+]
+TEXT_ONLY = ("discussion", "related")
 
 
-def render(material: Material) -> str:
-    """The whole page. The same results and programs give the same text."""
-    environment = jinja2.Environment(
+def environment() -> jinja2.Environment:
+    return jinja2.Environment(
         loader=jinja2.FileSystemLoader(FOLDER / "templates"),
         autoescape=True,
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    contents = [(name, title, module.section(material)) for name, title, module in SECTIONS]
-    machines = list(dict.fromkeys(bench.machine for bench in material.results.benches))
-    return environment.get_template("page.html.j2").render(
-        contents=contents,
-        machines=machines,
+
+
+def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[str, str, dict[str, Any]]]:
+    contents = []
+    for name, title in names:
+        module = None if name in TEXT_ONLY else importlib.import_module(f".{name}", sections.__name__)
+        contents.append((name, title, module.section(material) if module else {}))
+    return contents
+
+
+def front_page(material: Material) -> str:
+    """The front page alone."""
+    return environment().get_template("front.html.j2").render(s=front.section(material))
+
+
+def render(material: Material) -> str:
+    """The whole page. The same results and programs give the same text."""
+    return environment().get_template("page.html.j2").render(
+        front=front.section(material),
+        main=_contents(material, MAIN),
+        appendix=_contents(material, APPENDIX),
+        gpu_measured=material.results.gpu_measured(),
+        machines=list(dict.fromkeys(bench.machine for bench in material.results.benches)),
         style=viewer.raw("templates/style.css"),
         slider=viewer.raw("templates/slider.js"),
         viewer=viewer.scripts(),

@@ -20,8 +20,9 @@ from .random_scenes import read_random
 
 @dataclass
 class Results:
-    """All result files, each kind in the order of the files' names."""
+    """All result files, each kind in the order of the files' names. `files`: what each holds, by its name."""
 
+    files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
     audits: list[Audit] = field(default_factory=list)
@@ -43,14 +44,32 @@ class Results:
         applications = [entry["application"] for entry in self.portability or []]
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
+    def whole(self) -> list[Bench]:
+        """The standard studies that timed as many backends as any."""
+        standard = self.study("standard")
+        most = max((bench.rank()[0] for bench in standard), default=0)
+        return [bench for bench in standard if bench.rank()[0] == most]
+
     def machines(self) -> list[Bench]:
-        """One standard study a machine, that with the most launches: machines are compared, not picture sizes."""
-        chosen: dict[str, Bench] = {}
-        for bench in self.study("standard"):
-            kept = chosen.setdefault(bench.machine, bench)
-            if bench.data["launches"] > kept.data["launches"]:
+        """One of those a machine, all of one size: that which most machines share. Else machines would be compared by
+        different pictures."""
+        by_size: dict[str, dict[str, Bench]] = {}
+        for bench in self.whole():
+            chosen = by_size.setdefault(bench.size, {})
+            if bench.machine not in chosen or bench.rank() > chosen[bench.machine].rank():
                 chosen[bench.machine] = bench
-        return list(chosen.values())
+        return list(max(by_size.values(), key=len, default={}).values())
+
+    def primary(self) -> Bench | None:
+        """The standard study that the report is mostly about: of the whole ones that with the most launches."""
+        return max(self.whole(), key=Bench.rank, default=None)
+
+    def gpu_measured(self) -> bool:
+        return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
+
+    def name_of(self, data: Any) -> str:
+        """The file that holds exactly this."""
+        return next(name for name, held in self.files.items() if held is data)
 
 
 def _add_json(results: Results, name: str, path: Path, text: str) -> None:
@@ -58,6 +77,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         data = json.loads(text)
     except ValueError as error:
         raise InputError(f"{name}: no JSON: {error}") from None
+    results.files[name] = data
     kind = data if isinstance(data, dict) else {}
     if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
         results.portability = read_portability(name, data)
@@ -77,6 +97,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
+    results.files[name] = text
     if text.startswith(("ptxas ", "K40 on paper")):
         results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
     elif text.startswith("loop mix: "):

@@ -20,7 +20,7 @@ constexpr int rows = 24;
 constexpr int launches = 5;
 constexpr int samples = 10;
 
-Row made_row(int index)
+Row numbered_row(int index)
 {
     Row row;
     row.fractal = "mandelbulb";
@@ -34,13 +34,13 @@ Row made_row(int index)
 
 // Times as machines make them: each launch has a speed of its own (1.5 %), and each sample a disturbance (1 %). Row i
 // takes factor(i) times as long as others.
-Result made_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_launches = launches)
+Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_launches = launches)
 {
     std::normal_distribution<double> normal;
     Result result;
     result.launches = of_launches;
     for (int i = 0; i < rows; ++i) {
-        Row row = made_row(i);
+        Row row = numbered_row(i);
         for (int launch = 0; launch < of_launches; ++launch) {
             const double speed = 0.1 * factor(i) * std::exp(0.015 * normal(random));
             for (int s = 0; s < samples; ++s) {
@@ -69,8 +69,8 @@ int alarms(const std::function<double(int)>& factor, Alarm alarm)
     std::mt19937_64 random(5);
     int count = 0;
     for (int study = 0; study < 100; ++study) {
-        const Result before = made_result(random, same);
-        const Result after = made_result(random, factor);
+        const Result before = random_result(random, same);
+        const Result after = random_result(random, factor);
         count += alarm(before, after) ? 1 : 0;
     }
     return count;
@@ -117,8 +117,8 @@ TEST(Compare, ShortcutsRaiseMany)
 TEST(Compare, FindsARegressionAndAnImprovement)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same);
-    const Result after = made_result(random, [](int i) { return i == 3 ? 1.15 : i == 8 ? 0.85 : 1.0; });
+    const Result before = random_result(random, same);
+    const Result after = random_result(random, [](int i) { return i == 3 ? 1.15 : i == 8 ? 0.85 : 1.0; });
     const ComparedResults compared = compare_results(before, after);
     EXPECT_EQ(compared.rows[3].verdict, Verdict::slower);
     EXPECT_EQ(compared.rows[8].verdict, Verdict::faster);
@@ -132,8 +132,8 @@ TEST(Compare, FindsARegressionAndAnImprovement)
 TEST(Compare, AnImprovementAloneIsNoRegression)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same);
-    EXPECT_FALSE(compare_results(before, made_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).regression());
+    const Result before = random_result(random, same);
+    EXPECT_FALSE(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).regression());
 }
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
@@ -141,7 +141,7 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     // No noise at all: the difference is certain, and too small.
     Result before;
     before.launches = 2;
-    before.rows.push_back(made_row(0));
+    before.rows.push_back(numbered_row(0));
     for (const int launch : {0, 1}) before.rows[0].samples.push_back({.launch = launch, .kernel = 1, .wall = 1});
     Result after = before;
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.019;
@@ -153,7 +153,7 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
 TEST(Compare, ABrokenPictureIsARegression)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same);
+    const Result before = random_result(random, same);
     Result after = before;
     after.rows[2].proof.fine = false;
     after.rows[2].failure = "the picture is wrong";
@@ -166,8 +166,8 @@ TEST(Compare, ABrokenPictureIsARegression)
 TEST(Compare, WhatCannotBeComparedSaysWhy)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same, 1);
-    Result after = made_result(random, same, 1);
+    const Result before = random_result(random, same, 1);
+    Result after = random_result(random, same, 1);
     after.rows[0].setting.width = 270;
     after.rows[1].backend = "another";
     after.rows[2].unavailable = "no device";
@@ -180,7 +180,7 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     ASSERT_EQ(compared.warnings.size(), 1U);
     EXPECT_NE(compared.warnings[0].find("unseen"), std::string::npos);
     Result other;
-    other.rows.push_back(made_row(77));
+    other.rows.push_back(numbered_row(77));
     EXPECT_THROW(compare_results(before, other), InputError);
 }
 
@@ -188,7 +188,7 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
 Compared third_row_after(const std::function<void(Result&)>& change)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same);
+    const Result before = random_result(random, same);
     Result after = before;
     EXPECT_FALSE(compare_results(before, after).regression());
     change(after);
@@ -235,7 +235,7 @@ TEST(Compare, WhatHasNoTimeIsLost)
 TEST(Compare, WhatIsNewIsSaidAndFine)
 {
     std::mt19937_64 random(7);
-    const Result after = made_result(random, same);
+    const Result after = random_result(random, same);
     Result before = after;
     before.rows[1].unavailable = "no device";
     before.rows.erase(before.rows.begin() + 3);
@@ -249,7 +249,7 @@ TEST(Compare, WhatIsNewIsSaidAndFine)
 TEST(Compare, TheResultsOwnWarningsAreShown)
 {
     std::mt19937_64 random(7);
-    Result before = made_result(random, same);
+    Result before = random_result(random, same);
     Result after = before;
     before.warnings = {"load: 7 threads"};
     after.warnings = {"frequency:\x1b[2J 1 to 2 MHz"};
@@ -262,7 +262,7 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
 TEST(Compare, OneLaunchIsComparedByMedians)
 {
     std::mt19937_64 random(7);
-    const Result before = made_result(random, same, 1);
+    const Result before = random_result(random, same, 1);
     Result after = before;
     after.rows[3].samples[4].kernel *= 1000;
     const ComparedResults compared = compare_results(before, after);

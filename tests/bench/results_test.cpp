@@ -32,6 +32,18 @@ std::string refusal_of(const std::string& text)
 
 TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(to_json(parse_result(text_of(whole()), "file.json")), whole()); }
 
+// Ratios are taken round by round: a slow round, the third, cancels. The reference is no backend of the text.
+TEST(ResultFile, OtherBackendsStandBesideTheHosts)
+{
+    const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
+                                       made_row("vulkan", {3, 3, 27, 3, 3, 3, 3}), made_row("reference", seven)});
+    const Json ratios = to_json(result)["questions"]["others_to_host"];
+    ASSERT_EQ(ratios.size(), 1);
+    EXPECT_EQ(ratios[0]["numerator"], "mandelbox/float/exact/vulkan/0");
+    EXPECT_EQ(ratios[0]["denominator"], "mandelbox/float/exact/openmp/0");
+    EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
+}
+
 // Each is one line that names the file, the place and what was given.
 TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
 {

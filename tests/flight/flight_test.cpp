@@ -136,6 +136,26 @@ TEST(Audit, EveryRowCanFail)
           }),
           "frames with apparent motion");
     fails(spoilt([](auto& f) {
+              for (std::size_t i = 0; i < f.size(); i += 10) f[i + 1] = f[i];
+          }),
+          "jerk, 95 of 100");
+    fails(spoilt([](auto& f) {
+              for (std::size_t i = 0; i < f.size(); i += 10) f[i].target = f[i].target + 0.01 * f[i].up;
+          }),
+          "angular jerk");
+    fails(spoilt([](auto& f) {
+              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
+          }),
+          "frames under 40 %");
+    // From far away, 30 degrees beside the picture's middle: it is in the corner.
+    fails(spoilt([](auto& f) {
+              for (auto& frame : f) {
+                  move_to(frame, {0, 0, 12});
+                  frame.target = frame.eye + Vector{0.8, 0.4, -1};
+              }
+          }),
+          "longest time with the subject at the edge");
+    fails(spoilt([](auto& f) {
               // The sky, and then the same way once more.
               for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
               std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);

@@ -48,18 +48,18 @@ TEST(Standing, IsWhatAPlainSearchFinds)
 
 TEST(Standing, TakesWorkThatGrowsWithTheFrames)
 {
-    constexpr std::size_t frames = 200'000;
-    const std::vector<double> radii(frames, 1);
+    constexpr std::size_t length = 200'000;
+    const std::vector<double> radii(length, 1);
     const auto work = [&](auto place) {
         std::vector<Vector> places;
-        for (std::size_t i = 0; i < frames; ++i) places.push_back(place(i));
+        for (std::size_t i = 0; i < length; ++i) places.push_back(place(i));
         return longest_stand(places, radii).distances;
     };
     // Still all the time, still for long with hops between, on the way, slowly on the way.
-    EXPECT_LT(work([](std::size_t) { return Vector{1, 2, 3}; }), 4 * frames);
-    EXPECT_LT(work([](std::size_t i) { return Vector{i % 20'001 == 20'000 ? 2.0 : 0.0, 0, 0}; }), 4 * frames);
-    EXPECT_LT(work([](std::size_t i) { return Vector{0.3 * static_cast<double>(i), 0, 0}; }), 4 * frames);
-    EXPECT_LT(work([](std::size_t i) { return Vector{0.00003 * static_cast<double>(i), 0, 0}; }), 4 * frames);
+    EXPECT_LT(work([](std::size_t) { return Vector{1, 2, 3}; }), 4 * length);
+    EXPECT_LT(work([](std::size_t i) { return Vector{i % 20'001 == 20'000 ? 2.0 : 0.0, 0, 0}; }), 4 * length);
+    EXPECT_LT(work([](std::size_t i) { return Vector{0.3 * static_cast<double>(i), 0, 0}; }), 4 * length);
+    EXPECT_LT(work([](std::size_t i) { return Vector{0.00003 * static_cast<double>(i), 0, 0}; }), 4 * length);
 }
 
 }  // namespace

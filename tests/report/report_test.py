@@ -24,6 +24,7 @@ from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.bench import read_bench  # noqa: E402
+from mandelreport.page import APPENDIX, MAIN  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
 
 
@@ -106,11 +107,11 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(Faults(page).found, [])
         self.assertLess(len(page), 15 * 2**20)
         self.assertEqual(
-            re.findall(r'<section id="(\w+)">', page),
-            ["pictures", "timings", "parallel", "flight", "why", "summary", "reproduce", "viewer"],
+            re.findall(r'<section id="(\w+)"', page),
+            ["front", *(name for name, _ in [*MAIN, *APPENDIX])],
         )
         # Numbers come from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s a frame, the revision.
-        for text in ("100", "95.0 – 105", "1.17 deg", "0.25", "0123456789abcdef", "OpenMP"):
+        for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
         self.assertIn(">0.12 – 0.99<", page)  # of two sets
         # Equal pictures are stored once: a good one and a broken one of each fractal.
@@ -127,7 +128,7 @@ class ReportTest(unittest.TestCase):
         changed["bench.json"]["rows"][0]["figures"]["kernel_seconds"]["median"] = 0.7654
         self.make(changed, "bin", output="changed", results="changed")
         self.assertNotEqual(page, self.page("changed"))
-        self.assertIn(">765<", self.page("changed"))
+        self.assertIn(">765 [", self.page("changed"))
 
     def test_a_device_that_fails_is_named_and_all_others_are_there(self) -> None:
         made_programs.programs(self.folder / "bin")
@@ -247,12 +248,20 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("left out"), 2)
 
-    def test_one_study_a_machine(self) -> None:
-        more = made.bench() | {"launches": made.bench()["launches"] + 2}
-        files = {"a.json": made.bench(), "b.json": more, "c.json": made.bench()}
+    def test_machines_are_compared_at_one_size(self) -> None:
+        def of(machine: str, launches: int, side: int) -> dict[str, object]:
+            data = made.bench() | {"launches": launches}
+            data["environment"]["cpu"]["model"] = machine
+            for row in data["rows"]:
+                row["setting"] |= {"width": side, "height": side}
+            return data
+
+        files = {"a.json": of("one", 1, 540), "b.json": of("one", 3, 540), "c.json": of("one", 5, 1080), "d.json": of("two", 1, 540)}
+        files["e.json"] = of("three", 9, 540)
+        files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # not a whole study
         found = read_results(made.write(self.folder / "results", files))
-        self.assertEqual(len(found.study("standard")), 3)
-        self.assertEqual([bench.name for bench in found.machines()], ["b.json"])
+        self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
+        self.assertEqual(found.primary().name, "c.json")
 
     def test_both_tables_of_the_k40(self) -> None:
         folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})

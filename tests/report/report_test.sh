@@ -8,4 +8,5 @@ if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, jsonschema, mark
     echo "no build/venv with the report's packages: make python"
     exit 77
 fi
+$python tests/report/front_test.py
 exec $python tests/report/report_test.py

@@ -29,9 +29,9 @@ constexpr float not_drawn = -7;  // no depth
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
 // A picture in float whose lattices are drawn one by one, by one thread.
-class Drawn {
+class DrawnLattices {
 public:
-    explicit Drawn(const Scene& scene)
+    explicit DrawnLattices(const Scene& scene)
         : scene_(scene),
           variant_(counted_packs(scene)),
           picture_(scene, Mode::fast, {}, variant_, notes),
@@ -96,7 +96,7 @@ private:
 constexpr Lattice lattices[] = {{0, 4}, {4, 2}, {2, 1}};
 
 // True where exactly the pixels in columns and rows that are multiples of `apart` are drawn.
-bool drawn_are_multiples(const Drawn& drawn, const Scene& scene, int apart)
+bool drawn_are_multiples(const DrawnLattices& drawn, const Scene& scene, int apart)
 {
     for (int y = 0; y < scene.height; ++y) {
         for (int x = 0; x < scene.width; ++x) {
@@ -118,7 +118,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
     }
     for (const NamedScene& named : random_scenes(10, 505)) scenes.push_back(named.scene);
     for (const Scene& scene : scenes) {
-        Drawn drawn(scene);
+        DrawnLattices drawn(scene);
         for (const Lattice& lattice : lattices) {
             drawn.draw(lattice);
             EXPECT_TRUE(drawn_are_multiples(drawn, scene, lattice.apart))
@@ -131,7 +131,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
             EXPECT_FALSE(drawn.drawn_once());
         }
         if (scene.width > 1) {
-            Drawn twin(scene);
+            DrawnLattices twin(scene);
             twin.draw(lattices[0]);
             twin.draw(lattices[1]);
             EXPECT_FALSE(drawn_are_multiples(twin, scene, 1));
@@ -142,9 +142,9 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
 // What is off a picture drawn all at once where `change` has changed the neighbours' depths before the last lattice.
 Comparison off(const Scene& scene, const std::function<void(float& depth)>& change)
 {
-    Drawn alone(scene);
+    DrawnLattices alone(scene);
     alone.draw({0, 1});
-    Drawn drawn(scene);
+    DrawnLattices drawn(scene);
     for (const Lattice& lattice : lattices) {
         if (lattice.apart == 1) {
             for (float& depth : drawn.notes.neighbour_depth) change(depth);

@@ -12,19 +12,19 @@
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
-namespace box {
+namespace tailed {
 #include "core/kernel/prelude/scalar.h"
 #include "core/kernel/text.h"
 #include "core/kernel/prelude/undefine.h"
-}  // namespace box
+}  // namespace tailed
 
 namespace mandelmarch {
 namespace {
 
-box::Scene scene_of(const Scene& scene, bool tails)
+tailed::Scene scene_of(const Scene& scene, bool tails)
 {
     const auto laid_out = kernel_scene<layout_f64::Scene>(scene, Mode::fast, {.tail = tails});
-    box::Scene kernel;
+    tailed::Scene kernel;
     static_assert(sizeof kernel == sizeof laid_out);
     std::memcpy(&kernel, &laid_out, sizeof kernel);
     return kernel;
@@ -37,21 +37,21 @@ struct Difference {
 };
 
 // Along the rays of every eighth pixel, the samples without tails.
-Difference difference(const Scene& scene, const box::Scene& with)
+Difference difference(const Scene& scene, const tailed::Scene& with)
 {
-    const box::Scene without = scene_of(scene, false);
+    const tailed::Scene without = scene_of(scene, false);
     Difference found;
     for (int y = 0; y < scene.height; y += 8) {
         for (int x = 0; x < scene.width; x += 8) {
-            box::Ray ray = box::begin(without, x, y);
-            while (box::marching(without, ray)) {
-                const box::vec3 p = box::point_at(without, ray, ray.t);
-                const box::Estimate a = box::estimate(without, p, true);
-                const box::Estimate b = box::estimate(with, p, true);
+            tailed::Ray ray = tailed::begin(without, x, y);
+            while (tailed::marching(without, ray)) {
+                const tailed::vec3 p = tailed::point_at(without, ray, ray.t);
+                const tailed::Estimate a = tailed::estimate(without, p, true);
+                const tailed::Estimate b = tailed::estimate(with, p, true);
                 ++found.samples;
                 found.iterations += a.iterations != b.iterations;
                 found.distances += !(std::abs(a.distance - b.distance) <= 1e-9 * std::abs(a.distance));
-                ray = box::advance(without, ray, true);
+                ray = tailed::advance(without, ray, true);
             }
         }
     }
@@ -63,8 +63,8 @@ TEST(Tails, LeaveEstimatesAsTheyAre)
     Difference all;
     for (const auto& [name, scene] : random_scenes(24, 2002)) {
         if (scene.fractal->nickname != "box") continue;
-        const box::Scene with = scene_of(scene, true);
-        if (box::box_tail_end(with) == 0) continue;
+        const tailed::Scene with = scene_of(scene, true);
+        if (tailed::box_tail_end(with) == 0) continue;
         const Difference found = difference(scene, with);
         EXPECT_LE(found.distances, found.samples / 30) << name;
         EXPECT_LE(found.iterations, found.samples / 30) << name;
@@ -88,7 +88,7 @@ TEST(Tails, WrongRadiiShow)
 {
     const Scene scene = official_scene("box", 270, 270);
     for (const double factor : {0.5, 2.0}) {
-        box::Scene with = scene_of(scene, true);
+        tailed::Scene with = scene_of(scene, true);
         with.fractal[7] *= factor * factor;
         const Difference found = difference(scene, with);
         EXPECT_GT(found.distances, found.samples / 4) << factor;

@@ -98,8 +98,8 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
         throw InputError(fmt::format("{}: {}, expected a PNG picture", name, why));
     };
     constexpr std::size_t header_at = signature_size + 8;
-    constexpr std::size_t header_size = 13;
-    if (data.size() < header_at + header_size || number(data, signature_size + 4) != type_ihdr) {
+    constexpr std::size_t header_length = 13;
+    if (data.size() < header_at + header_length || number(data, signature_size + 4) != type_ihdr) {
         refuse("it has no header");
     }
     const auto compressed = compressed_size(data);

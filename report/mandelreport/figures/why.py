@@ -32,10 +32,10 @@ class Factors:
         return self.calls * self.iterations * self.operations
 
 
-def factors(bench: Bench) -> list[Factors]:
-    """Of every scene that the study box-vs-bulb counted, in its rows' order."""
+def factors(bench: Bench, backend: str) -> list[Factors]:
+    """Of every scene that the study box-vs-bulb counted, in its rows' order; times are `backend`'s."""
     found = []
-    rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows}
+    rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
     for count in bench.data["counts"]:
         view = count["setting"]["view"]
         row = rows.get((count["fractal"], count["precision"], view))

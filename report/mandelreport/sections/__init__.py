@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections: each module's function takes the material and returns what its template prints."""
+"""Sections: each module's function takes the material and returns what its template prints. front is the first page, then
+come the main part and the appendix, in the order of page.py."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ import functools
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..answers import Answers
 from ..backends import Backends
 from ..pictures import Studio
 from ..results import Results
@@ -23,3 +25,11 @@ class Material:
     @functools.cached_property
     def backends(self) -> Backends:
         return self.results.backends(self.studio.backends)
+
+    @functools.cached_property
+    def answers(self) -> Answers:
+        return Answers(self.results, self.backends)
+
+    def letter(self, name: str) -> str:
+        """What tables call a result of the standard study: A for the first."""
+        return chr(ord("A") + [bench.name for bench in self.results.study("standard")].index(name))

@@ -1,22 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Section 4: how the frames are chosen."""
+"""The flights: paths over time, audits, studies, and how the frames are chosen."""
 
 from __future__ import annotations
 
-import io
 from typing import Any
 
-from PIL import Image
-
-from ..blocks import Figure, Missing, Table, data_uri
+from ..blocks import Missing, Table
 from ..docs import chapter
 from ..figures import flight as figures
 from ..flight import Audit
 from ..text import plain
 from . import Material
-
-SHEET_WIDTH = 1600  # pixels
-SHEET_QUALITY = 80
 
 
 def _audit_table(audit: Audit) -> Table:
@@ -44,25 +38,10 @@ def _audit_table(audit: Audit) -> Table:
     )
 
 
-def _sheet(path: Any) -> Figure:
-    """A contact sheet, made small enough for the page."""
-    with Image.open(path) as image:
-        small = image.convert("RGB")
-        if small.width > SHEET_WIDTH:
-            small = small.resize((SHEET_WIDTH, round(small.height * SHEET_WIDTH / small.width)), Image.Resampling.LANCZOS)
-        buffer = io.BytesIO()
-        small.save(buffer, format="JPEG", quality=SHEET_QUALITY, optimize=True)
-    return Figure(
-        data_uri("image/jpeg", buffer.getvalue()),
-        f"Contact sheet of the film ({path.stem}): small frames in their order, row by row, from outside the fractal to "
-        "its holes.",
-        f"The film in small: {path.stem}.",
-    )
-
-
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    maps = [(figures.ground(flight), figures.over_time(flight), flight) for flight in results.maps]
+    # The main part shows the last map.
+    maps = [(figures.ground(m) if m is not results.maps[-1] else None, figures.over_time(m), m) for m in results.maps]
     command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
     return {
         "seed_to_path": chapter("docs/flight.md", "From the seed to the path"),
@@ -73,6 +52,4 @@ def section(material: Material) -> dict[str, Any]:
         "no_audits": Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json"),
         "studies": results.flight_studies,
         "no_studies": Missing("The study of many seeds, of anti-aliasing and of segments", "make flight-study"),
-        "sheets": [_sheet(path) for path in results.contact_sheets],
-        "no_sheets": Missing("The contact sheet", "make contact-sheet"),
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Section 1: the pictures of every backend, how they differ, and by how much."""
+"""The pictures of every backend, how they differ, and by how much."""
 
 from __future__ import annotations
 

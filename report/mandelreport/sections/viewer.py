@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Section 8: the live viewer."""
+"""The live viewer."""
 
 from __future__ import annotations
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/audit/turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double most_jerk = 0.3;         // of the cube of the pace in clearances a second
+constexpr double most_angular_jerk = 30;  // degrees a second^3
+constexpr double cube = static_cast<double>(frames_per_second) * frames_per_second * frames_per_second;
+
+// The rotation from each frame's camera to the next: its axis, as long as its angle in radians.
+std::vector<Vector> rotations(const Path& path)
+{
+    const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };
+    std::vector<Vector> all;
+    all.reserve(path.frames.size());
+    Camera before = camera(0);
+    for (std::size_t i = 1; i < path.frames.size(); ++i) {
+        const Camera now = camera(i);
+        const Vector r0 = unit(before.across);
+        const Vector u0 = unit(before.upward);
+        const Vector r1 = unit(now.across);
+        const Vector u1 = unit(now.upward);
+        const double trace = dot(before.forward, now.forward) + dot(r0, r1) + dot(u0, u1);
+        const Vector axis = 0.5 * (cross(before.forward, now.forward) + cross(r0, r1) + cross(u0, u1));
+        const double sine = length(axis);
+        const double angle = std::atan2(sine, (trace - 1) / 2);
+        all.push_back(sine > 0 ? (angle / sine) * axis : axis);
+        before = now;
+    }
+    return all;
+}
+
+double percentile_95(std::vector<double> values)
+{
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, at);
+    return *at;
+}
+
+}  // namespace
+
+std::vector<double> turns_of(const Path& path)
+{
+    std::vector<double> turns{0};
+    for (const Vector& rotation : rotations(path)) turns.push_back(length(rotation) * 180 / std::numbers::pi);
+    return turns;
+}
+
+std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
+{
+    std::vector<double> jerk;
+    for (std::size_t i = 3; i < path.frames.size(); ++i) {
+        const auto eye = [&](std::size_t back) { return path.frames[i - back].eye; };
+        const Vector third = eye(0) - 3.0 * eye(1) + 3.0 * eye(2) - eye(3);
+        jerk.push_back(length(third) * cube / std::max(clearances[i], 1e-300));
+    }
+    const std::vector<Vector> turned = rotations(path);
+    std::vector<double> angular;
+    for (std::size_t i = 2; i < turned.size(); ++i) {
+        const Vector second = turned[i] - 2.0 * turned[i - 1] + turned[i - 2];
+        angular.push_back(length(second) * cube * 180 / std::numbers::pi);
+    }
+    const double pace = path.scene.fractal->flight.measures.pace * frames_per_second;
+    const double bar = most_jerk * pace * pace * pace;
+    return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
+            {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,
+             "deg/s^3", ""}};
+}
+
+}  // namespace mandelmarch

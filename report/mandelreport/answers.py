@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The front page's answers: what each sentence needs, from the results. None where there is no data for one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from markupsafe import Markup
+
+from .backends import Backends
+from .bench import Bench, Row
+from .results import Results
+from .trace import Place, Trace
+
+FRACTALS = ("mandelbulb", "mandelbox")
+
+
+def _names(items: Iterable[str]) -> list[str]:
+    return list(dict.fromkeys(items))
+
+
+class Answers:
+    """`primary`: the standard study with the most backends and, of these, launches."""
+
+    def __init__(self, results: Results, backends: Backends):
+        self.results, self.backends = results, backends
+        self.trace = Trace(results.files)
+        self.primary = results.primary()
+
+    def _standard(self) -> tuple[str, ...]:
+        return tuple(bench.name for bench in self.results.study("standard"))
+
+    def _count(self, path: str, files: tuple[str, ...]) -> Markup:
+        return self.trace.number(Place(files, path, "count"), "whole")
+
+    def same(self) -> dict[str, Any] | None:
+        """How many exact pictures have the same bits, and how far off fast ones are."""
+        if self.primary is None:
+            return None
+        timed = f"figures!=null&point=&backend!={self.backends.reference}"
+        files = self._standard()
+        every = [row for bench in self.results.study("standard") for row in bench.rows if row.timed and not row.point]
+        exact = [row for row in every if row.mode == "exact" and row.backend != self.backends.reference]
+        off = Place(files, f"rows:mode=fast&{timed}:proof.visibly_differing/proof.pixels", "most")
+        return {
+            "same": self._count(f"rows:mode=exact&{timed}&proof.level=same bits", files),
+            "exact": self._count(f"rows:mode=exact&{timed}", files),
+            "all": bool(exact) and all(row.proof["level"] == "same bits" for row in exact),
+            "backends": self.backends.order(row.backend for row in exact),
+            "off": self.trace.number(off, "digits", 100) if any(row.mode == "fast" for row in every) else None,
+        }
+
+    def _ratio(self, question: str, numerator: str) -> Markup:
+        assert self.primary is not None
+        return self.trace.times(self.primary.name, f"questions:{question}:numerator={numerator}:ratio")
+
+    def fastest(self) -> dict[str, Any] | None:
+        """Who is fastest on the primary machine, and how long the next best takes, least to most."""
+        if self.primary is None or not self.primary.others_to_host():
+            return None
+        others = self.primary.others_to_host()
+        next_best: dict[str, dict[str, Any]] = {}
+        for ratio in others:
+            kept = next_best.setdefault(ratio["denominator"], ratio)
+            if ratio["ratio"]["median"] < kept["ratio"]["median"]:
+                next_best[ratio["denominator"]] = ratio
+        ends = [pick(next_best.values(), key=lambda r: r["ratio"]["median"]) for pick in (min, max)]
+        name = self.primary.name
+        return {
+            "host": self.backends.host,
+            "host_wins": all(ratio["ratio"]["median"] > 1 for ratio in others),
+            "machines": _names(bench.machine for bench in self.results.whole() if bench.host_wins()),
+            "slower": self._count("questions:others_to_host:ratio.interval.0>1", (name,)),
+            "compared": self._count("questions:others_to_host:numerator=*", (name,)),
+            "ends": [(self._ratio("others_to_host", r["numerator"]), *r["numerator"].split("/")[:4]) for r in ends],
+        }
+
+    def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
+        """The host's fastest row that has this speed-up, from the study with the most launches, a standard one first."""
+        rows = [
+            (bench, row)
+            for bench in self.results.benches
+            if bench.study in ("standard", "packs")
+            for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=self.backends.host)
+            if row.figures.get(key) is not None
+        ]
+        order = [(b is self.primary, b.study == "standard", b.data["launches"], r.figures[key]) for b, r in rows]
+        return rows[order.index(max(order))] if rows else None
+
+    def speed_ups(self) -> dict[str, Any] | None:
+        """Of the host in float: over the serial reference, and over the same text as scalar C++ on the same threads."""
+        for mode in ("fast", "exact"):
+            chosen = {key: [self.speed_up(key, f, "float", mode) for f in FRACTALS] for key in ("speed_up", "over_scalar")}
+            if all(one is not None for two in chosen.values() for one in two):
+                break
+        else:
+            return None
+
+        def numbers(key: str) -> list[Markup]:
+            return [
+                self.trace.with_interval(b.name, f"{at}:{key}", f"{at}:{key}_interval")
+                for b, r in filter(None, chosen[key])
+                for at in [f"rows:name={r.name}:figures"]
+            ]
+
+        machines = {key: _names(b.machine for b, _ in filter(None, two)) for key, two in chosen.items()}
+        return {"mode": mode, "serial": numbers("speed_up"), "scalar": numbers("over_scalar"), "machines": machines}
+
+    def box_or_bulb(self) -> dict[str, Any] | None:
+        """How much longer the Mandelbox takes, and the counted factors that make it so, in double and exact mode."""
+        kinds = [("double", "exact"), ("float", "fast")]
+        ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
+        if self.primary is None or None in ratios:
+            return None
+        name = self.primary.name
+
+        def factor(what: str) -> Markup:
+            box, bulb = (
+                Place((name,), f"counts:fractal={f}&precision=double&mode=exact&setting.view=official:{what}")
+                for f in ("mandelbox", "mandelbulb")
+            )
+            return self.trace.number(box, over=bulb)
+
+        box, bulb = (Place((name,), f"rows:name={f}/double/exact/{self.backends.host}/0:operations") for f in FRACTALS[::-1])
+        return {
+            "ratios": [
+                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, _verdict(r)) for r, (p, m) in zip(ratios, kinds)
+            ],
+            "calls": factor("work.de_calls/pixels"),
+            "iterations": factor("work.iterations/work.de_calls"),
+            "operations": factor("operations_per_iteration"),
+            "work": self.trace.number(box, over=bulb),
+        }
+
+    def _found(self, question: str, numerator: str) -> dict[str, Any] | None:
+        entries = self.primary.data["questions"].get(question, []) if self.primary else []
+        return next((entry for entry in entries if entry["numerator"] == numerator), None)
+
+    def float_or_double(self) -> dict[str, Any] | None:
+        """What double costs on the host, and what float costs in the picture of random scenes."""
+        ratios = {
+            mode: [self._found("double_to_float", f"{f}/double/{mode}/{self.backends.host}/0") for f in FRACTALS]
+            for mode in ("exact", "fast")
+        }
+        if self.primary is None or any(ratio is None for two in ratios.values() for ratio in two):
+            return None
+        random = next((data for data in self.results.random if not data["without"]), None)
+        file = self.results.name_of(random) if random else ""
+        found = {(entry["fractal"], entry["precision"]) for entry in random["sums"]} if random else set()
+        off = None
+        if all((fractal, p) in found for fractal in ("bulb", "box") for p in ("float", "double")):
+            off = {
+                p: [self.trace.one(file, f"sums:fractal={f}&precision={p}:all.off_percent") for f in ("bulb", "box")]
+                for p in ("float", "double")
+            }
+        return {
+            "float_wins": all(_verdict(ratio) == "slower" for two in ratios.values() for ratio in two),
+            "exact": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["exact"]],
+            "fast": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["fast"]],
+            "off": off,
+        }
+
+    def gpu(self) -> dict[str, Any] | None:
+        """A GPU that was measured, or what one is predicted to do, beside the host, both at the film's size."""
+        measured = [(b, r) for b in self.results.benches for r in b.rows if r.timed and r.is_gpu]
+        if measured:
+            bench, row = min(measured, key=lambda one: one[1].kernel.median / one[1].pixels)
+            return {
+                "measured": self.trace.times(bench.name, f"rows:name={row.name}:figures:kernel_seconds", 1e3),
+                "device": row.device_name,
+                "what": f"{row.fractal}, {row.precision}, {row.mode}",
+            }
+        expected = next((n for n, text in self.results.files.items() if str(text).startswith("K40 on paper")), None)
+        rows = [self._at_film_size(fractal) for fractal in FRACTALS]
+        if expected is None or None in rows:
+            return None
+        pairs = []
+        for fractal, (bench, row) in zip(FRACTALS, rows):
+            place = Place((expected,), f"{fractal} float fast:-2")
+            at = f"rows:name={row.name}:figures:kernel_seconds"
+            pairs.append(
+                {
+                    "predicted": self.trace.number(place),
+                    "host": self.trace.times(bench.name, at, 1e3),
+                    "times": self.trace.number(Place((bench.name,), f"{at}:median"), scale=1e3, over=place),
+                }
+            )
+        size = [self.trace.one(rows[0][0].name, f"rows:name={rows[0][1].name}:setting.{k}", "plain") for k in ("width", "height")]
+        return {"predicted": pairs, "size": size, "host": self.backends.host, "machine": rows[0][0].machine}
+
+    def _at_film_size(self, fractal: str) -> Any:
+        rows = [
+            (bench, row)
+            for bench in self.results.benches
+            if bench.study in ("standard", "resolution")
+            for row in bench.timed(fractal=fractal, precision="float", mode="fast", backend=self.backends.host)
+            if (row.setting["width"], row.setting["height"]) == (1920, 1080)
+        ]
+        return max(rows, key=lambda one: (one[0].data["launches"], one[1].kernel.count), default=None)
+
+    def film(self) -> dict[str, Any] | None:
+        """Frames, seconds and seconds a frame of the first film whose summary is there."""
+        for name, data in self.results.files.items():
+            if isinstance(data, dict) and data.get("schema") == "mandelmarch-film" and data["frames_rendered"]:
+                one = self.trace.one
+                return {
+                    "frames": one(name, "frames_rendered", "whole"),
+                    "seconds": one(name, "seconds", "whole"),
+                    "minutes": one(name, "seconds", "whole", 1 / 60),
+                    "a_frame": one(name, "seconds/frames_rendered"),
+                    "size": [one(name, "width", "plain"), one(name, "height", "plain")],
+                    "samples": one(name, "samples"),
+                    "threads": one(name, "threads", "plain") if data["threads"] else None,
+                    "device": data["device"]["name"],
+                    "fractal": data["fractal"],
+                    "what": f"{data['precision']}, {data['mode']}",
+                }
+        return None
+
+
+def _verdict(ratio: dict[str, Any]) -> str:
+    interval = ratio["ratio"]["interval"]
+    if interval is None or interval[0] <= 1 <= interval[1]:
+        return "undecided"
+    return "slower" if interval[0] > 1 else "faster"

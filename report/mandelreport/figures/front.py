@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The front page's figure: every backend's time, both baselines among them."""
+
+from __future__ import annotations
+
+from ..backends import Backends
+from ..bench import Bench, Row
+from ..blocks import Figure
+from ..text import ms, plain, where
+from . import style
+
+# Precision and mode: filled or not, and the marker.
+KINDS = {
+    ("double", "exact"): ("full", "o"),
+    ("float", "exact"): ("none", "o"),
+    ("double", "fast"): ("full", "s"),
+    ("float", "fast"): ("none", "s"),
+}
+
+
+def times(bench: Bench, backends: Backends) -> Figure:
+    """Narrow, so that it can be read on a phone. Reference and scalar text below the backends."""
+    rows = [row for row in map(Row, bench.data["rows"]) if row.timed]
+    fractals = list(dict.fromkeys(row.fractal for row in rows))
+    scalar = f"{backends.host}, scalar"
+    names = backends.order(where(row) for row in rows if row.backend != backends.reference)
+    names += [scalar] * any(row.point for row in rows) + [backends.reference]
+    figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.26 * len(names) * len(fractals), sharex=True)
+    said = []
+    for (axis,), fractal in zip(axes, fractals):
+        for row in (row for row in rows if row.fractal == fractal):
+            name = scalar if row.point else where(row)
+            fill, marker = KINDS[(row.precision, row.mode)]
+            low, high = row.kernel.errors()
+            at = names.index(name) + 0.15 * (list(KINDS).index((row.precision, row.mode)) - 1.5)
+            axis.errorbar(
+                1e3 * row.kernel.median,
+                at,
+                xerr=[[1e3 * low], [1e3 * high]],
+                marker=marker,
+                fillstyle=fill,
+                color=style.COLOURS[backends.number_of(row.backend) % 8],
+                linestyle="",
+                markersize=4.5,
+            )
+            said.append(f"{fractal}, {name}, {row.precision}, {row.mode}: {ms(row.kernel.median)} ms")
+        axis.set_yticks(range(len(names)), names)
+        axis.invert_yaxis()
+        axis.set_xscale("log")
+        axis.xaxis.set_major_formatter(lambda x, _: plain(x))
+        axis.grid(axis="y", visible=False)
+        axis.set_title(fractal)
+    axes[-1][0].set_xlabel("kernel time of a picture [ms], logarithmic")
+    handles = [
+        axes[0][0].plot([], [], marker=marker, fillstyle=fill, color="black", linestyle="", label=f"{precision}, {mode}")[0]
+        for (precision, mode), (fill, marker) in KINDS.items()
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=8)
+    size = rows[0].setting
+    return style.block(
+        figure,
+        "Points of kernel times with intervals. " + "; ".join(said) + ".",
+        f"Kernel time of one picture of {size['width']} x {size['height']} pixels, median and 95 % interval; "
+        f"{bench.machine}, {bench.name}.",
+        wide=False,
+    )

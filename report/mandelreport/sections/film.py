@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the frames are chosen, and the film's summary that the assignment asks for."""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from ..blocks import Figure, Missing, Table, data_uri
+from ..figures import flight as figures
+from ..flight import Film
+from ..text import digits
+from . import Material
+
+SHEET_WIDTH = 1600  # pixels
+SHEET_QUALITY = 80
+
+
+def _table(film: Film) -> Table:
+    rows = [
+        ["GPU(s) or CPU used", film.device],
+        ["number of frames", f"{film.frames:,}"],
+        ["average seconds per frame", digits(film.per_frame) if film.per_frame else "none was rendered in this run"],
+        ["frames rendered in this run, seconds", f"{film.rendered:,} in {digits(film.seconds)} s"],
+        ["processes", str(film.processes)],
+    ]
+    if film.details:
+        rows.append(["frames", film.details])
+    return Table(["", film.fractal], rows, f"The film, from {film.name}. Drawing, filtering and encoding are in the time.")
+
+
+def _sheet(path: Path) -> Figure:
+    """A contact sheet, made small enough for the page."""
+    with Image.open(path) as image:
+        small = image.convert("RGB")
+        if small.width > SHEET_WIDTH:
+            small = small.resize((SHEET_WIDTH, round(small.height * SHEET_WIDTH / small.width)), Image.Resampling.LANCZOS)
+        buffer = io.BytesIO()
+        small.save(buffer, format="JPEG", quality=SHEET_QUALITY, optimize=True)
+    return Figure(
+        data_uri("image/jpeg", buffer.getvalue()),
+        f"Contact sheet of the film ({path.stem}): small frames in their order, row by row, from outside the fractal to "
+        "its holes.",
+        f"The film in small: {path.stem}.",
+        see="row by row, the camera comes from outside, turns into a hole and goes on from hole to hole.",
+    )
+
+
+def section(material: Material) -> dict[str, Any]:
+    results = material.results
+    map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
+    ground = dataclasses.replace(
+        figures.ground(results.maps[-1]),
+        see="the path (red) stays within the free balls (pale) and goes from passage to passage (diamonds).",
+    ) if results.maps else None
+    promises = [row for audit in results.audits for row in audit.data["rows"] if row["promise"]]
+    return {
+        "films": [_table(film) for film in results.films],
+        "missing": Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
+        "map": ground or Missing("The map and the path", map_command),
+        "sheets": [_sheet(path) for path in results.contact_sheets],
+        "no_sheets": Missing("The contact sheet", "make contact-sheet"),
+        "promises": len(promises),
+        "kept": sum(row["kept"] for row in promises),
+        "flights": len(results.audits),
+    }

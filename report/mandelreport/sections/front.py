@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The front page: what was found, each answer with its number and interval."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..blocks import Missing
+from ..figures.front import times
+from . import Material
+
+
+def section(material: Material) -> dict[str, Any]:
+    answers = material.answers
+    return {
+        "same": answers.same(),
+        "fastest": answers.fastest(),
+        "speed_ups": answers.speed_ups(),
+        "box": answers.box_or_bulb(),
+        "float": answers.float_or_double(),
+        "gpu": answers.gpu(),
+        "film": answers.film(),
+        "figure": times(answers.primary, material.backends) if answers.primary else None,
+        "bench": Missing("This answer", "make bench"),
+        "no_gpu": Missing("This answer", "make k40"),
+        "no_film": Missing("This answer", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
+        "file": answers.primary.name if answers.primary else "",
+        "launches": answers.primary.data["launches"] if answers.primary else 0,
+        "machine": answers.primary.machine if answers.primary else "",
+    }

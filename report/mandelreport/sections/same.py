@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Is it the same picture everywhere: both scenes, and what the proofs found."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+from PIL import Image
+
+from ..blocks import Block, Figure, Missing, Table, data_uri
+from ..pictures import SCENES, Key
+from . import Material
+
+SHOWN = 400  # pixels
+
+
+def _picture(material: Material, fractal: str) -> Figure | None:
+    studio = material.studio
+    picture = studio.picture(Key(fractal, "double", "exact", material.backends.host)) if studio.there else None
+    if picture is None:
+        return None
+    buffer = io.BytesIO()
+    small = Image.fromarray(picture.bytes).resize((SHOWN, SHOWN), Image.Resampling.LANCZOS)
+    small.save(buffer, format="WEBP", quality=90)
+    alt = f"The {fractal}'s official scene in double and exact mode."
+    return Figure(data_uri("image/webp", buffer.getvalue()), alt, f"The {fractal.capitalize()}, official scene.", False)
+
+
+def _proofs(material: Material) -> Block:
+    """What the proof of each row of the primary study said, backends as columns."""
+    bench = material.answers.primary
+    if bench is None:
+        return Missing("The proofs", "make bench")
+    names = material.backends.order(row.backend for row in bench.rows if row.timed)
+    kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
+    said = {(row.fractal, row.precision, row.mode, row.backend): row.proof["text"] or "yardstick" for row in bench.rows if row.timed}
+    return Table(
+        ["fractal", "number", "mode", *names],
+        [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],
+        f"What the proofs found ({bench.name}). Same bits: every bit of colour and depth is the scalar text's. Off: a byte is off "
+        "by more than 2 of 255.",
+    )
+
+
+def section(material: Material) -> dict[str, Any]:
+    return {
+        "pictures": [figure for fractal in SCENES if (figure := _picture(material, fractal))],
+        "proofs": _proofs(material),
+        "reference": material.backends.reference,
+    }

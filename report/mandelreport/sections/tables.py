@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every result of the standard study, once: machines and settings are the columns, by the letters of the main part."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Callable
+from typing import Any
+
+from ..bench import Row, read_portability
+from ..blocks import Missing, Table
+from ..errors import InputError
+from ..figures import portability
+from ..text import digits, interval_ms, ms, percent, where
+from . import Material
+from .why import factor_table
+
+
+def time_cell(row: Row | None) -> str:
+    """Kernel time and its interval in ms."""
+    if row is None or not row.timed:
+        return "–"
+    return ms(row.kernel.median) + (f" [{interval_ms(row.kernel)}]" if row.kernel.low is not None else "")
+
+
+def quotient_cell(row: Row, key: str) -> str:
+    """A speed-up and its interval."""
+    value, interval = row.figures.get(key), row.figures.get(f"{key}_interval")
+    if value is None:
+        return "–"
+    return digits(value) + (f" [{digits(interval[0])} – {digits(interval[1])}]" if interval else "")
+
+
+def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Table | None:
+    """A line for each fractal, precision, mode and backend, a column for each result; lines that say nothing are left out."""
+    benches = material.results.study("standard")
+    found: dict[tuple[str, ...], dict[str, str]] = {}
+    for bench in benches:
+        for row in map(Row, bench.data["rows"]):
+            if row.fractal != "all":
+                name = f"{where(row)}{', scalar' if row.point else ''}"
+                text = cell(row) if row.timed else "–" if row.unavailable else "FAILED"
+                found.setdefault((row.fractal, row.precision, row.mode, name), {})[bench.name] = text
+    order = ("mandelbulb", "mandelbox", "double", "float", "exact", "fast", *material.backends.names)
+
+    def place(key: tuple[str, ...]) -> list[int]:
+        words = [word.split(",")[0].split()[0] for word in key]
+        return [order.index(word) if word in order else len(order) for word in words]
+
+    lines = [
+        [*key, *(cells.get(bench.name, "") for bench in benches)]
+        for key, cells in sorted(found.items(), key=lambda item: (place(item[0]), item[0]))
+        if set(cells.values()) - {"–"}
+    ]
+    if not lines:
+        return None
+    letters = [material.letter(bench.name) for bench in benches]
+    return Table(["fractal", "number", "mode", "backend", *letters], lines, caption, list(range(4, 4 + len(letters))))
+
+
+def _reasons(material: Material) -> list[str]:
+    """Why rows were not timed, each reason once."""
+    rows = [row for bench in material.results.study("standard") for row in bench.rows if not row.timed]
+    return list(dict.fromkeys(row.unavailable or row.failure or f"{row.name}: {row.proof['text']}" for row in rows))
+
+
+def _peaks(material: Material) -> Table | None:
+    benches = material.results.study("standard")
+    found: dict[tuple[str, str], dict[str, str]] = {}
+    for bench in benches:
+        for peak in bench.data["peaks"]:
+            rate = digits(peak["operations_per_second"] / 1e9)
+            found.setdefault((peak["backend"], peak["precision"]), {}).setdefault(bench.name, rate)
+    rows = [[*key, *(cells.get(bench.name, "–") for bench in benches)] for key, cells in found.items()]
+    headers = ["backend", "number", *(material.letter(bench.name) for bench in benches)]
+    caption = "Measured multiply-add peaks [GFLOP/s]; a platform's peak is the highest that any backend reaches."
+    return Table(headers, rows, caption, list(range(2, len(headers)))) if rows else None
+
+
+def _portability(material: Material) -> list[dict[str, Any]]:
+    """The metric over all platforms: from a file, from the one result there is, or from bench over several."""
+    results, standard = material.results, material.results.machines()
+    if results.portability is not None or not standard:
+        return results.portability or []
+    program = material.studio.render.with_name("bench")
+    if len(standard) == 1 or not program.exists():
+        return standard[0].data["portability"]
+    material.work.mkdir(parents=True, exist_ok=True)
+    target = material.work / "portability.json"
+    run = subprocess.run(
+        [program, "portability", *(bench.path for bench in standard), "--json", target],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if run.returncode != 0:
+        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['it failed'])[-1]}")
+    return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
+
+
+def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
+    rows = []
+    for entry in entries:
+
+        def with_interval(key: str, entry: dict[str, Any] = entry) -> str:
+            interval = entry[f"{key}_interval"]
+            return digits(entry[key]) + (f" ({digits(interval[0])} – {digits(interval[1])})" if interval else "")
+
+        rows.append(
+            [
+                entry["fractal"],
+                entry["precision"],
+                entry["mode"],
+                entry["application"],
+                str(len(entry["platforms"])),
+                with_interval("by_application_efficiency"),
+                with_interval("by_share_of_peak"),
+            ]
+        )
+    if not rows:
+        return None
+    return Table(
+        ["fractal", "number", "mode", "backend", "platforms", "PP by application", "PP by share of peak"],
+        rows,
+        "Pennycook's performance portability: by application efficiency (the best backend's time on the platform over "
+        "this one's) and by architectural efficiency (share of the measured peak), with bootstrap intervals.",
+        [4, 5, 6],
+    )
+
+
+def _packs(material: Material) -> Table | None:
+    """The host's packs over the scalar text, where a sweep of packs has both."""
+    rows = [
+        [bench.name, row.fractal, row.precision, row.mode, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
+        for bench in material.results.study("packs")
+        for row in bench.timed(backend=material.backends.host)
+        if row.figures.get("over_scalar") is not None
+    ]
+    headers = ["file", "fractal", "number", "mode", "pixels at once", "wall ms", "over scalar"]
+    return Table(headers, rows, "Packs over the same text in scalar C++ on the same threads.", [4, 5, 6]) if rows else None
+
+
+def section(material: Material) -> dict[str, Any]:
+    metric = _portability(material)
+    tables = [
+        _columns(material, time_cell, "Kernel time and its 95 % interval [ms]; without brackets the samples are too few for one."),
+        _columns(material, lambda row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
+        _columns(material, lambda row: quotient_cell(row, "over_scalar"), "Speed-up over the same text in scalar C++, wall times."),
+        _packs(material),
+        _columns(material, lambda row: percent(row.figures["share_of_peak"]), "Counted operations a second, of the measured peak."),
+        _columns(material, lambda row: row.proof["text"] or "yardstick", "What the proofs found."),
+        _peaks(material),
+        factor_table(material),
+    ]
+    return {
+        "tables": [table for table in tables if table],
+        "reasons": _reasons(material),
+        "missing": Missing("The timings", "make bench"),
+        "portability": _portability_table(metric),
+        "cascade": portability.cascade(metric, material.backends),
+        "loop_mix": material.results.loop_mix,
+        "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
+    }

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The gaze that is chosen over time, the panoramas it is chosen by, and the speed it is flown at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "flight/audit/audit.h"
+#include "flight/audit/views.h"
+#include "flight/plan/director.h"
+#include "flight/plan/gaze.h"
+#include "flight/plan/panorama.h"
+#include "flight/plan/ride.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr int frames = 300;
+
+// A way past the fractal: from the left to the right of it, 0.3 above.
+struct Passing {
+    Field field{official_scene("bulb", 16, 9), 0};
+    Track track;
+    Ride flown;
+
+    Passing()
+    {
+        std::vector<Vector> points;
+        for (int i = 0; i < 60; ++i) points.push_back({-2 + 4.0 * i / 59, 0.2, 1.5});
+        track = track_of(field, points);
+        flown = ride(field, track, 0.05, frames + look_ahead);
+    }
+
+    double mean_hit_share(const std::vector<Vector>& gaze) const
+    {
+        double sum = 0;
+        const auto views = views_of(field, cameras(flown, gaze, {0, 1, 0}, 1.0), 10);
+        for (const Glimpse& view : views) sum += view.hit_share();
+        return sum / static_cast<double>(views.size());
+    }
+};
+
+TEST(Sphere, DirectionsAreSpreadEvenly)
+{
+    const Sphere sphere(500, 0.3);
+    Vector sum{};
+    for (const Vector& direction : sphere.directions()) {
+        EXPECT_NEAR(length(direction), 1, 1e-12);
+        sum = sum + direction;
+    }
+    EXPECT_LT(length(sum), 1);
+    // A cap of 0.3 radians holds (1 - cos 0.3) / 2 of a sphere.
+    const double expected = 500 * (1 - std::cos(0.3)) / 2;
+    for (int d = 0; d < 500; ++d) {
+        EXPECT_EQ(sphere.near(d).front(), d);
+        EXPECT_NEAR(static_cast<double>(sphere.near(d).size()), expected, 0.45 * expected) << d;
+        EXPECT_EQ(sphere.nearest(sphere.directions()[static_cast<std::size_t>(d)]), d);
+    }
+}
+
+TEST(Panorama, SeesTheFractalWhereItIs)
+{
+    const Field field(official_scene("bulb", 16, 9), 0);
+    const Sphere sphere(200, 0.3);
+    const std::vector<Vector> places{{0, 0, 4}, {4, 0, 0}};
+    const auto depths = panoramas(field, sphere, places, 20);
+    const auto depth = [&](std::size_t place, Vector direction) {
+        return depths[place * 200 + static_cast<std::size_t>(sphere.nearest(direction))];
+    };
+    EXPECT_NEAR(depth(0, {0, 0, -1}), 3, 0.4);
+    EXPECT_TRUE(std::isinf(depth(0, {0, 0, 1})));
+    EXPECT_NEAR(depth(1, {-1, 0, 0}), 3, 0.4);
+    EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
+}
+
+// The twin looks where it flies, past the fractal.
+TEST(Director, ShowsMoreThanLookingAhead)
+{
+    const Passing way;
+    ASSERT_GE(way.flown.at.size(), static_cast<std::size_t>(frames));
+    std::vector<Vector> straight;
+    for (std::size_t i = 0; i < frames; ++i) straight.push_back(ahead(way.flown, i, look_ahead));
+    const Director director(way.field, way.track);
+    const double directed = way.mean_hit_share(smoothed_gaze(way.flown, director.gaze(way.flown, frames)));
+    EXPECT_GT(directed, way.mean_hit_share(straight) + 0.15);
+}
+
+TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
+{
+    const Passing way;
+    const auto gaze = smoothed_gaze(way.flown, Director(way.field, way.track).gaze(way.flown, frames));
+    for (std::size_t i = 1; i < gaze.size(); ++i) {
+        EXPECT_LT(degrees_between(gaze[i - 1], gaze[i]), 1.2);
+        // The first three seconds leave the fractal's middle.
+        if (i > 150) {
+            EXPECT_LT(degrees_between(gaze[i], ahead(way.flown, i, 1)), 70);
+        }
+    }
+}
+
+TEST(Director, KnowsHowFarThePictureMoves)
+{
+    const Passing way;
+    const Director director(way.field, way.track);
+    const auto shots = cameras(way.flown, smoothed_gaze(way.flown, director.gaze(way.flown, frames)), {0, 1, 0}, 1.0);
+    const auto views = views_of(way.field, shots, 50);
+    for (std::size_t v = 1; v < 5; ++v) {
+        const std::size_t i = 50 * v;
+        const double seen = median_motion(views[v], shots[i], shots[i + 1]);
+        EXPECT_NEAR(director.motion(way.flown.sample[i], shots[i], shots[i + 1]), seen, 0.4 * seen) << i;
+    }
+}
+
+// Beside a wall the camera is slow. The change of its speed has no kinks: the twin's step is one.
+TEST(Ride, ChangesItsSpeedWithoutKinks)
+{
+    const Passing way;
+    double worst = 0;
+    for (std::size_t i = 3; i < way.flown.at.size(); ++i) {
+        const auto at = [&](std::size_t back) { return way.flown.at[i - back]; };
+        worst = std::max(worst, length(at(0) - 3.0 * at(1) + 3.0 * at(2) - at(3)) / way.field.distance(at(0)));
+    }
+    EXPECT_LT(worst, 0.002);
+    double twin = 0;
+    for (std::size_t i = 3; i < 6; ++i) {
+        const auto at = [&](std::size_t back) {
+            const std::size_t n = i - back;
+            return n < 4 ? way.flown.at[n] : way.flown.at[n + 1];
+        };
+        twin = std::max(twin, length(at(0) - 3.0 * at(1) + 3.0 * at(2) - at(3)) / way.field.distance(at(0)));
+    }
+    EXPECT_GT(twin, 0.002);
+}
+
+}  // namespace
+}  // namespace mandelmarch

@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""path_csv_test.py: a path as a table and back, and as Blender's cameras and back, is the same path."""
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+
+TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
+sys.path.insert(0, TOOLS)
+import blender_path  # noqa: E402
+
+
+def frame(number):
+    return {"location": [1.5 + number, -0.25, 0.125], "look_at": [0.7 + number, 0.1, 0.5], "up": [0.1, 0.9, 0.2],
+            "field_of_view": 1.25, "brightness": 1.5 + number}
+
+
+PATH = {"format": "mandelmarch path 1", "fractal": "mandelbulb", "frames_per_second": 30,
+        "scene": {"detail": "by size", "shape": [0, 4, 8]}, "frames": [frame(n) for n in range(4)]}
+
+
+class TableTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = scratch.name
+        self.write("path.json", json.dumps(PATH))
+
+    def name(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.name(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def read(self, name):
+        with open(self.name(name), encoding="utf-8") as file:
+            return file.read()
+
+    def run_tool(self, *arguments):
+        return subprocess.run([sys.executable, os.path.join(TOOLS, "path_csv.py"), *arguments], cwd=self.folder,
+                              capture_output=True, text=True)
+
+    def test_a_table_and_back(self):
+        self.assertEqual(self.run_tool("export", "path.json", "path.csv").returncode, 0)
+        self.assertEqual(self.read("path.csv").splitlines()[1], "0,1.5,-0.25,0.125,0.7,0.1,0.5,0.1,0.9,0.2,1.25")
+        self.assertEqual(self.run_tool("import", "path.json", "path.csv", "new.json").returncode, 0)
+        self.assertEqual(json.loads(self.read("new.json")), PATH)
+
+    def test_a_changed_table_changes_its_frames_alone(self):
+        self.run_tool("export", "path.json", "path.csv")
+        self.write("path.csv", self.read("path.csv").replace("2,3.5,", "2,9.5,"))
+        self.run_tool("import", "path.json", "path.csv", "new.json")
+        new = json.loads(self.read("new.json"))
+        self.assertEqual([n for n in range(4) if new["frames"][n] != PATH["frames"][n]], [2])
+        self.assertEqual(new["frames"][2]["location"][0], 9.5)
+
+    def test_bad_tables_are_one_line(self):
+        self.run_tool("export", "path.json", "path.csv")
+        good = self.read("path.csv")
+        for bad, said in ((good.replace("frame,", "picture,"), "path.csv:1:"), (good.replace("3.5", "nan"), "path.csv:4:"),
+                          (good.replace("3.5", "x"), "path.csv:4:"), ("\n".join(good.splitlines()[:1]), "no frames")):
+            self.write("path.csv", bad)
+            done = self.run_tool("import", "path.json", "path.csv", "new.json")
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+            self.assertIn(said, done.stderr)
+            self.assertFalse(os.path.exists(self.name("new.json")))
+        self.assertEqual(self.run_tool("export", "missing.json", "x.csv").returncode, 2)
+
+
+# Of Blender what the script asks for.
+class Camera:
+    def __init__(self):
+        self.matrix_world = None
+        self.data = types.SimpleNamespace(angle_y=None, sensor_fit=None, keyframe_insert=lambda what, frame: None)
+        self.keys = {}
+
+    def keyframe_insert(self, what, frame):
+        self.keys[frame] = (self.matrix_world, self.data.angle_y)
+
+
+def fake_blender():
+    scene = types.SimpleNamespace(render=types.SimpleNamespace(fps=None), frame_start=None, frame_end=None, camera=None,
+                                  collection=types.SimpleNamespace(objects=types.SimpleNamespace(link=lambda it: None)))
+
+    def frame_set(number):
+        scene.camera.matrix_world, scene.camera.data.angle_y = scene.camera.keys[number]
+
+    scene.frame_set = frame_set
+    return types.SimpleNamespace(
+        context=types.SimpleNamespace(scene=scene),
+        data=types.SimpleNamespace(objects=types.SimpleNamespace(new=lambda name, data: Camera()),
+                                   cameras=types.SimpleNamespace(new=lambda name: None)))
+
+
+class BlenderTest(unittest.TestCase):
+    def test_cameras_and_back(self):
+        bpy = fake_blender()
+        blender_path.load(bpy, types.SimpleNamespace(Matrix=lambda rows: rows), PATH)
+        scene = bpy.context.scene
+        self.assertEqual((scene.render.fps, scene.frame_start, scene.frame_end), (30, 0, 3))
+        new = blender_path.save(bpy, PATH)
+        for was, now in zip(PATH["frames"], new["frames"], strict=True):
+            self.assertEqual(now["location"], was["location"])
+            self.assertAlmostEqual(now["field_of_view"], was["field_of_view"], places=12)
+            gaze = blender_path.unit(blender_path.minus(was["look_at"], was["location"]))
+            for a, b in zip(blender_path.unit(blender_path.minus(now["look_at"], now["location"])), gaze):
+                self.assertAlmostEqual(a, b, places=12)
+            # The up of a camera is at a right angle to its gaze, in the plane of the path's.
+            self.assertAlmostEqual(sum(a * b for a, b in zip(now["up"], gaze)), 0, places=12)
+            self.assertGreater(sum(a * b for a, b in zip(now["up"], was["up"])), 0)
+            self.assertEqual(now["brightness"], was["brightness"])
+
+    def test_a_unit_of_the_field_is_the_kernels(self):
+        with open(os.path.join(TOOLS, "..", "core", "scene", "scene.h"), encoding="utf-8") as file:
+            degrees = re.search(r"degrees_per_field = ([0-9.]+);", file.read()).group(1)
+        self.assertEqual(float(degrees), blender_path.DEGREES_PER_FIELD)
+
+    def test_the_axes_are_a_rotation(self):
+        rows = blender_path.matrix_of(frame(0))
+        columns = [[rows[r][c] for r in range(3)] for c in range(3)]
+        for i in range(3):
+            for j in range(3):
+                self.assertAlmostEqual(sum(a * b for a, b in zip(columns[i], columns[j])), float(i == j), places=12)
+        self.assertAlmostEqual(math.fsum(a * b for a, b in zip(blender_path.cross(columns[0], columns[1]), columns[2])), 1,
+                               places=12)
+
+
+if __name__ == "__main__":
+    unittest.main()

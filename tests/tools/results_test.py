@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tools/results.py on a made repository, with a program that counts its calls."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "results.py")
+LIST = """a.json 1 2 bench --launches {launches} --json {}
+b.txt 1 1 KIND=second bench print
+c.json 1 1 bench --json {}
+"""
+# Prints its version; else notes its call, fails where it is told to, and writes what it was asked for.
+BENCH = """#!/bin/sh
+if [ "$1" = --version ]; then echo "bench 0.1.0 ($(cat {folder}/built))"; exit; fi
+echo "$KIND $*" >> {folder}/calls
+if [ -e {folder}/fails ] && grep -q "$(cat {folder}/fails)" {folder}/calls; then echo broken > "$2"; exit 1; fi
+for last; do :; done
+if [ "$1" = print ]; then echo printed; else cat {folder}/json > "$last"; fi
+"""
+CLEAN, DIRTY = ('{"environment": {"git": {"dirty": %s}}}' % dirty for dirty in ("false", "true"))
+
+
+class ResultsTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = scratch.name
+        for folder in ("sources", "bin", "output"):
+            os.mkdir(self.path(folder))
+        self.write("list", LIST)
+        self.write("json", CLEAN)
+        self.write("bin/bench", BENCH.replace("{folder}", self.folder))
+        os.chmod(self.path("bin/bench"), 0o755)
+        self.git("init", "-q")
+        self.write("sources/file", "text")
+        self.git("add", "file")
+        self.git("-c", "user.name=n", "-c", "user.email=e", "commit", "-qm", "first")
+        self.write("built", self.git("rev-parse", "HEAD").strip())
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def text(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return file.read()
+
+    def git(self, *arguments):
+        return subprocess.run(["git", "-C", self.path("sources"), *arguments], capture_output=True, text=True, check=True).stdout
+
+    def results(self, *files):
+        command = [sys.executable, TOOL, "--list", self.path("list"), "--programs", self.path("bin"), "--work",
+                   self.path("work"), "--output", self.path("output"), "--sources", self.path("sources"), *files]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        return run.returncode, run.stderr
+
+    def test_all_are_measured_and_handed_over(self):
+        code, said = self.results()
+        self.assertEqual(code, 0, said)
+        self.assertIn("3 files at", said)
+        self.assertIn("about 4 minutes", said)
+        self.assertEqual(sorted(os.listdir(self.path("output"))), ["a.json", "b.txt", "c.json"])
+        self.assertEqual(self.text("output/b.txt"), "printed\n")
+        calls = self.text("calls").splitlines()
+        self.assertTrue(calls[0].startswith(" --launches 2 --json "))
+        self.assertEqual(calls[1], "second print")
+
+    def test_what_failed_goes_on_where_it_stopped(self):
+        self.write("fails", "c.json")
+        code, said = self.results()
+        self.assertEqual(code, 1)
+        self.assertIn("results: c.json: ", said.splitlines()[-1])
+        self.assertEqual(os.listdir(self.path("output")), [], "nothing is handed over before all are there")
+        os.remove(self.path("fails"))
+        code, said = self.results()
+        self.assertEqual(code, 0, said)
+        self.assertIn("2 of them are there", said)
+        self.assertEqual(len(self.text("calls").splitlines()), 4)  # a, b, c and c again
+
+    def test_another_revision_begins_anew(self):
+        self.results("a.json")
+        self.git("-c", "user.name=n", "-c", "user.email=e", "commit", "-q", "--allow-empty", "-m", "second")
+        code, said = self.results("a.json")
+        self.assertEqual(code, 2)
+        self.assertIn("make build", said)
+        self.write("built", self.git("rev-parse", "HEAD").strip())
+        self.assertEqual(self.results("a.json")[0], 0)
+        self.assertEqual(len(self.text("calls").splitlines()), 2)
+
+    def test_uncommitted_sources_are_refused(self):
+        self.write("sources/file", "changed")
+        code, said = self.results()
+        self.assertEqual((code, said.count("\n")), (2, 1))
+        self.assertIn("commit first", said)
+
+    def test_a_program_of_uncommitted_sources_is_found_by_its_result(self):
+        self.write("json", DIRTY)
+        self.assertEqual(self.results()[0], 1)
+        self.assertEqual(os.listdir(self.path("output")), [])
+
+    def test_an_unknown_file_is_one_line(self):
+        code, said = self.results("z.json")
+        self.assertEqual((code, said.count("\n")), (2, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""results.py [FILE...]: measures the committed results anew, all of them or these, on one clean revision.
+
+results.txt lists them. It says how long that takes, can be stopped at any time, and goes on where it stopped: what is measured
+stays in WORK/REVISION. When all are there they come into --output together, so that it never holds two revisions.
+Exit codes: 0 all are there, 1 a command failed, 2 programs or sources that are not of one clean revision, 130 stopped."""
+import argparse
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.join(HERE, "..")
+
+
+class Entry:
+    """One line of the list. `minutes`: of all launches, an estimate."""
+
+    def __init__(self, line, number):
+        words = shlex.split(line)
+        try:
+            self.name, self.minutes, launches = words[0], float(words[1]) * int(words[2]), words[2]
+            self.variables = dict(word.split("=", 1) for word in words[3:] if word.split("=")[0].isupper())
+            self.command = [word.replace("{launches}", launches) for word in words[3:] if not word.split("=")[0].isupper()]
+            if not self.command:
+                raise ValueError("no command")
+        except (IndexError, ValueError) as error:
+            sys.exit(fail(f"results.txt:{number}: {error}, expected a file, minutes, launches and a command", 2))
+
+    def measure(self, programs, target):
+        """Runs the command; the file is whole or not there. Returns its exit code, 1 for a file of uncommitted sources."""
+        part = target + ".part" + os.path.splitext(target)[1]
+        command = [os.path.join(programs, self.command[0]), *(part if word == "{}" else
+                   word.replace("{folder}", os.path.dirname(target)) for word in self.command[1:])]
+        with open(part if "{}" not in self.command else os.devnull, "w", encoding="utf-8") as output:
+            code = subprocess.run(command, stdout=output, env=os.environ | self.variables, check=False).returncode
+        if code == 0 and not os.path.exists(part):
+            code = 1
+        elif code == 0 and of_uncommitted_sources(part):
+            code = fail(f"{self.name}: a program of uncommitted sources wrote it: make build")
+        if code == 0:
+            os.replace(part, target)
+        elif os.path.exists(part):
+            os.remove(part)
+        return code
+
+
+def of_uncommitted_sources(path):
+    """A result of bench says so itself."""
+    if not path.endswith(".json"):
+        return False
+    with open(path, encoding="utf-8") as file:
+        data = json.load(file)
+    return data.get("environment", {}).get("git", {}).get("dirty", False)
+
+
+def fail(message, code=1):
+    print(f"results: {message}", file=sys.stderr)
+    return code
+
+
+def git(sources, *arguments):
+    run = subprocess.run(["git", "-C", sources, *arguments], capture_output=True, text=True, check=False)
+    return run.stdout.strip() if run.returncode == 0 else None
+
+
+def clean_revision(sources, program):
+    """The revision of the sources, if they are committed and `program` was built from them; None and a line if not."""
+    revision = git(sources, "rev-parse", "HEAD")
+    if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)report/results"):
+        fail("the sources differ from the revision: commit first, as one result after the other must be of the same sources")
+        return None
+    try:
+        built = subprocess.run([program, "--version"], capture_output=True, text=True, check=False).stdout
+    except OSError as error:
+        fail(f"{program}: {error.strerror}; make build")
+        return None
+    if f"({revision})" not in built:
+        fail(f"{program} is '{built.strip()}', expected one built from {revision[:12]}: make build")
+        return None
+    return revision
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--list", default=os.path.join(HERE, "results.txt"))
+    parser.add_argument("--programs", default=os.path.join(ROOT, "bin"))
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "results"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "report", "results"))
+    parser.add_argument("--sources", default=ROOT, help="the repository (default: this one)")
+    parser.add_argument("file", nargs="*")
+    arguments = parser.parse_args()
+    try:
+        with open(arguments.list, encoding="utf-8") as file:
+            lines = [(n, line) for n, line in enumerate(file, 1) if line.strip() and not line.startswith("#")]
+    except OSError as error:
+        return fail(f"{arguments.list}: {error.strerror}", 2)
+    entries = [Entry(line, n) for n, line in lines]
+    unknown = set(arguments.file) - {entry.name for entry in entries}
+    if unknown:
+        return fail(f"{', '.join(sorted(unknown))}: not in {arguments.list}", 2)
+    entries = [entry for entry in entries if not arguments.file or entry.name in arguments.file]
+    revision = clean_revision(arguments.sources, os.path.join(arguments.programs, "bench"))
+    if revision is None:
+        return 2
+    folder = os.path.join(arguments.work, revision)
+    os.makedirs(folder, exist_ok=True)
+    left = [entry for entry in entries if not os.path.exists(os.path.join(folder, entry.name))]
+    fail(f"{len(entries)} files at {revision[:12]}, {len(entries) - len(left)} of them are there; the others take about "
+         f"{sum(entry.minutes for entry in left):.0f} minutes. It can be stopped and goes on where it stopped.")
+    for number, entry in enumerate(left):
+        begin = time.monotonic()
+        code = entry.measure(arguments.programs, os.path.join(folder, entry.name))
+        if code != 0:
+            return fail(f"{entry.name}: {' '.join(entry.command)}: exit code {code}; what was measured before stays in {folder}")
+        fail(f"{entry.name} took {(time.monotonic() - begin) / 60:.1f} minutes; about "
+             f"{sum(other.minutes for other in left[number + 1:]):.0f} are left")
+    for entry in entries:
+        shutil.copy(os.path.join(folder, entry.name), os.path.join(arguments.output, entry.name + ".part"))
+    for entry in entries:
+        os.replace(os.path.join(arguments.output, entry.name + ".part"), os.path.join(arguments.output, entry.name))
+    return fail(f"{len(entries)} files in {arguments.output}: make docs-figures report", 0)
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(fail("stopped; the same command goes on", 130))
