@@ -13,7 +13,7 @@ constexpr double same_view = 0.95;  // correlation
 constexpr double moved_on = 0.5;    // a view is seen again only after one that is less like it than this
 constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // share of a view that shows something: less is mostly sky
-constexpr double some = 0.05;       // share of a view's middle that shows something: less is the subject at its edge
+constexpr double shown = 0.05;      // share of a view's middle that shows something: less is the subject at its edge
 constexpr int view_every = 15;      // frames between views that are compared for likeness
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
     std::size_t on_end = 0;
     for (std::size_t v = 0; v < seen.views.size(); ++v) {
         sky += seen.views[v].hit_share() < much_sky ? 1 : 0;
-        on_end = seen.views[v].middle_hit_share() < some ? on_end + 1 : 0;
+        on_end = seen.views[v].middle_hit_share() < shown ? on_end + 1 : 0;
         if (on_end > longest) {
             longest = on_end;
             where = seen.frames[v + 1 - on_end];

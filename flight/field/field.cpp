@@ -42,10 +42,10 @@ double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 Field::Field(const Scene& scene, int threads)
     : scene_(scene),
-      threads_(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
       kernel_(field::kernel_of(scene.fractal->name)),
       data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
       safety_(scene.fractal->flight.trust_of(scene).safety),
+      threads_(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
       hull_(hull_of(scene, *this))
 {
 }

@@ -47,10 +47,10 @@ public:
 
 private:
     Scene scene_;
-    int threads_;
     field::Kernel kernel_;
     layout_f64::Scene data_;
     double safety_;
+    int threads_;
     Hull hull_;
 };
 

@@ -18,21 +18,21 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr int directions = 1024;                 // 6 degrees apart
 constexpr double window = 42 * degree;           // half a picture's width and height, in the mean
-constexpr double middle = 22 * degree;           // the middle of a picture
+constexpr double middle_radius = 22 * degree;    // the middle of a picture
 constexpr double spacing = 1;                    // clearances between panoramas
-constexpr double far = 12;                       // hull sizes: rays end there
-constexpr std::size_t every = 10;                // frames between choices
+constexpr double farthest_seen = 12;             // hull sizes: rays end there
+constexpr std::size_t slot_frames = 10;          // frames between choices
 constexpr double farthest_turn = 11.5 * degree;  // from one choice to the next
-constexpr double aside = 50 * degree;            // off the motion: more is dear
+constexpr double most_aside = 50 * degree;       // off the motion: more is dear
 constexpr double off_motion = 0.5;               // what it costs to be so far off
 constexpr double too_far_off = 20;
 constexpr double turning = 0.6;  // what the farthest turn costs
 
 // What a view should have, and what it costs where it has none of it. Tuned on ten seeds of both fractals.
-constexpr double enough_hits = 0.75, few_hits = 0.3;  // shares of the view
-constexpr double enough_middle = 0.6;                 // share of the middle that shows something
-constexpr double near_wall = 2.2, much_wall = 0.65;   // clearances; share of the view
-constexpr double enough_depths = 0.55;                // standard deviation of the depths' logarithms
+constexpr double enough_hits = 0.75, few_hits = 0.3;     // shares of the view
+constexpr double enough_middle = 0.6;                    // share of the middle that shows something
+constexpr double wall_distance = 2.2, much_wall = 0.65;  // clearances; share of the view
+constexpr double enough_depths = 0.55;                   // standard deviation of the depths' logarithms
 
 const Sphere& sphere()
 {
@@ -49,7 +49,7 @@ double square(double x) { return x * x; }
 
 bool is_middle(int direction, int other)
 {
-    static const double cosine = std::cos(middle);
+    static const double cosine = std::cos(middle_radius);
     const auto& all = sphere().directions();
     return dot(all[static_cast<std::size_t>(direction)], all[static_cast<std::size_t>(other)]) > cosine;
 }
@@ -98,7 +98,7 @@ Director::Director(const Field& field, const Track& track)
         places.push_back(track.at[s]);
         clearances.push_back(track.clearance[s]);
     }
-    const double end = far * field.hull().size;
+    const double end = farthest_seen * field.hull().size;
     depths_ = panoramas(field, sphere(), places, end);
     costs_.resize(depths_.size());
     parallel(places.size(), 8, field.threads(), [&](std::size_t first, std::size_t last) {
@@ -113,7 +113,7 @@ void Director::rate(std::span<const float> depths, double clearance, std::span<f
     std::vector<double> logarithms(depths.size());
     std::ranges::transform(depths, logarithms.begin(),
                            [](float d) { return std::log(static_cast<double>(d) + 1e-12); });
-    const double wall = std::log(near_wall * clearance);
+    const double wall = std::log(wall_distance * clearance);
     for (int d = 0; d < directions; ++d) {
         const auto near = sphere().near(d);
         double hits = 0;
@@ -170,9 +170,9 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
 std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
 {
     // Slots every tenth frame, and one at the last.
-    const std::size_t slots = (static_cast<std::size_t>(frames) + every - 2) / every + 1;
+    const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
     const auto frame_of = [&](std::size_t slot) {
-        return std::min(slot * every, static_cast<std::size_t>(frames) - 1);
+        return std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);
     };
     const double infinite = std::numeric_limits<double>::infinity();
     std::vector<double> best(directions, 0);
@@ -188,8 +188,8 @@ std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
             const Vector& direction = sphere().directions()[n];
             const double off = angle_between(direction, motion);
             const double here = static_cast<double>(costs[n]) +
-                                off_motion * square(angle_between(direction, soon) / aside) +
-                                too_far_off * std::max(0.0, off / aside - 1);
+                                off_motion * square(angle_between(direction, soon) / most_aside) +
+                                too_far_off * std::max(0.0, off / most_aside - 1);
             if (slot == 0) {
                 now[n] = here;
                 continue;
@@ -213,7 +213,7 @@ std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
     }
     std::vector<Vector> aims;
     for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
-        const std::size_t slot = std::min(i / every, slots - 2);
+        const std::size_t slot = std::min(i / slot_frames, slots - 2);
         const double share =
             static_cast<double>(i - frame_of(slot)) / static_cast<double>(frame_of(slot + 1) - frame_of(slot));
         aims.push_back(unit((1 - share) * chosen[slot] + share * chosen[slot + 1]));

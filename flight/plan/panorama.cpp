@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double coarse = 0.02;  // of t: a ray that comes so near has hit
-constexpr int steps = 60;        // a ray that takes more has hit
+constexpr double coarse_share = 0.02;  // of t: a ray that comes so near has hit
+constexpr int most_steps = 60;         // a ray that takes more has hit
 
 }  // namespace
 
@@ -49,7 +49,8 @@ std::vector<float> panoramas(const Field& field, const Sphere& sphere, std::span
         std::vector<double> t(count);
         for (std::size_t i = first; i < last; ++i) {
             std::ranges::fill(from, places[i]);
-            field.casts(from, sphere.directions(), {.floor = 0, .tolerance = coarse, .end = end, .steps = steps}, t);
+            field.casts(from, sphere.directions(),
+                        {.floor = 0, .tolerance = coarse_share, .end = end, .steps = most_steps}, t);
             std::ranges::transform(t, depths.begin() + static_cast<std::ptrdiff_t>(i * count), [end](double depth) {
                 return depth < end ? static_cast<float>(depth) : std::numeric_limits<float>::infinity();
             });

@@ -138,7 +138,7 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     const auto more = drawn(alone);
     EXPECT_LT(static_cast<double>(less), 0.85 * static_cast<double>(more));
     const Comparison c = compare(shared, alone);
-    EXPECT_GT(c.psnr, 38) << c.psnr;  // root mean square: under 3.2 bytes
+    EXPECT_GT(c.psnr, 36) << c.psnr;  // root mean square: under 4.1 bytes
     EXPECT_GT(c.differing, 0U);
 }
 
