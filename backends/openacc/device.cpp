@@ -41,7 +41,8 @@ void use_device(const Device& device, int index)
     if (device.is_gpu) {
         acc_set_device_num(index, acc_device_nvidia);
     } else {
-        acc_set_device_type(acc_device_host);
+        // Not acc_set_device_type(): it takes ACC_DEVICE_NUM for the host too, and libgomp 14 hangs where there is none.
+        acc_set_device_num(0, acc_device_host);
     }
 }
 
