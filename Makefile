@@ -8,7 +8,7 @@ BUILD := build/$(PRESET)
 # Where a release build is there, or PRESET is given, they come from that.
 HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/flythrough),release,native),$(PRESET))
 # $(call take,PRESET,PROGRAM...): programs from their build to where people run them.
-take = mkdir -p bin && cp $(addprefix build/$(1)/bin/,$(2)) bin/
+take = mkdir -p bin && cp --remove-destination $(addprefix build/$(1)/bin/,$(2)) bin/
 DEMO := demo render imgdiff flythrough
 
 .PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)

@@ -19,7 +19,7 @@ ALLOWED = {
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/check.py": "odd parameters, which the viewer is tried at",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
-    "report/mandelreport/sections/s5_why.py": "the two fractals of that question",
+    "report/mandelreport/sections/why.py": "the two fractals of that question",
 }
 
 

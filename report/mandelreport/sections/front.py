@@ -16,7 +16,7 @@ def section(material: Material) -> dict[str, Any]:
         "same": answers.same(),
         "fastest": answers.fastest(),
         "speed_ups": answers.speed_ups(),
-        "box": answers.box_or_bulb(),
+        "fractals": answers.box_or_bulb(),
         "float": answers.float_or_double(),
         "gpu": answers.gpu(),
         "film": answers.film(),

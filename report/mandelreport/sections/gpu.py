@@ -30,7 +30,7 @@ def section(material: Material) -> dict[str, Any]:
     text = next((t for t in material.results.files.values() if isinstance(t, str) and t.startswith("K40 on paper")), None)
     rows = []
     for words in (line.split() for line in (text or "").splitlines()):
-        if len(words) == 9 and words[0] in ("mandelbulb", "mandelbox"):
+        if len(words) == 9 and words[1] in ("float", "double"):
             rows.append([*words[:4], *words[5:8], words[8], _host(material, *words[:3])])
     headers = ["fractal", "number", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak"]
     table = Table(

@@ -42,7 +42,8 @@ def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Ta
                 name = f"{where(row)}{', scalar' if row.point else ''}"
                 text = cell(row) if row.timed else "–" if row.unavailable else "FAILED"
                 found.setdefault((row.fractal, row.precision, row.mode, name), {})[bench.name] = text
-    order = ("mandelbulb", "mandelbox", "double", "float", "exact", "fast", *material.backends.names)
+    fractals = dict.fromkeys(key[0] for key in found)
+    order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
 
     def place(key: tuple[str, ...]) -> list[int]:
         words = [word.split(",")[0].split()[0] for word in key]
