@@ -71,7 +71,8 @@ public:
         if (options.device < acc_get_num_devices(acc_device_nvidia)) {
             acc_set_device_num(options.device, acc_device_nvidia);
         } else {
-            // Not acc_set_device_type(): it takes ACC_DEVICE_NUM for the host too, and libgomp 14 hangs where there is none.
+            // Not acc_set_device_type(): it takes ACC_DEVICE_NUM for the host too, and libgomp 14 hangs where there is
+            // none.
             acc_set_device_num(0, acc_device_host);
         }
         draw();
