@@ -3,19 +3,9 @@
 # race_test.sh BIN: bench race from outside: a serial program (racer.cpp) that is right, and what can be wrong with one.
 set -euo pipefail
 bench=$1/bench
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+. "$(dirname "$0")/expect.sh"
 mkdir tmp
 export TMPDIR=$work/tmp
-fail() { echo "FAILED: $*" >&2; exit 1; }
-# expect CODE ARGUMENT...
-expect() {
-    local code=$1 got=0
-    shift
-    "$bench" "$@" >out 2>err || got=$?
-    [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
-}
 # says PROGRAM PATTERN: the program's line of the table.
 says() { grep -q -- "^\./$1  *$2" out || { cat out err >&2; fail "$1 is not '$2'"; }; }
 
