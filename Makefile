@@ -21,7 +21,9 @@ build: ## all programs, with packs for every instruction set: bin/, mandelbulb, 
 help: ## this list; times are some of two cores, beside those of the build
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
-mandelbulb mandelbox: ## the program that draws paramsBulb.dat or paramsBox.dat (3 min with set-up and build)
+mandelbulb: ## the program that draws paramsBulb.dat (3 min with set-up and build)
+mandelbox: ## the same of paramsBox.dat
+mandelbulb mandelbox:
 	@tools/setup build || true
 	@tools/build $(HERE) $@
 	@cp build/$(HERE)/bin/$@ $@

@@ -59,7 +59,7 @@ std::string study_names()
 
 // Numbers, as they were given.
 struct Texts {
-    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock;
+    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock, limit;
 };
 
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
@@ -126,6 +126,21 @@ void take_duel(CommandLine& line, bool launches, const std::string& margin, cons
     if (!margin.empty()) line.duel.margin = real_option("margin", margin, 0, 1);
 }
 
+// What a race takes of a run's options.
+void take_race(CommandLine& line, bool launches, const std::string& limit)
+{
+    const Options& o = line.options;
+    if (!o.csv.empty() || o.wide || o.list || o.budget || launches || !o.format.empty() || !o.out.empty() ||
+        !o.filter.empty() || !o.mode.empty() || o.precision != "all" || o.study != standard_study || line.list_names) {
+        throw InputError(
+            "bench race: options of a run given, expected --backend, --fractal, --size, --repetitions, --seed or "
+            "--json");
+    }
+    line.command = Command::race;
+    line.race.rounds = o.repetitions.value_or(line.race.rounds);
+    if (!limit.empty()) line.race.limit = real_option("limit", limit, 0.01, 1e5);
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, char** argv)
@@ -163,6 +178,15 @@ CommandLine parse_command_line(int argc, char** argv)
     duel->footer(
         "--backend, --fractal, --precision, --mode, --size, --study, --benchmark_filter choose rows, --launches (10) "
         "and --repetitions (20) say how often, --json where to.");
+    CLI::App* race = app.add_subcommand(
+        "race", "any programs beside ours: PROGRAM..., each run as PROGRAM scene.dat, which names the picture's file");
+    race->add_option("PROGRAM", line.race.programs, "files that can be run")->required();
+    race->add_option("--scene", line.race.scene, "a parameter file, of --fractal (default: the official scene)");
+    race->add_option("--limit", texts.limit, "seconds that a program may take for a picture (default 60)");
+    race->fallthrough();
+    race->footer(
+        "--fractal (mandelbulb), --size, --backend of ours (openmp), --repetitions (7), --seed, --json. docs/race.md "
+        "explains the table.");
     CLI::App* csv = app.add_subcommand("csv", "a stored result as --csv writes it, on standard output: FILE.json");
     csv->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* json = app.add_subcommand(
@@ -216,6 +240,7 @@ CommandLine parse_command_line(int argc, char** argv)
     if (compare->parsed()) line.command = Command::compare;
     if (given(option("--on-demand"))) line.command = Command::on_demand;
     if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin, texts.clock);
+    if (race->parsed()) take_race(line, given(option("--launches")), texts.limit);
     o.baselines = line.command == Command::run;
     if (json->parsed()) line.command = Command::json;
     if (csv->parsed()) line.command = Command::csv;

@@ -8,17 +8,19 @@
 #include "bench/duel_run.h"
 #include "bench/equivalence.h"
 #include "bench/options.h"
+#include "bench/race_run.h"
 #include "bench/random_scenes.h"
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, random, equivalence, help };
+enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, race, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
     Options options;
     std::vector<std::string> files;  // of compare, csv, json and portability
     DuelPlan duel;
+    RacePlan race;
     RandomOptions random;
     EquivalenceOptions equivalence;
     std::string folder;                  // of equivalence: for scenes that differ

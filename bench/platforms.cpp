@@ -71,7 +71,7 @@ std::vector<Result> told_apart(std::span<const Result> results)
         for (const std::string& name : platforms_of(results[i])) holders[name].push_back(i);
     }
     for (const auto& [name, indices] : holders) {
-        const std::string& platform = name;  // a lambda of clang 14 takes no binding
+        const std::string& platform = name;     // a lambda of clang 14 takes no binding
         std::vector<std::size_t> machines;      // the first result of each
         std::map<std::size_t, std::size_t> of;  // result: its machine
         for (const std::size_t i : indices) {

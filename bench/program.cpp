@@ -187,6 +187,28 @@ int duel(const CommandLine& line)
     return written && whole && !regression(judged) ? exit_fine : exit_failure;
 }
 
+int race(const Registry& registry, const CommandLine& line)
+{
+    Race found;
+    Outputs outputs;
+    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found)); });
+    std::vector<std::string> read = line.race.programs;
+    if (!line.race.scene.empty()) read.push_back(line.race.scene);
+    outputs.check(read);
+    Display display(line.quiet);
+    found = run_race(line.race, line.options, registry, [&](double share) { display.show("race", share); });
+    display.finish();
+    const bool written = outputs.write_files();
+    const std::string table = to_console(found);
+    if (outputs.on_stdout()) {
+        say(std::string_view(table));
+    } else {
+        print(std::string_view(table));
+    }
+    outputs.write_stdout();
+    return written && found.held() ? exit_fine : exit_failure;
+}
+
 int on_demand(const Registry& registry, const CommandLine& line)
 {
     draw_on_demand(registry, line.options, !line.unproven);
@@ -233,6 +255,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
         case Command::duel: return duel(line);
+        case Command::race: return race(registry, line);
         case Command::on_demand: return on_demand(registry, line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
         case Command::json: print(std::string_view(text_of(to_json(read_result(line.files.at(0)))))); return exit_fine;

@@ -54,7 +54,7 @@ bool is_middle(int direction, int other)
     return dot(all[static_cast<std::size_t>(direction)], all[static_cast<std::size_t>(other)]) > cosine;
 }
 
-double angle_between(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
+double angle_of_units(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
 // The turns that end at a direction.
 struct Turn {
@@ -69,7 +69,7 @@ const std::vector<std::vector<Turn>>& turns()
             for (const int from : sphere().near(static_cast<int>(to))) {
                 const Vector& a = sphere().directions()[to];
                 const Vector& b = sphere().directions()[static_cast<std::size_t>(from)];
-                const double angle = angle_between(a, b);
+                const double angle = angle_of_units(a, b);
                 if (angle < farthest_turn) all[to].push_back({from, turning * square(angle / farthest_turn)});
             }
         }
@@ -186,9 +186,9 @@ std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
         for (int d = 0; d < directions; ++d) {
             const auto n = static_cast<std::size_t>(d);
             const Vector& direction = sphere().directions()[n];
-            const double off = angle_between(direction, motion);
+            const double off = angle_of_units(direction, motion);
             const double here = static_cast<double>(costs[n]) +
-                                off_motion * square(angle_between(direction, soon) / most_aside) +
+                                off_motion * square(angle_of_units(direction, soon) / most_aside) +
                                 too_far_off * std::max(0.0, off / most_aside - 1);
             if (slot == 0) {
                 now[n] = here;

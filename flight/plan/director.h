@@ -16,10 +16,9 @@ class Director {
 public:
     Director(const Field& field, const Track& track);
 
-    // Unit vectors for the first `frames` places of a ride along the track that goes on for look_ahead more. Dynamic
-    // programming (Bellman) over directions at every tenth frame: a direction costs what its view lacks, how far it is
-    // off the motion, and the turn to it. The result is smoothed in time; the first frames look at the middle of the
-    // fractal.
+    // Unit vectors for the first `frames` places, two at least, of a ride along the track that goes on for look_ahead
+    // more. Dynamic programming (Bellman) over directions at every tenth frame: a direction costs what its view lacks,
+    // how far it is off the motion, and the turn to it. smoothed_gaze() smooths them.
     std::vector<Vector> gaze(const Ride& ride, int frames) const;
 
     // How far a gaze's picture moves from one frame to the next, as median_motion of a view: by the panorama at a

@@ -3,17 +3,7 @@
 # duel_test.sh BIN: bench duel from outside: exit codes, what is said, and a program that is twice as slow.
 set -euo pipefail
 bench=$1/bench
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-fail() { echo "FAILED: $*" >&2; exit 1; }
-# expect CODE ARGUMENT...
-expect() {
-    local code=$1 got=0
-    shift
-    "$bench" "$@" >out 2>err || got=$?
-    [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
-}
+. "$(dirname "$0")/expect.sh"
 for percent in 0 100; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
 few=(--launches 4 --repetitions 4 --clock processor)

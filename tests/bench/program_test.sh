@@ -4,17 +4,7 @@
 set -euo pipefail
 bench=$1/bench
 source=$2
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-fail() { echo "FAILED: $*" >&2; exit 1; }
-# expect CODE ARGUMENT...
-expect() {
-    local code=$1 got=0
-    shift
-    "$bench" "$@" >out 2>err || got=$?
-    [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
-}
+. "$(dirname "$0")/expect.sh"
 quick=(--backend openmp --size 64x64 --precision float --repetitions 6)
 
 # A result that the project keeps is of committed sources.

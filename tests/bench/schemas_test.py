@@ -23,7 +23,7 @@ SCHEMAS = {path.name.removesuffix(".schema.json"): json.loads(path.read_text()) 
 REGISTRY = Registry().with_resources((schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values())
 BY_NAME = {
     "mandelmarch-bench": "result", "mandelmarch-bench-random": "random", "mandelmarch-duel": "duel",
-    "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film",
+    "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film", "mandelmarch-race": "race",
 }
 
 
@@ -77,6 +77,8 @@ def written(folder):
         "--json", folder / "result.json")
     run(bench, "duel", bench, bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float",
         "--launches", 2, "--repetitions", 1, "--json", folder / "duel.json")
+    run(bench, "race", BIN / "bench_racer", "/bin/false", "--fractal", "box", "--size", "32x32", "--repetitions", 1, "--json",
+        folder / "race.json")
     run(BIN / "mandelbox", SOURCE / "paramsBox.dat", "--size", "32x32", "--output", folder / "a.bmp", "--stats",
         folder / "stats.json")
     run(BIN / "demo", "--folder", folder / "demo", "--side", 32)

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/race_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <tuple>
+
+#include "apps/option_values.h"
+#include "bench/environment.h"
+#include "bench/proof.h"
+#include "bench/steadiness.h"
+#include "bench/study.h"
+#include "bench/timed_program.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/base/text.h"
+#include "core/image/compare.h"
+#include "core/image/image_file.h"
+#include "core/render/agreement.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* scene_name = "scene.dat";
+constexpr const char* image_name = "image.bmp";
+constexpr std::size_t longest_complaint = 200;  // bytes
+
+class Folder {
+public:
+    Folder()
+    {
+        std::string name = (fs::temp_directory_path() / "mandelmarch-race-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+        path_ = name;
+    }
+    ~Folder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+std::string absolute_program(const std::string& program)
+{
+    std::error_code failed;
+    if (!fs::is_regular_file(program, failed) || access(program.c_str(), X_OK) != 0) {
+        throw InputError(fmt::format(
+            "bench race: {}: no program, expected a file that runs as PROGRAM scene.dat and writes a picture",
+            program));
+    }
+    return fs::absolute(program).string();
+}
+
+Scene scene_of(const RacePlan& plan, const Options& options)
+{
+    if (!plan.scene.empty() && options.fractal == "all") {
+        throw InputError("bench race: --scene without --fractal given, expected the fractal that the file is of");
+    }
+    const Fractal& fractal = options.fractal == "all" ? fractals().front() : fractal_named(options.fractal);
+    Scene scene = official_scene(fractal);
+    if (!plan.scene.empty()) scene = read_parameters(plan.scene, fractal).scene;
+    if (plan.scene.empty() || !options.size.empty()) std::tie(scene.width, scene.height) = size_of(options);
+    scene.image_file = image_name;
+    return scene;
+}
+
+class Running {
+public:
+    Running(const RacePlan& plan, const Options& options, const std::function<void(double)>& progress)
+        : plan_(plan), progress_(progress), scene_(scene_of(plan, options)), random_(options.seed)
+    {
+        race_.fractal = scene_.fractal->name;
+        race_.width = scene_.width;
+        race_.height = scene_.height;
+        race_.parameters = to_parameters(scene_);
+        race_.limit = plan.limit;
+        race_.rounds = plan.rounds;
+        const fs::path render = fs::read_symlink("/proc/self/exe").parent_path() / "render";
+        const auto ours = [&](const std::string& backend, std::vector<std::string> more) {
+            std::vector<std::string> words{render.string(), scene_name, "--fractal", race_.fractal,
+                                           "--backend",     backend,    "--output",  image_name};
+            words.insert(words.end(), more.begin(), more.end());
+            return words;
+        };
+        if (access(render.c_str(), X_OK) != 0) {
+            throw InputError(
+                fmt::format("bench race: {}: not there, expected the program beside bench", render.string()));
+        }
+        yardstick_ = ours("openmp", {"--pack", "1"});
+        const std::string backend = options.backend == "all" ? "openmp" : options.backend;
+        race_.racers.push_back({.name = "mandelmarch " + backend, .ours = true});
+        words_.push_back(ours(backend, {}));
+        for (const std::string& program : plan.programs) {
+            race_.racers.push_back({.name = program});
+            words_.push_back({absolute_program(program), scene_name});
+        }
+    }
+
+    Race run()
+    {
+        const Steadiness steadiness;
+        Racer scalar{.name = "the scalar text", .ours = true};
+        expected_ = draw(scalar, yardstick_).image;
+        if (!expected_) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
+        std::vector<std::size_t> timed;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            progress_(0.5 * static_cast<double>(i) / static_cast<double>(words_.size()));
+            Racer& racer = race_.racers[i];
+            const Drawn proof = draw(racer, words_[i]);
+            fingerprints_.push_back(proof.image ? fingerprint(*proof.image) : 0);
+            if (proof.image) judge(racer, *proof.image);
+            if (!is_right(racer.verdict)) continue;
+            if (proof.sample.seconds > longest_repeated) {
+                racer.samples.push_back(proof.sample);
+            } else {
+                timed.push_back(i);
+            }
+        }
+        for (int round = 0; round < plan_.rounds; ++round) {
+            std::ranges::shuffle(timed, random_);
+            for (const std::size_t i : timed) again(i, round);
+            progress_(0.5 + 0.5 * (round + 1) / plan_.rounds);
+        }
+        for (std::string& warning : steadiness.warnings({})) race_.warnings.push_back(std::move(warning));
+        return std::move(race_);
+    }
+
+private:
+    struct Drawn {
+        std::optional<Image> image;
+        RaceSample sample;
+    };
+
+    // Runs the program; where there is no picture, the racer says why.
+    Drawn draw(Racer& racer, const std::vector<std::string>& words)
+    {
+        const Folder folder;
+        const fs::path work = folder.path() / "work";
+        fs::create_directory(work);
+        write_file((work / scene_name).string(), race_.parameters);
+        const auto fails = [&](RaceVerdict verdict, std::string why) {
+            racer.verdict = verdict;
+            racer.why = std::move(why);
+            return Drawn{};
+        };
+        Ended ended;
+        try {
+            ended = run_timed(words, work.string(), (folder.path() / "complaints").string(), plan_.limit);
+        } catch (const Error& error) {
+            return fails(RaceVerdict::no_start, error.what());
+        }
+        racer.exit_code = ended.code;
+        racer.signal = ended.signal;
+        racer.memory = std::max(racer.memory, ended.memory);
+        const std::string said =
+            ended.complaint.empty() ? "" : fmt::format(": {}", printable(ended.complaint, longest_complaint));
+        if (ended.timed_out) return fails(RaceVerdict::hung, fmt::format("no end within {:g} s{}", plan_.limit, said));
+        if (ended.signal) {
+            return fails(RaceVerdict::crashed,
+                         fmt::format("ended by signal {}, {}{}", *ended.signal, sigdescr_np(*ended.signal), said));
+        }
+        if (ended.code != exit_fine)
+            return fails(RaceVerdict::failed, fmt::format("exit code {}{}", *ended.code, said));
+        const fs::path picture = work / image_name;
+        if (!fs::is_regular_file(picture)) return fails(RaceVerdict::no_picture, "no " + what_is_left(work) + said);
+        Drawn drawn{.image = {}, .sample = {.seconds = ended.seconds, .processor = ended.processor}};
+        try {
+            drawn.image = read_image(picture.string());
+        } catch (const InputError& error) {
+            std::string what = error.what();  // begins with the path, which is gone soon
+            if (what.starts_with(picture.string())) what = image_name + what.substr(picture.string().size());
+            return fails(RaceVerdict::no_image, what);
+        }
+        return drawn;
+    }
+
+    static std::string what_is_left(const fs::path& folder)
+    {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const std::string name = entry.path().filename().string();
+            if (name != scene_name) return fmt::format("{}, but {}", image_name, printable(name, longest_complaint));
+        }
+        return image_name;
+    }
+
+    void judge(Racer& racer, const Image& image)
+    {
+        const Image& expected = *expected_;
+        if (image.width() != expected.width() || image.height() != expected.height()) {
+            racer.verdict = RaceVerdict::wrong_size;
+            racer.why = fmt::format("{} x {} pixels, expected {} x {}", image.width(), image.height(), expected.width(),
+                                    expected.height());
+            return;
+        }
+        const Comparison found = compare(expected, image);
+        RacePicture picture{.width = image.width(),
+                            .height = image.height(),
+                            .differing = found.differing,
+                            .visibly_differing = found.visibly_differing,
+                            .psnr = found.psnr};
+        if (found.first >= 0) {
+            picture.first_x = static_cast<int>(found.first % image.width());
+            picture.first_y = static_cast<int>(found.first / image.width());
+        }
+        racer.picture = picture;
+        const double percent = 100.0 * static_cast<double>(found.visibly_differing) / static_cast<double>(found.pixels);
+        racer.verdict = found.same()                      ? RaceVerdict::same
+                        : percent <= most_visible_percent ? RaceVerdict::close
+                                                          : RaceVerdict::wrong;
+        if (racer.verdict == RaceVerdict::wrong) {
+            racer.why = fmt::format("{} of {} pixels differ, {} visibly, the first at {},{}", found.differing,
+                                    found.pixels, found.visibly_differing, picture.first_x, picture.first_y);
+        }
+    }
+
+    // One more picture of a program whose first was right.
+    void again(std::size_t i, int round)
+    {
+        Racer& racer = race_.racers[i];
+        if (!is_right(racer.verdict)) return;
+        Drawn drawn = draw(racer, words_[i]);
+        if (!drawn.image) return;
+        if (fingerprint(*drawn.image) != fingerprints_[i]) {
+            racer.verdict = RaceVerdict::unsteady;
+            racer.why = fmt::format("the picture of round {} is not the first one", round);
+            return;
+        }
+        drawn.sample.round = round;
+        racer.samples.push_back(drawn.sample);
+    }
+
+    const RacePlan& plan_;
+    const std::function<void(double)>& progress_;
+    Scene scene_;
+    std::mt19937_64 random_;
+    Race race_;
+    std::vector<std::string> yardstick_;
+    std::vector<std::vector<std::string>> words_;  // of each racer
+    std::vector<std::uint64_t> fingerprints_;      // of each racer's first picture
+    std::optional<Image> expected_;
+};
+
+}  // namespace
+
+Race run_race(const RacePlan& plan, const Options& options, const Registry& registry,
+              const std::function<void(double)>& progress)
+{
+    Running running(plan, options, progress);
+    Race race = running.run();
+    race.environment = environment(registry);
+    return race;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// racer FILE.dat: a serial program that draws the Mandelbox, as somebody's submission would. RACER says what is wrong
+// with it: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or forks and hangs; nothing where it is
+// not set.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "backends/reference/reference.h"
+#include "core/base/output_file.h"
+#include "core/image/image_file.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace {
+
+using namespace mandelmarch;
+
+void draw(const std::string& file, const std::string& wrong)
+{
+    Scene scene = read_parameters(file, fractal_named("box")).scene;
+    if (wrong == "nearly") scene.brightness *= 1.003;
+    if (wrong == "wrong") scene.iterations -= 1;
+    if (wrong == "size") scene.width += 1;
+    if (wrong == "elsewhere") scene.image_file = "other.bmp";
+    Image image(scene.width, scene.height, Image::Layers::bytes);
+    make_reference_backend()->create({})->render(scene, image);
+    write_image(scene.image_file, ImageFormat::bmp, image);
+}
+
+}  // namespace
+
+int main(int, char** argv)
+{
+    const char* given = std::getenv("RACER");
+    const std::string wrong = given == nullptr ? "" : given;
+    if (wrong == "silent") return 0;
+    if (wrong == "text") {
+        write_file("image.bmp", "no picture at all");
+        return 0;
+    }
+    if (wrong == "fails") {
+        std::fputs("racer: I cannot\n", stderr);
+        return 3;
+    }
+    if (wrong == "crashes") std::raise(SIGSEGV);
+    if (wrong == "forks") static_cast<void>(fork());
+    if (wrong == "hangs" || wrong == "forks") {
+        for (;;) pause();
+    }
+    draw(argv[1], wrong);
+    return 0;
+}
