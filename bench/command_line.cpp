@@ -198,6 +198,12 @@ CommandLine parse_command_line(int argc, char** argv)
     portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
     portability->add_option("--csv", line.options.csv,
                             "write the rows behind it to this file, for p3-analysis-library");
+    CLI::App* divergence = app.add_subcommand(
+        "divergence", "how much of what a backend needs is its own: lines of code, from the sources");
+    divergence->add_option("FOLDER", line.folder, "the program's sources (default: the current folder)");
+    divergence->add_option("--json", line.options.json, "write it to this file (- is standard output)");
+    divergence->add_option("--csv", line.options.csv,
+                           "write which lines each backend needs to this file, for p3-analysis-library");
     CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
     random->add_option("--backend", line.random.backend,
                        "the backend that draws them (default: the text's on this machine's cores)");
@@ -246,6 +252,7 @@ CommandLine parse_command_line(int argc, char** argv)
     if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;
+    if (divergence->parsed()) line.command = Command::divergence;
     if (random->parsed()) line.command = Command::random;
     if (equivalence->parsed()) line.command = Command::equivalence;
     if (given(random->get_option("--scenes"))) line.random.scenes = whole_option("scenes", texts.scenes, 1, 100'000);

@@ -13,7 +13,21 @@
 
 namespace mandelmarch::bench {
 
-enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, race, random, equivalence, help };
+enum class Command {
+    run,
+    compare,
+    csv,
+    divergence,
+    duel,
+    json,
+    on_demand,
+    peak,
+    portability,
+    race,
+    random,
+    equivalence,
+    help
+};
 
 struct CommandLine {
     Command command = Command::run;
@@ -23,7 +37,7 @@ struct CommandLine {
     RacePlan race;
     RandomOptions random;
     EquivalenceOptions equivalence;
-    std::string folder;                  // of equivalence: for scenes that differ
+    std::string folder;                  // of equivalence: for scenes that differ; of divergence: the sources
     std::vector<std::string> arguments;  // of a run, without those that only the first launch obeys
     bool unproven = false;               // of on_demand: a launch of a duel that proves no pictures
     bool quiet = false;                  // no table and no progress: a further launch

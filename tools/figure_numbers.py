@@ -28,6 +28,11 @@ def worth(results, technique, fractal, precision):
     return times(results, "ablation", fractal, precision, "fast", f"without={technique}", "without=none")
 
 
+def convergence(results, key="convergence"):
+    """Code convergence of all backends, or another entry of divergence.json."""
+    return f"{results.json('divergence')[key]:.2f}"
+
+
 def cost(results, technique, fractal, precision):
     """What a technique adds to the kernel time of a fast picture, in percent."""
     return f"{100 * (ratio(results, 'ablation', fractal, precision, 'fast', 'without=none', f'without={technique}') - 1):.0f}"
@@ -140,6 +145,7 @@ def k40(results, fractal, precision, mode):
 NUMBERS = {
     "audit": audit,
     "backends-with-same-bits": backends_with_same_bits,
+    "convergence": convergence,
     "cost": cost,
     "far-off": far_off,
     "film": film,

@@ -32,6 +32,13 @@ def measured(results, study):
             f"{e['date'][:10]}, at revision {e['git']['revision'][:7]}{dirty}: `{study}.json`.")
 
 
+def lines_of_code(results):
+    """What each backend needs, from bench divergence."""
+    rows = [[f"`{m['backend']}`", str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"])]
+            for m in results.json("divergence")["models"]]
+    return table(["backend", "lines of its own", "of core/job", "of core/kernel"], rows)
+
+
 def ratio(results, study, key, backend):
     try:
         return f"{results.row(study, *key, backend).kernel_ms / results.row(study, *key).kernel_ms:.1f}"
@@ -193,6 +200,7 @@ def first_lines(results, file, count):
 
 
 TABLES = {
+    "lines-of-code": lines_of_code,
     "ablation": ablation,
     "aloud": aloud,
     "closeups": closeups,

@@ -130,19 +130,27 @@ class Bench:
 
 
 @functools.cache
-def _validator(part: str = "") -> jsonschema.Draft202012Validator:
-    """For a whole result, or for a list of one of the schema's definitions."""
-    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
+def _validator(part: str = "", kind: str = "") -> jsonschema.Draft202012Validator:
+    """For a whole result, for a list of one of the schema's definitions, or for another kind of file that bench writes."""
+    file = SCHEMA_FILE.parent / "schemas" / f"{kind}.schema.json" if kind else SCHEMA_FILE
+    schema = json.loads(file.read_text(encoding="utf-8"))
     if part:
         schema = {"$defs": schema["$defs"], "type": "array", "items": {"$ref": f"#/$defs/{part}"}}
     return jsonschema.Draft202012Validator(schema)
 
 
-def _check(name: str, data: Any, part: str = "") -> None:
-    error = next(iter(sorted(_validator(part).iter_errors(data), key=lambda e: [str(step) for step in e.path])), None)
+def _check(name: str, data: Any, part: str = "", kind: str = "") -> None:
+    errors = _validator(part, kind).iter_errors(data)
+    error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
     if error is not None:
         place = "/".join(map(str, error.absolute_path)) or "its top level"
-        raise InputError(f"{name}: no result of bench, version {VERSION}: {place}: {error.message[:160]}")
+        raise InputError(f"{name}: no {kind or 'result'} of bench, version {VERSION}: {place}: {error.message[:160]}")
+
+
+def checked(name: str, data: dict[str, Any], kind: str) -> dict[str, Any]:
+    """The data of a file that bench wrote, if it follows the schema of its kind. Raises InputError with one line."""
+    _check(name, data, kind=kind)
+    return data
 
 
 def read_portability(name: str, data: list[dict[str, Any]]) -> list[dict[str, Any]]:

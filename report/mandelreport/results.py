@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from .backends import Backends
-from .bench import SCHEMA, Bench, read_bench, read_portability
+from .bench import SCHEMA, Bench, checked, read_bench, read_portability
 from .errors import InputError
 from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
 from .random_scenes import SCHEMA as RANDOM_SCHEMA
@@ -30,6 +30,8 @@ class Results:
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     portability: list[dict[str, Any]] | None = None  # bench portability --json
+    divergence: dict[str, Any] | None = None  # bench divergence --json
+    races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
     k40: str | None = None  # the tables of make k40
     loop_mix: str | None = None  # the table of make loop-mix
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
@@ -86,6 +88,10 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.benches.append(read_bench(name, path, data))
     elif kind.get("schema") == RANDOM_SCHEMA:
         results.random.append(read_random(name, data))
+    elif kind.get("schema") == "mandelmarch-divergence":
+        results.divergence = checked(name, data, "divergence")
+    elif kind.get("schema") == "mandelmarch-race":
+        results.races.append(checked(name, data, "race"))
     elif kind.get("format") == MAP_FORMAT:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:

@@ -56,6 +56,21 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
+
+# Lines of the sources: from the CSV follows what the table says, as p3-analysis-library computes it.
+expect 0 divergence "$source" --csv lines.csv --json lines.json
+python3 - <<'PY'
+import csv, itertools, json, sys
+csv.field_size_limit(sys.maxsize)
+needed = [{(entry["file"], line) for entry in json.loads(row["coverage"]) for line in entry["used_lines"]}
+          for row in csv.DictReader(open("lines.csv"))]
+distances = [1 - len(a & b) / len(a | b) for a, b in itertools.combinations(needed, 2)]
+data = json.load(open("lines.json"))
+assert len(needed) == len(data["models"]) > 4
+assert abs(1 - sum(distances) / len(distances) - data["convergence"]) < 1e-12, data["convergence"]
+assert data["convergence_without_one_text"] < data["convergence"]
+PY
+expect 2 divergence nowhere
 cp a.json kept.json
 expect 2 portability a.json --json a.json
 cmp a.json kept.json || fail "portability wrote over what it reads"

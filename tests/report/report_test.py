@@ -114,6 +114,10 @@ class ReportTest(unittest.TestCase):
         for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
         self.assertIn(">0.12 – 0.99<", page)  # of two sets
+        # The convergence of the code; a race, whose wrong picture shows no time.
+        self.assertIn("a convergence of 0.568", page)
+        self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[411 – 502\]</td><td.*?>7.77</td>")
+        self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
         # Equal pictures are stored once: a good one and a broken one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)

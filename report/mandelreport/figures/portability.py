@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pennycook's metric as a cascade: efficiency over the platforms, best first."""
+"""Pennycook's metric: as a cascade, efficiency over the platforms, best first, and beside code convergence."""
 
 from __future__ import annotations
 
@@ -49,3 +49,40 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
         "Cascade: the metric over the first 1, 2, ... platforms in the order of falling efficiency (marks and "
         "lines), and the efficiency on each (dashes). Filled marks: double, open ones: float.",
     )
+
+
+def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backends: Backends) -> Figure | None:
+    """The navigation chart: a backend by itself is one source for all its platforms; all together share the text."""
+    names = [model["backend"] for model in divergence["models"]]
+    best: dict[str, list[float]] = {}
+    for entry in entries:
+        if entry["application"] in names:
+            best.setdefault(entry["application"], []).append(entry["by_application_efficiency"])
+    if not best:
+        return None
+    figure, axes = style.panels(1, 1, 8, 4)
+    axis = axes[0][0]
+    said = []
+    for name, values in best.items():
+        mean = sum(values) / len(values)
+        axis.plot([1], [mean], linestyle="", label=name, **_mark(backends.number_of(name)))
+        said.append(f"{name} {digits(mean)}")
+    together, apart = divergence["convergence"], divergence["convergence_without_one_text"]
+    axis.plot([together], [1], "k*", markersize=14, label=f"all {len(names)}, one text")
+    axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, a text each")
+    axis.annotate("", (together, 0.985), (apart, 0.985), arrowprops={"arrowstyle": "->", "color": "0.5"})
+    axis.set(xlim=(0, 1.05), ylim=(0, 1.08), xlabel="code convergence", ylabel="performance portability")
+    axis.legend(loc="center left", fontsize=8)
+    return style.block(
+        figure,
+        f"Navigation chart. Convergence of all backends {digits(together)}, with a text each {digits(apart)}. Portability: "
+        f"{', '.join(said)}.",
+        "Navigation chart: a backend alone needs one source, so that it stands at the right, at its mean portability over "
+        "the problems; its efficiency is the best backend's time over its own. Of all together the fastest counts on each "
+        "platform. The arrow is what one kernel text saves over one for each model, in shared lines of code.",
+    )
+
+
+def _mark(number: int) -> dict[str, Any]:
+    look = style.line(number)
+    return {key: look[key] for key in ("marker", "color") if key in look}

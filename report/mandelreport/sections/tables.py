@@ -142,6 +142,38 @@ def _packs(material: Material) -> Table | None:
     return Table(headers, rows, "Packs over the same text in scalar C++ on the same threads.", [4, 5, 6]) if rows else None
 
 
+def _lines_of_code(divergence: dict[str, Any]) -> Table:
+    rows = [
+        [m["backend"], str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"]), digits(nearest, 2), neighbour]
+        for m in divergence["models"]
+        for nearest, neighbour in [min((d, name) for name, d in m["distances"].items() if name != m["backend"])]
+    ]
+    return Table(
+        ["backend", "lines of its own", "of core/job", "of core/kernel", "distance", "from"],
+        rows,
+        "Lines of code that a backend needs, and the distance from its nearest other (the share of both's lines that one of them "
+        f"lacks). Mean of all pairs: {digits(1 - divergence['convergence'])}, a convergence of {digits(divergence['convergence'])}.",
+        [1, 2, 3, 4],
+    )
+
+
+def _race(race: dict[str, Any]) -> Table:
+    def cells(program: dict[str, Any]) -> list[str]:
+        picture, wall, ratio = program["picture"], program["wall"], program["times_ours"]
+        off = percent(picture["differing"] / (picture["width"] * picture["height"]), 3) if picture else "–"
+        time = f"{ms(wall['median'])}" + (f" [{' – '.join(map(ms, wall['interval']))}]" if wall["interval"] else "") if wall else "–"
+        times = digits(ratio["ratio"]) + (f" [{' – '.join(map(digits, ratio['interval']))}]" if ratio["interval"] else "") if ratio else "–"
+        return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
+
+    return Table(
+        ["program", "picture", "pixels off", "process ms", "times ours", "MiB", "why"],
+        [cells(program) for program in race["programs"]],
+        f"A race: whole processes in alternation, {race['fractal']}, {race['width']} x {race['height']} pixels, "
+        f"{race['rounds']} rounds, on {race['environment']['cpu']['model']}. A wrong picture has no time.",
+        [2, 3, 4, 5],
+    )
+
+
 def section(material: Material) -> dict[str, Any]:
     metric = _portability(material)
     tables = [
@@ -153,13 +185,17 @@ def section(material: Material) -> dict[str, Any]:
         _columns(material, lambda row: row.proof["text"] or "yardstick", "What the proofs found."),
         _peaks(material),
         factor_table(material),
+        *map(_race, material.results.races),
     ]
+    divergence = material.results.divergence
     return {
         "tables": [table for table in tables if table],
         "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric),
         "cascade": portability.cascade(metric, material.backends),
+        "lines_of_code": _lines_of_code(divergence) if divergence else None,
+        "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,
         "loop_mix": material.results.loop_mix,
         "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
     }

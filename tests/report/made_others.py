@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Made files of bench's other commands."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def divergence() -> dict[str, Any]:
+    def model(name: str, lines: int, distances: dict[str, float]) -> dict[str, Any]:
+        return {"backend": name, "lines": lines, "lines_of_job": 0, "lines_of_kernel": 987, "distances": distances}
+
+    models = [model("openmp", 1234, {"openmp": 0, "vulkan": 0.4321}), model("vulkan", 321, {"openmp": 0.4321, "vulkan": 0})]
+    return {
+        "schema": "mandelmarch-divergence",
+        "version": 1,
+        "models": models,
+        "convergence": 0.5679,
+        "convergence_without_one_text": 0.0123,
+    }
+
+
+def race(environment: dict[str, Any]) -> dict[str, Any]:
+    def program(name: str, verdict: str, why: str | None, seconds: float | None) -> dict[str, Any]:
+        return {
+            "name": name,
+            "ours": name == "openmp",
+            "verdict": verdict,
+            "why": why,
+            "exit_code": 0,
+            "signal": None,
+            "picture": {"width": 60, "height": 40, "differing": 24, "visibly_differing": 3, "first": [1, 2], "psnr": 40.5},
+            "memory": 3 * 2**20,
+            "wall": {"median": seconds, "interval": [0.9 * seconds, 1.1 * seconds]} if seconds else None,
+            "times_ours": {"ratio": 7.77, "interval": None} if seconds else None,
+            "samples": [{"round": 0, "wall": seconds, "processor": 0.1}] if seconds else [],
+        }
+
+    programs = [program("openmp", "close", None, 0.5), program("./theirs", "close", None, 0.4567), program("./bad", "WRONG", "24 pixels", None)]
+    named = {key: environment[key] for key in ("date", "git", "build", "cpu", "memory", "os", "backends", "icds", "variables")}
+    return {
+        "schema": "mandelmarch-race",
+        "version": 1,
+        "environment": named,
+        "fractal": "mandelbox",
+        "width": 60,
+        "height": 40,
+        "parameters": "",
+        "limit": 60,
+        "rounds": 6,
+        "warnings": [],
+        "programs": programs,
+    }
