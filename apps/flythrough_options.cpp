@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "apps/backend_option.h"
-#include "apps/estimate_option.h"
 #include "apps/option_values.h"
+#include "apps/scene_options.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
@@ -44,6 +44,8 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
     app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
+    add_projection_option(app, options.projection);
+    app.add_flag("--stereo", options.stereo, "film, render: two eyes side by side, the left one's picture on the left");
     app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
     add_backend_option(app, options.backend, registry);
     app.add_option("--device", texts.device, "which of the backend's devices; without it each MPI rank takes its own");
@@ -126,6 +128,12 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
         pair_option("size", texts.size, 'x', 1, max_side, "WIDTHxHEIGHT with even sides, 1920x1080, say");
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
+    if (options.stereo && options.projection != Projection::perspective) {
+        throw InputError("--stereo: its pictures are perspective ones, and --projection chooses others");
+    }
+    if (options.stereo && options.width % 4 != 0) {
+        throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
+    }
     options.threads = whole_option("threads", texts.threads, 0, 1024);
     options.device_given = !texts.device.empty();
     if (options.device_given) options.renderer.device = whole_option("device", texts.device, 0, 1'000'000);

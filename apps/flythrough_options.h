@@ -29,6 +29,8 @@ struct Flythrough {
     int frames = 7200;
     int width = 1920, height = 1080;
     double samples = 1;
+    Projection projection = Projection::perspective;
+    bool stereo = false;
     bool conservative = true;  // the estimate of what is planned; a path file says its own
     std::string backend = "auto";
     RendererOptions renderer;
@@ -41,7 +43,7 @@ struct Flythrough {
     std::optional<std::pair<std::size_t, std::size_t>> segments;
     bool force = false;
 
-    Picture picture() const { return {width, height, samples, look}; }
+    Picture picture() const { return {width, height, samples, look, projection, stereo}; }
     // The files that the command writes and reads, with their options; a name is empty where none is given.
     std::vector<NamedFile> written() const;
     std::vector<NamedFile> read() const;

@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "apps/backend_option.h"
-#include "apps/estimate_option.h"
 #include "apps/option_values.h"
 #include "apps/progress_bar.h"
 #include "apps/scene_json.h"
+#include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/trace/trace.h"
 #include "core/base/console.h"
@@ -23,6 +23,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/image/image_file.h"
+#include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -45,6 +46,8 @@ struct Options {
     std::string stats;
     std::string pixel;
     bool conservative = false;
+    Projection projection = Projection::perspective;
+    double eyes = 0;
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -69,6 +72,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string mode = "exact";
     std::string estimate{counted_estimate};
     std::string without;
+    std::string eyes;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
     if (fractal == nullptr) {
         std::string names;
@@ -84,6 +88,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
     add_estimate_option(app, estimate);
+    add_projection_option(app, options.projection);
+    app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, instead of the file's");
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
@@ -126,6 +132,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
     options.renderer.techniques = techniques_without(without);
     options.conservative = estimate == conservative_estimate;
+    if (!eyes.empty()) options.eyes = real_option("eyes", eyes, 0, 1e6);
     options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
     if (options.fractal.empty() && !options.lists()) {
@@ -227,6 +234,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     Scene& scene = parameters.scene;
     apply_size(options.size, scene);
     scene.conservative = options.conservative;
+    scene.projection = options.projection;
     if (options.print_scene) {
         print(std::string_view(scene_json(scene, options.renderer)));
         return exit_fine;
@@ -248,7 +256,9 @@ int render_program(const Registry& registry, const char* program, const char* fr
     const auto renderer = chosen_backend(registry, options.backend, true).create(options.renderer);
     Image image(scene.width, scene.height, layers_of(format));
     ProgressBar bar(program);
-    const RenderReport report = renderer->render(scene, image, [&bar](double share) { bar.show(share); });
+    const Progress progress = [&bar](double share) { bar.show(share); };
+    const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, scene, options.eyes, image, progress)
+                                                 : renderer->render(scene, image, progress);
     bar.finish();
     if (report.unsettled > 0) warn_unsettled(program, report.unsettled, options.renderer.precision);
     write_image(output, format, image);

@@ -98,11 +98,16 @@ Json json_of(const Layout& k)
             {"hull", k.hull},
             {"relaxation", k.relaxation},
             {"root_share", k.root_share},
+            {"longitude", k.longitude},
+            {"longitudes", k.longitudes},
+            {"latitude", k.latitude},
+            {"latitudes", k.latitudes},
             {"fractal", k.fractal},
             {"eye", of(k.eye)},
             {"forward", of(k.forward)},
             {"across", of(k.across)},
-            {"upward", of(k.upward)}};
+            {"upward", of(k.upward)},
+            {"sun", of(k.sun)}};
 }
 
 }  // namespace
@@ -120,7 +125,8 @@ std::string fractals_json()
                       {"longest_relaxed", longest_relaxed},
                       {"colouring_types", colouring_types},
                       {"max_iterations", max_iterations},
-                      {"max_field", max_field_of_view}}},
+                      {"max_field", max_field_of_view},
+                      {"sun", of(Scene{}.sun)}}},
                     {"fractals", rows}};
     return json.dump(2) + "\n";
 }

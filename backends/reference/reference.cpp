@@ -51,6 +51,12 @@ Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
     const double within = scene.centred ? 0.5 : 0;  // the pixel
     const double u = 2 * (scene.part.left + i + within) / axes.width - 1;
     const double v = 2 * (scene.part.bottom + j + within) / axes.height - 1;
+    if (scene.projection == Projection::equirectangular) {
+        const double longitude = std::numbers::pi * u;
+        const double latitude = std::numbers::pi / 2 * v;
+        return std::cos(latitude) * (std::cos(longitude) * axes.forward + std::sin(longitude) * axes.right) +
+               std::sin(latitude) * axes.up;
+    }
     return unit((u * axes.aspect * axes.tangent) * axes.right + (v * axes.tangent) * axes.up + axes.forward);
 }
 

@@ -14,12 +14,12 @@ requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
 {
     auto& [fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-           brightness, image_file, conservative, smooth, centred, limits, part] = scene;
+           brightness, image_file, conservative, smooth, centred, projection, sun, limits, part] = scene;
     auto& [stride, root_share] = limits;
     auto& [left, bottom, whole_width, whole_height] = part;
     archive(fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-            brightness, image_file, conservative, smooth, centred, stride, root_share, left, bottom, whole_width,
-            whole_height);
+            brightness, image_file, conservative, smooth, centred, projection, sun, stride, root_share, left, bottom,
+            whole_width, whole_height);
 }
 
 template <class Archive, class DeviceOrConst>

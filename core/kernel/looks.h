@@ -60,8 +60,6 @@ FN vec3 albedo(Scene scene, vec3 trap)
     return colour;
 }
 
-FN vec3 sun_direction() { return vec3(R(0.48), R(0.64), R(0.6)); }  // a unit vector
-
 // What a ray meets that hits nothing, and what the haze looks like in its direction.
 FN vec3 sky(Scene scene, vec3 direction)
 {
@@ -82,7 +80,7 @@ FN vec3 sky(Scene scene, vec3 direction)
     real low = 1 - direction.y * direction.y;
     low = low * low;
     low = low * low;
-    real near = saturated(inner(direction, sun_direction()));
+    real near = saturated(inner(direction, wide(scene.sun)));
     near = near * near;
     real wide_halo = near * near;
     real halo = wide_halo * wide_halo;
@@ -121,7 +119,7 @@ struct Surroundings {
 FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness along_normal = openness(scene, p, n, t, on);
-    Openness sunwards = openness(scene, p, sun_direction(), 2 * t, on);
+    Openness sunwards = openness(scene, p, wide(scene.sun), 2 * t, on);
     Surroundings found;
     found.along_normal = along_normal.share;
     found.sunwards = R(0.5) * (sunwards.share + sunwards.least) * sunwards.share;
@@ -133,7 +131,7 @@ FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on
 // The light from such a hit.
 FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroundings found, mask on)
 {
-    vec3 sun = sun_direction();
+    vec3 sun = wide(scene.sun);
     vec3 stone = albedo(scene, orbit_trap(scene, p, on));
     real facing = saturated(-inner(n, direction));
     real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;

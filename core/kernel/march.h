@@ -4,11 +4,23 @@
 // Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.
 FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
 
+// The direction through (u, v) of an equirectangular picture.
+FN_CALLED vec3 equirectangular(Scene scene, real u, real v)
+{
+    Complex turned = cosine_and_sine(scene.longitudes * u + scene.longitude);
+    Complex raised = cosine_and_sine(scene.latitudes * v + scene.latitude);
+    vec3 level = times(turned.re, wide(scene.forward));
+    level = along(level, wide(scene.across), quotient(turned.im, scene.longitudes));
+    return along(times(raised.re, level), wide(scene.upward), quotient(raised.im, scene.latitudes));
+}
+
 // The ray through (u, v) of the picture; v = -1 is the bottom.
 FN Ray begin_at(Scene scene, real u, real v)
 {
     Ray ray;
-    ray.direction = unit(along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v));
+    vec3 direction = along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v);
+    if (scene.longitudes > 0) direction = equirectangular(scene, u, v);
+    ray.direction = unit(direction);
     ray.end = scene.end;
     ray.t = 0;
     if (scene.hull > 0) {

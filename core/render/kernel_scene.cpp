@@ -26,8 +26,8 @@ template <class Layout>
 constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(Layout::tolerance);
-    return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 9 * real &&
-           offsetof(Layout, eye) == 32 + 20 * real && sizeof(Layout) == 32 + 36 * real;
+    return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 13 * real &&
+           offsetof(Layout, eye) == 32 + 24 * real && sizeof(Layout) == 32 + 44 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -62,15 +62,32 @@ struct Side {
 };
 
 // The axes that the kernel's pixels are counted along.
-Camera kernel_camera(const Scene& scene)
+template <class Layout>
+void put_camera(const Scene& scene, Layout& k)
 {
-    const Camera whole = camera_of(scene);
+    using Real = decltype(Layout::tolerance);
+    Camera camera = camera_of(scene);
     const Part& part = scene.part;
-    if (!scene.centred && part.whole_width == 0) return whole;
     const Side x(part.left, scene.width, part.whole_width > 0 ? part.whole_width : scene.width, scene.centred);
     const Side y(part.bottom, scene.height, part.whole_height > 0 ? part.whole_height : scene.height, scene.centred);
-    return {whole.forward + x.middle * whole.across + y.middle * whole.upward, x.half * whole.across,
-            y.half * whole.upward};
+    if (scene.projection == Projection::equirectangular) {
+        const double longitudes = std::numbers::pi * x.half;
+        const double latitudes = std::numbers::pi / 2 * y.half;
+        k.longitude = static_cast<Real>(std::numbers::pi * x.middle);
+        k.longitudes = static_cast<Real>(longitudes);
+        k.latitude = static_cast<Real>(std::numbers::pi / 2 * y.middle);
+        k.latitudes = static_cast<Real>(latitudes);
+        camera.across = longitudes * unit(camera.across);
+        camera.upward = latitudes * unit(camera.upward);
+    } else if (scene.centred || part.whole_width > 0) {
+        camera = {camera.forward + x.middle * camera.across + y.middle * camera.upward, x.half * camera.across,
+                  y.half * camera.upward};
+    }
+    assign(k.eye, scene.eye);
+    assign(k.forward, camera.forward);
+    assign(k.across, camera.across);
+    assign(k.upward, camera.upward);
+    assign(k.sun, scene.sun);
 }
 
 }  // namespace
@@ -99,7 +116,6 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     FractalConstants<double> constants =
         scene.fractal->constants.value(inputs_of(scene, is_float<Layout> ? float_range : 1e300));
     if (fast && techniques.tail) scene.fractal->add_tail(scene, constants);
-    const Camera camera = kernel_camera(scene);
 
     Layout k{};
     k.width = scene.width;
@@ -121,10 +137,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
-    assign(k.eye, scene.eye);
-    assign(k.forward, camera.forward);
-    assign(k.across, camera.across);
-    assign(k.upward, camera.upward);
+    put_camera(scene, k);
     return k;
 }
 

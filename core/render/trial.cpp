@@ -79,6 +79,11 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
     const double scale = std::min(1.0, std::sqrt(trial_pixels / pixels));
     small.width = std::max(1, static_cast<int>(std::lround(scale * scene.width)));
     small.height = std::max(1, static_cast<int>(std::lround(scale * scene.height)));
+    const auto scaled = [&](int pixels_of_part) { return static_cast<int>(std::lround(scale * pixels_of_part)); };
+    if (scene.part.whole_width > 0) {
+        small.part = {scaled(scene.part.left), scaled(scene.part.bottom), std::max(1, scaled(scene.part.whole_width)),
+                      std::max(1, scaled(scene.part.whole_height))};
+    }
     const auto drawn = [&](double stride) {
         small.limits.stride = stride;
         Image image(small.width, small.height, Image::Layers::bytes);

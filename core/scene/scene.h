@@ -33,6 +33,10 @@ struct StepLimits {
     double root_share = 0;         // no hit has to be nearer to the surface; in tolerances
 };
 
+// How a picture's places are directions. equirectangular: its width is 360 degrees of longitude, its height 180 of latitude,
+// whatever the field of view.
+enum class Projection { perspective, equirectangular };
+
 // The part of a larger picture that a scene draws, in pixels of that picture; the scene's size is the part's.
 struct Part {
     int left = 0, bottom = 0;
@@ -58,6 +62,8 @@ struct Scene {
     bool conservative = false;  // the distance estimate is the fractal's conservative one
     bool smooth = false;        // normals see nothing that is smaller than a tolerance
     bool centred = false;       // rays go through the pixels' middles, not their lower left corners
+    Projection projection = Projection::perspective;
+    Vector sun{0.48, 0.64, 0.6};  // a unit vector towards it, for colouring types from 2 up
     StepLimits limits;
     Part part;
 };

@@ -23,6 +23,8 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
         {"height", picture.height},
         {"samples", picture.samples},
         {"look", picture.look.value_or(-1)},
+        {"equirectangular", picture.projection == Projection::equirectangular},
+        {"stereo", picture.stereo},
         {"backend", backend.name()},
         {"device", device.name},
         {"driver", device.driver},

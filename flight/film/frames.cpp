@@ -4,15 +4,32 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
+#include "core/render/stereo.h"
+#include "flight/field/field.h"
 #include "flight/film/shrink.h"
 #include "flight/film/tent.h"
 
 namespace mandelmarch {
 
 namespace {
+
+constexpr double eyes_distance = 1.0 / 30;  // clearances: with the nearest things as far, comfortable (the 1/30 rule)
+
+// The camera of a frame whose picture shows all directions. Its pixels are as high as those of a perspective picture
+// whose plane is pi high at distance 1.
+Frame looking_everywhere(const Path& path, Frame frame)
+{
+    const Frame& first = path.frames.front();
+    const Vector level{first.target.x - first.eye.x, 0, first.target.z - first.eye.z};
+    frame.target = frame.eye + (length(level) > 1e-3 * length(first.target - first.eye) ? unit(level) : Vector{0, 0, 1});
+    frame.up = {0, 1, 0};
+    frame.field_of_view = 2 * std::atan(std::numbers::pi / 2) * 180 / std::numbers::pi / degrees_per_field;
+    return frame;
+}
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
 
@@ -27,7 +44,11 @@ RendererOptions without_trial(RendererOptions options)
 Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
 {
     // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
-    Scene scene = picture_of(path, path.frames[frame], picture.width, picture.height);
+    const bool everywhere = picture.projection == Projection::equirectangular;
+    const Frame& flown = path.frames[frame];
+    Scene scene =
+        picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
+    scene.projection = picture.projection;
     scene.width = samples_along(picture.width, picture.samples);
     scene.height = samples_along(picture.height, picture.samples);
     scene.centred = true;
@@ -56,9 +77,20 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
                    Image::Layers::bytes);
 }
 
+void FrameMaker::render(std::size_t frame)
+{
+    const Scene scene = frame_scene(path_, frame, picture_);
+    if (picture_.stereo) {
+        const double clearance = Field(scene, 1).distance(scene.eye);
+        render_stereo(*renderer_, scene, eyes_distance * clearance, image_);
+    } else {
+        renderer_->render(scene, image_);
+    }
+}
+
 std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
 {
-    renderer_->render(frame_scene(path_, frame, picture_), image_);
+    render(frame);
     if (picture_.width == image_.width() && picture_.height == image_.height()) return softened(image_, threads_);
     return shrunk(image_, picture_.width, picture_.height, threads_);
 }

@@ -16,6 +16,10 @@ struct Picture {
     int height = 1080;        // pixels
     double samples = 1;       // per pixel and side, 1 or more: 2 draws at twice the size and takes means of 2 x 2
     std::optional<int> look;  // a colouring type instead of the path's
+    // Equirectangular pictures do not turn with the camera: a viewer's head does. Their middle is where the first frame
+    // looks, as far as that is level, and up is y.
+    Projection projection = Projection::perspective;
+    bool stereo = false;  // two eyes side by side, a thirtieth of the clearance apart
 };
 
 // Throws InputError where such a picture needs more memory than there is, or has sides that are too long.
@@ -36,6 +40,8 @@ public:
     std::vector<std::uint8_t> draw(std::size_t frame);
 
 private:
+    void render(std::size_t frame);
+
     const Path& path_;
     Picture picture_;
     int threads_;

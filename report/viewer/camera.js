@@ -53,6 +53,7 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
         tolerance: Math.pow(10, Math.fround(s.detail)), stride,
         relaxation: fast && stride >= rules.plain_stride ? rules.longest_relaxed : stride, end: rules.end, miss: Infinity,
         brightness: s.brightness, root_share: row.root_share, fractal: row.constants(...inputs),
+        longitude: 0, longitudes: 0, latitude: 0, latitudes: 0, sun: rules.sun,
         eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The option --estimate: the original program's distance estimate, or the fractal's conservative one.
+// What a scene is told beside its parameter file: --estimate, --projection, --eyes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,6 +17,16 @@ inline void add_estimate_option(CLI::App& app, std::string& name)
            "counted: the original's distance estimate; conservative: one that is seldom larger than the distance")
         ->check(CLI::IsMember({std::string(counted_estimate), std::string(conservative_estimate)}))
         ->capture_default_str();
+}
+
+inline void add_projection_option(CLI::App& app, Projection& projection)
+{
+    app.add_option("--projection", projection,
+                   "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
+        ->transform(CLI::Transformer(
+            std::map<std::string, Projection>{{"perspective", Projection::perspective},
+                                              {"equirectangular", Projection::equirectangular}}))
+        ->default_str("perspective");
 }
 
 }  // namespace mandelmarch
