@@ -4,15 +4,21 @@
 
 #include <algorithm>
 #include <execution>
-#include <ranges>
+#include <vector>
 
 namespace mandelmarch::stdpar {
 
+// Calls body(0) to body(count - 1). The places stand in memory: libstdc++ takes iterators of std::views::iota for input
+// iterators, and one thread goes through those.
 template <class Body>
 void loop(int count, Body body)
 {
-    const auto places = std::views::iota(0, count);
-    std::for_each(std::execution::par_unseq, places.begin(), places.end(), body);
+    constexpr int together = 32;
+    std::vector<int> firsts;
+    for (int first = 0; first < count; first += together) firsts.push_back(first);
+    std::for_each(std::execution::par_unseq, firsts.begin(), firsts.end(), [=](int first) {
+        for (int at = first; at < std::min(first + together, count); ++at) body(at);
+    });
 }
 
 }  // namespace mandelmarch::stdpar

@@ -2,6 +2,7 @@
 // Every model draws the bits of the scalar text, in pictures of every shape, says where it ran and what it did.
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <sstream>
 
 #include "backends/all.h"
@@ -38,6 +39,16 @@ protected:
     }
 };
 
+double seconds_of(clockid_t clock)
+{
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Seconds on a processor of all threads but this one, those that have ended among them.
+double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
 TEST_P(Models, ExactHasTheBitsOfTheScalarText)
 {
     for (const auto& [name, scene] : scenes()) {
@@ -46,6 +57,22 @@ TEST_P(Models, ExactHasTheBitsOfTheScalarText)
         const Comparison difference = compare(expected, image);
         EXPECT_TRUE(difference.same()) << name << ": "
                                        << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
+    }
+}
+
+// A loop that one thread goes through draws the right picture, too.
+TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
+{
+    const auto renderer = model.create({.precision = precision});
+    const auto drawn = [&](int side) {
+        Image image(side, side, Image::Layers::bytes);
+        return renderer->render(official_scene("bulb", side, side), image);
+    };
+    drawn(32);  // threads start
+    const double before = seconds_of_others();
+    const RenderReport report = drawn(540);
+    if (report.threads > 1 && !report.device.is_gpu) {
+        EXPECT_GT(seconds_of_others() - before, 0.005);
     }
 }
 
