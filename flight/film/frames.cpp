@@ -11,6 +11,7 @@
 #include "core/render/stereo.h"
 #include "flight/field/field.h"
 #include "flight/film/shrink.h"
+#include "flight/film/sun.h"
 #include "flight/film/tent.h"
 
 namespace mandelmarch {
@@ -49,6 +50,7 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
     Scene scene =
         picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
     scene.projection = picture.projection;
+    scene.sun = sun_of(path);
     scene.width = samples_along(picture.width, picture.samples);
     scene.height = samples_along(picture.height, picture.samples);
     scene.centred = true;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/film/sun.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace mandelmarch {
+namespace {
+
+constexpr int directions = 24;
+constexpr std::size_t frames_apart = 30;
+constexpr double against = 0.5;  // what light against the camera is worth beside as much from behind
+
+// 1 at right angles to the gaze, 0 along it.
+double worth(Vector sun, Vector gaze)
+{
+    const double cosine = dot(sun, gaze);
+    return (1 - cosine * cosine) * (cosine > 0 ? against : 1);
+}
+
+}  // namespace
+
+Vector sun_of(const Path& path)
+{
+    const Vector usual = Scene{}.sun;
+    const double level = std::hypot(usual.x, usual.z);
+    Vector best = usual;
+    double most = 0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const Vector sun{level * std::sin(angle), usual.y, level * std::cos(angle)};
+        double sum = 0;
+        for (std::size_t frame = 0; frame < path.frames.size(); frame += frames_apart) {
+            sum += worth(sun, unit(path.frames[frame].target - path.frames[frame].eye));
+        }
+        if (sum > most) {
+            most = sum;
+            best = sun;
+        }
+    }
+    return best;
+}
+
+}  // namespace mandelmarch
