@@ -77,11 +77,12 @@ flythrough: ## the program that makes films
 FRACTAL ?= bulb
 SEED ?= 1
 FRAMES ?= 7200
-SIZE ?= 1920x1080
+SIZE ?= 1080p
+OPTIONS ?=
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=1920x1080
-	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) \
+video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo
+	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 

@@ -43,7 +43,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     add_estimate_option(app, texts.estimate);
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
-    app.add_option("--size", texts.size, "WxH of the film, even")->capture_default_str();
+    app.add_option("--size", texts.size, "of the film: WxH, even; 720p, 1080p or 4k")->capture_default_str();
     add_projection_option(app, options.projection);
     app.add_flag("--stereo", options.stereo, "film, render: two eyes side by side, the left one's picture on the left");
     app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
@@ -124,8 +124,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     fractal_named(options.fractal);
     options.seed = large_option("seed", texts.seed, 1ULL << 53);
     options.frames = whole_option("frames", texts.frames, 2, most_frames);
-    std::tie(options.width, options.height) =
-        pair_option("size", texts.size, 'x', 1, max_side, "WIDTHxHEIGHT with even sides, 1920x1080, say");
+    std::tie(options.width, options.height) = size_option(texts.size);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
     if (options.stereo && options.projection != Projection::perspective) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/scene/number.h"
@@ -11,6 +12,13 @@
 
 namespace mandelmarch {
 namespace {
+
+struct NamedSize {
+    std::string_view name;
+    int width, height;  // pixels
+};
+constexpr std::array named_sizes{NamedSize{"720p", 1280, 720}, NamedSize{"1080p", 1920, 1080},
+                                 NamedSize{"4k", 3840, 2160}};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected)
 {
@@ -58,7 +66,11 @@ std::pair<int, int> pair_option(const std::string& name, const std::string& text
 
 std::pair<int, int> size_option(const std::string& text)
 {
-    return pair_option("size", text, 'x', 1, max_side, fmt::format("WIDTHxHEIGHT with sides from 1 to {}", max_side));
+    for (const NamedSize& known : named_sizes) {
+        if (text == known.name) return {known.width, known.height};
+    }
+    return pair_option("size", text, 'x', 1, max_side,
+                       fmt::format("WIDTHxHEIGHT with sides from 1 to {}, 720p, 1080p or 4k", max_side));
 }
 
 }  // namespace mandelmarch

@@ -90,7 +90,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_estimate_option(app, estimate);
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
-    app.add_option("--size", options.size, "WxH in pixels, instead of the file's");
+    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(

@@ -23,9 +23,8 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
 {
     app.add_option("--projection", projection,
                    "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
-        ->transform(CLI::Transformer(
-            std::map<std::string, Projection>{{"perspective", Projection::perspective},
-                                              {"equirectangular", Projection::equirectangular}}))
+        ->transform(CLI::Transformer(std::map<std::string, Projection>{
+            {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
         ->default_str("perspective");
 }
 

@@ -95,6 +95,16 @@ std::vector<NamedScene> odd_scenes()
             scenes.add(name, official_scene(fractal, 47, 33)).colouring = look;
         }
     }
+    for (const Fractal& fractal : fractals()) {
+        Scene scene = official_scene(fractal, 47, 33);
+        scene.sun = {-0.6, 0.8, 0};
+        scenes.add(fmt::format("{}, another sun", fractal.nickname), scene).colouring = 2;
+        scene.projection = Projection::equirectangular;
+        scenes.add(fmt::format("{}, all directions", fractal.nickname), scene);
+        scene.centred = true;
+        scene.part = {.left = 40, .bottom = 20, .whole_width = 160, .whole_height = 80};
+        scenes.add(fmt::format("{}, some of all directions", fractal.nickname), scene);
+    }
     return scenes.take();
 }
 

@@ -22,14 +22,15 @@ struct Scene {
     scalar hull;             // radius or half an edge of what holds the surface; 0: nothing is known
     scalar relaxation;       // how far steps go over the estimate: relaxed(); not above stride: not at all
     scalar root_share;       // a canonical hit is where |DE - tolerance t| is below this share of the tolerance
-    scalar longitude;        // radians from forward to the picture's middle, round upward; equirectangular pictures only
-    scalar longitudes;       // from there to its right edge; 0: the picture is a perspective one
-    scalar latitude;         // radians from forward to the picture's middle, towards upward
-    scalar latitudes;        // from there to its top edge
-    scalar fractal[11];      // the fractal's own constants, named in its file
+    scalar longitude;    // radians from forward to the picture's middle, round upward; equirectangular pictures only
+    scalar longitudes;   // from there to its right edge; 0: the picture is a perspective one
+    scalar latitude;     // radians from forward to the picture's middle, towards upward
+    scalar latitudes;    // from there to its top edge
+    scalar fractal[11];  // the fractal's own constants, named in its file
 
     triple eye;      // camera
-    triple forward;  // towards the middle of the picture's pixels; of length 1 or little more; equirectangular: exactly ahead
+    triple forward;  // towards the middle of the picture's pixels; of length 1 or little more; equirectangular: exactly
+                     // ahead
     triple across;   // from the picture's middle to its right edge, at distance 1; equirectangular: as long as that arc
     triple upward;   // from the picture's middle to its top edge, at distance 1
     triple sun;      // a unit vector towards it, for looks

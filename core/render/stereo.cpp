@@ -44,7 +44,7 @@ RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, 
     if (scene.part.whole_width > 0 || scene.projection != Projection::perspective) {
         throw InputError("a picture for two eyes: expected a whole perspective one");
     }
-    const auto layers = image.has_depths() ? Image::Layers::all
+    const auto layers = image.has_depths()   ? Image::Layers::all
                         : image.has_values() ? Image::Layers::colours
                                              : Image::Layers::bytes;
     Image half(scene.width / 2, scene.height, layers);

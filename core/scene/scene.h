@@ -33,8 +33,8 @@ struct StepLimits {
     double root_share = 0;         // no hit has to be nearer to the surface; in tolerances
 };
 
-// How a picture's places are directions. equirectangular: its width is 360 degrees of longitude, its height 180 of latitude,
-// whatever the field of view.
+// How a picture's places are directions. equirectangular: its width is 360 degrees of longitude, its height 180 of
+// latitude, whatever the field of view.
 enum class Projection { perspective, equirectangular };
 
 // The part of a larger picture that a scene draws, in pixels of that picture; the scene's size is the part's.

@@ -28,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t worth_a_forecast = 10;  // segments
+constexpr std::size_t forecast_frames = 8;
 constexpr int least_side = 16;  // pixels: what libx264 takes
 
 // What the film is made of: the pictures, and the title, where there is one.
@@ -76,6 +78,7 @@ public:
         FilmProgress progress(work_.last(last) - work_.first(first), finished);
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
+        if (ranks_.rank() == 0 && todo.size() >= worth_a_forecast) foretell(*maker, todo);
         const bool alone = ranks_.size() == 1;
         const auto body = [&](std::size_t number) { segment(*maker, todo[number], alone ? &progress : nullptr); };
         const auto done = [&](std::size_t number) {
@@ -180,6 +183,26 @@ private:
     void piece(const std::string& file, const std::string& part, Write write)
     {
         make(part, write, [&](const std::string& whole) { work_.finish(whole, file); });
+    }
+
+    // How long it will take, from a few frames between the first and the last, drawn and encoded.
+    void foretell(FrameMaker& maker, const std::vector<std::size_t>& todo) const
+    {
+        const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
+        const auto start = Clock::now();
+        Encoder encoder(work_.folder(), fs::path(part.path()).filename().string(), options_.picture.width,
+                        options_.picture.height, "");
+        for (std::size_t i = 0; i < forecast_frames; ++i) {
+            const std::size_t segment = todo[(2 * i + 1) * todo.size() / (2 * forecast_frames)];
+            encoder.add(maker.draw((work_.first(segment) + work_.last(segment)) / 2));
+        }
+        encoder.finish();
+        const double each = seconds_since(start) / forecast_frames;
+        std::size_t frames = 0;
+        for (const std::size_t segment : todo) frames += work_.last(segment) - work_.first(segment);
+        say("film: {} frames of {} x {} pixels, {:.2f} s each of {} tried: {} in all\n", frames, options_.picture.width,
+            options_.picture.height, each, forecast_frames,
+            clock_text(each * static_cast<double>(frames) / ranks_.size()));
     }
 
     void segment(FrameMaker& maker, std::size_t number, FilmProgress* progress)

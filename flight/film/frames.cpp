@@ -26,7 +26,8 @@ Frame looking_everywhere(const Path& path, Frame frame)
 {
     const Frame& first = path.frames.front();
     const Vector level{first.target.x - first.eye.x, 0, first.target.z - first.eye.z};
-    frame.target = frame.eye + (length(level) > 1e-3 * length(first.target - first.eye) ? unit(level) : Vector{0, 0, 1});
+    frame.target =
+        frame.eye + (length(level) > 1e-3 * length(first.target - first.eye) ? unit(level) : Vector{0, 0, 1});
     frame.up = {0, 1, 0};
     frame.field_of_view = 2 * std::atan(std::numbers::pi / 2) * 180 / std::numbers::pi / degrees_per_field;
     return frame;
@@ -47,8 +48,7 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
     // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
     const bool everywhere = picture.projection == Projection::equirectangular;
     const Frame& flown = path.frames[frame];
-    Scene scene =
-        picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
+    Scene scene = picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
     scene.projection = picture.projection;
     scene.sun = sun_of(path);
     scene.width = samples_along(picture.width, picture.samples);

@@ -16,13 +16,13 @@ constexpr int bar_width = 40;                          // characters
 constexpr auto look = std::chrono::milliseconds(200);  // between two looks of the bar
 constexpr auto line = std::chrono::seconds(15);        // between two lines where there is no terminal
 
-std::string clock(double seconds)
+}  // namespace
+
+std::string clock_text(double seconds)
 {
     const auto whole = std::llround(std::max(seconds, 0.0));
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
 }
-
-}  // namespace
 
 FilmProgress::FilmProgress(std::size_t frames, std::size_t finished)
     : frames_(frames),
@@ -55,7 +55,8 @@ void FilmProgress::show()
     const double rate = static_cast<double>(drawn_) / elapsed;
     const std::size_t done = finished_ + drawn_;
     const double left = rate > 0 ? static_cast<double>(frames_ - std::min(frames_, done)) / rate : 0;
-    const std::string text = fmt::format("{} of {} frames, {:.2f} frames/s, {} left", done, frames_, rate, clock(left));
+    const std::string text =
+        fmt::format("{} of {} frames, {:.2f} frames/s, {} left", done, frames_, rate, clock_text(left));
     if (!terminal_) {
         say("film: {}\n", text);
         return;

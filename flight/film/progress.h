@@ -8,6 +8,9 @@
 
 namespace mandelmarch {
 
+// Hours, minutes and seconds: "1:02:03 h".
+std::string clock_text(double seconds);
+
 class FilmProgress {
 public:
     // `frames`: of the film; `finished`: of them, by earlier runs.

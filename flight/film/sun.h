@@ -6,8 +6,8 @@
 
 namespace mandelmarch {
 
-// A unit vector towards the sun that suits a path: as high as Scene's, in the direction from which it lights most of what
-// the frames look at from the side, which shows relief best, and rather from behind the camera than against it.
+// A unit vector towards the sun that suits a path: as high as Scene's, in the direction from which it lights most of
+// what the frames look at from the side, which shows relief best, and rather from behind the camera than against it.
 Vector sun_of(const Path& path);
 
 }  // namespace mandelmarch

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras beside the original's: all directions, two eyes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/render/stereo.h"
+#include "core/scene/fractal.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+Scene all_directions(int width, int height)
+{
+    Scene scene = official_scene("bulb", width, height);
+    scene.projection = Projection::equirectangular;
+    return scene;
+}
+
+// The yardstick computes directions by itself.
+TEST(AllDirections, AreTheReferencesOwn)
+{
+    for (const char* fractal : {"bulb", "box"}) {
+        Scene scene = official_scene(fractal, 120, 60);
+        scene.projection = Projection::equirectangular;
+        const Comparison difference =
+            compare(render(*make_reference_backend(), scene, {}), render(*make_openmp_backend(), scene, {}));
+        EXPECT_LE(difference.visibly_differing, difference.pixels / 500) << fractal;
+        // The twin: a turned camera is found.
+        Scene turned = scene;
+        turned.up = {0.1, 1, 0};
+        const Comparison found =
+            compare(render(*make_reference_backend(), turned, {}), render(*make_openmp_backend(), scene, {}));
+        EXPECT_GT(found.visibly_differing, found.pixels / 20) << fractal;
+    }
+}
+
+// The picture's middle is what the camera looks at; a quarter of the width further is to its right.
+TEST(AllDirections, TurnWithTheColumns)
+{
+    Scene scene = all_directions(64, 32);
+    scene.eye = {0, 0, 3};
+    scene.target = {0, 0, 0};
+    const auto depth = [](const Image& image, int x, int y) {
+        return image.values()[static_cast<std::size_t>(y * image.width() + x)].depth;
+    };
+    const Image ahead = render(*make_openmp_backend(), scene, {});
+    EXPECT_NEAR(depth(ahead, 32, 16), 2, 0.3);
+    EXPECT_TRUE(std::isinf(depth(ahead, 0, 16)));
+    scene.target = {-1, 0, 3};  // the fractal is at its right
+    const Image aside = render(*make_openmp_backend(), scene, {});
+    EXPECT_EQ(depth(aside, 48, 16), depth(ahead, 32, 16));
+    EXPECT_TRUE(std::isinf(depth(aside, 32, 16)));
+}
+
+// In fast mode the techniques that ask for pixels' distances hold for it: the picture is the canonical one.
+TEST(AllDirections, FastDrawsTheCanonicalPicture)
+{
+    for (const char* fractal : {"bulb", "box"}) {
+        Scene scene = official_scene(fractal, 240, 120);
+        scene.projection = Projection::equirectangular;
+        const RendererOptions fast{.mode = Mode::fast};
+        RendererOptions plain = fast;
+        plain.techniques = techniques_without("hull,relaxation,cones,neighbours");
+        const Comparison difference =
+            compare(render(*make_openmp_backend(), scene, plain), render(*make_openmp_backend(), scene, fast));
+        EXPECT_LE(difference.visibly_differing, difference.pixels / 100) << fractal;
+    }
+}
+
+class TwoEyes : public testing::Test {
+protected:
+    TwoEyes()
+    {
+        scene.eye = {0, 0, 3};
+        scene.target = {0, 0, 0};
+    }
+
+    Image drawn(double eyes) const
+    {
+        Image image(scene.width, scene.height, Image::Layers::all);
+        render_stereo(*make_openmp_backend()->create({}), scene, eyes, image);
+        return image;
+    }
+
+    // The mean column of what is hit, in a half.
+    static double middle(const Image& image, int side)
+    {
+        const int half = image.width() / 2;
+        double sum = 0;
+        double count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < half; ++x) {
+                const auto at = static_cast<std::size_t>(y * image.width() + x + (side > 0 ? half : 0));
+                if (std::isinf(image.values()[at].depth)) continue;
+                sum += x;
+                ++count;
+            }
+        }
+        return sum / count;
+    }
+
+    Scene scene = official_scene("bulb", 160, 60);
+};
+
+TEST_F(TwoEyes, EachHasTheBitsOfItsOwnPicture)
+{
+    const Image both = drawn(0.1);
+    for (const int side : {-1, 1}) {
+        const Image one = render(*make_openmp_backend(), of_eye(scene, 0.1, side), {});
+        for (int y = 0; y < one.height(); ++y) {
+            const auto row = both.bytes().begin() + 3 * (y * both.width() + (side < 0 ? 0 : one.width()));
+            EXPECT_TRUE(std::equal(row, row + 3 * one.width(), one.bytes().begin() + 3 * y * one.width())) << side;
+        }
+    }
+}
+
+// What is nearer than the screen lies further right for the left eye, what is farther further left.
+TEST_F(TwoEyes, SeeNearThingsCrossed)
+{
+    const double distance = 3;
+    const Image near = drawn(1.5 * distance / screen_distance);
+    EXPECT_GT(middle(near, -1), middle(near, 1));
+    const Image far = drawn(0.1 * distance / screen_distance);
+    EXPECT_LT(middle(far, -1), middle(far, 1));
+}
+
+TEST_F(TwoEyes, WantAnEvenPerspectivePicture)
+{
+    scene.width = 161;
+    EXPECT_THROW(drawn(0.1), InputError);
+    scene = all_directions(160, 60);
+    EXPECT_THROW(drawn(0.1), InputError);
+}
+
+}  // namespace
+}  // namespace mandelmarch
