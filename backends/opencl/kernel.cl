@@ -2,6 +2,8 @@
 // The kernel of the OpenCL backend: a work item draws MM_LANES pixels, a rectangle of pixels as square as they allow.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/text.h"
+#define MM_TRUNCATED(x) ((int)(x))
+#include "core/kernel/bytes.h"
 
 #if MM_LANES == 16
 #define MM_WIDTH 4
@@ -25,9 +27,10 @@ union Wholes {
     scalar_whole of[MM_LANES];
 };
 
-// Rows [first_row, first_row + rows) of the picture into the planes of core/image/image.h, `pixels` values each.
+// Rows [first_row, first_row + rows) of the picture: three bytes a pixel if `bytes_alone`, else the planes of
+// core/image/image.h, `pixels` values each.
 __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
-                        __global int* wholes)
+                        __global int* wholes, __global uchar* bytes, int bytes_alone)
 {
     int left = (int)get_global_id(0) * MM_WIDTH;
     int bottom = (int)get_global_id(1) * MM_HEIGHT;
@@ -53,6 +56,12 @@ __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long p
         int y = bottom + lane / MM_WIDTH;
         if (x >= width || y >= rows) continue;
         long at = (long)y * width + x;
+        if (bytes_alone != 0) {
+            vstore3((uchar3)((uchar)byte_of(red.of[lane]), (uchar)byte_of(green.of[lane]),
+                             (uchar)byte_of(blue.of[lane])),
+                    at, bytes);
+            continue;
+        }
         reals[at] = red.of[lane];
         reals[pixels + at] = green.of[lane];
         reals[2 * pixels + at] = blue.of[lane];

@@ -63,19 +63,23 @@ template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(Session& session, cl::Program& program, const Build& build, const Scene& scene,
-                 const RendererOptions& options, std::int64_t pixels)
+                 const RendererOptions& options, std::int64_t pixels, bool bytes_alone)
         : session_(session),
           kernel_(program, "draw_band"),
           lanes_(build.lanes),
           width_(scene.width),
           pixels_(static_cast<std::size_t>(pixels)),
+          bytes_alone_(bytes_alone),
           scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques))
     {
         const Clock::time_point start = Clock::now();
         const cl_mem_flags flags = CL_MEM_READ_WRITE | (session.is_cpu ? CL_MEM_ALLOC_HOST_PTR : 0);
         constants_ = cl::Buffer(session.context, CL_MEM_READ_ONLY, sizeof(scene_));
-        reals_ = cl::Buffer(session.context, flags, real_planes * sizeof(Real) * pixels_);
-        wholes_ = cl::Buffer(session.context, flags, whole_planes * sizeof(int) * pixels_);
+        // What is not asked for is a buffer of one number: every argument is there.
+        const std::size_t planes = bytes_alone ? 1 : pixels_;
+        reals_ = cl::Buffer(session.context, flags, real_planes * sizeof(Real) * planes);
+        wholes_ = cl::Buffer(session.context, flags, whole_planes * sizeof(int) * planes);
+        bytes_ = cl::Buffer(session.context, flags, bytes_alone ? 3 * pixels_ : 1);
         session.queue.enqueueWriteBuffer(constants_, CL_TRUE, 0, sizeof(scene_), &scene_);
         timings.upload = seconds_since(start);
     }
@@ -95,7 +99,11 @@ public:
     void read_back(const Band& band, Image& image) override
     {
         const Clock::time_point start = Clock::now();
-        if (session_.is_cpu) {
+        if (bytes_alone_) {
+            const std::size_t row = 3 * static_cast<std::size_t>(width_);
+            session_.queue.enqueueReadBuffer(bytes_, CL_TRUE, 0, row * static_cast<std::size_t>(band.rows),
+                                             image.bytes().data() + row * static_cast<std::size_t>(band.first_row));
+        } else if (session_.is_cpu) {
             // The device's memory is the host's: no copy.
             const auto map = [&](const cl::Buffer& buffer, std::size_t bytes) {
                 return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
@@ -139,6 +147,8 @@ private:
         kernel_.setArg(3, static_cast<cl_long>(pixels_));
         kernel_.setArg(4, reals_);
         kernel_.setArg(5, wholes_);
+        kernel_.setArg(6, bytes_);
+        kernel_.setArg(7, bytes_alone_ ? 1 : 0);
         cl::Event done;
         session_.queue.enqueueNDRangeKernel(
             kernel_, cl::NullRange, cl::NDRange(groups(width_, wide, side_x), groups(rows_covered, high, side_y)),
@@ -159,10 +169,12 @@ private:
     int lanes_;
     int width_;
     std::size_t pixels_;  // that the buffers hold
+    bool bytes_alone_;
     KernelScene<Real> scene_;
     cl::Buffer constants_;
     cl::Buffer reals_;
     cl::Buffer wholes_;
+    cl::Buffer bytes_;
     std::vector<Real> host_reals_;
     std::vector<int> host_wholes_;
 };
@@ -211,7 +223,8 @@ private:
             std::clamp<std::int64_t>(std::min<std::int64_t>(most, usual_band) / scene.width, 1, scene.height);
         const std::int64_t pixels = rows * scene.width;
         // On the heap: a hung device keeps what it works on.
-        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels);
+        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
+                                                             !image.has_values() && !options_.counts);
         double build_seconds = 0;
         try {
             if (first) {

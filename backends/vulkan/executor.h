@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "backends/vulkan/probe.h"
 #include "core/base/stopwatch.h"
@@ -15,15 +16,25 @@ namespace mandelmarch::vulkan {
 
 // As in kernel.comp.
 inline constexpr int group_side = 8;
-enum Stage : int { stage_begin = 1, stage_march = 2, stage_stop = 4, stage_refine = 8, stage_shade = 16 };
+enum Stage : int {
+    stage_begin = 1,
+    stage_march = 2,
+    stage_stop = 4,
+    stage_refine = 8,
+    stage_shade = 16,
+    stage_bytes = 32,
+    stage_pack = 64
+};
 
 // The buffers on the bench. `results` holds, each at a multiple of 256 bytes, which is the largest alignment that a
-// device may ask for: the flag of rays still marching, and the planes of reals and of wholes. `mirror` is the host's
-// copy of it, on devices with memory of their own.
+// device may ask for: the flags of rays still marching and of rays cut off, and the planes of reals and of wholes;
+// where bytes alone are asked for these take the place of the reals. `mirror` is the host's copy of it, on devices with
+// memory of their own.
 enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
 constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
 inline constexpr vk::DeviceSize flag_size = 4;
-inline constexpr vk::DeviceSize reals_at = aligned(flag_size);
+inline constexpr vk::DeviceSize flags_size = 2 * flag_size;
+inline constexpr vk::DeviceSize reals_at = aligned(flags_size);
 
 // The size of a Ray and of a Hit as std430 lays them out: a vec3, six reals and three ints, to a multiple of four
 // reals.
@@ -61,13 +72,16 @@ inline Limits limits_of(const Facts& facts, vk::DeviceSize real)
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, Timings& timings)
-        : gpu_(gpu), bench_(bench), scene_(scene), pixels_(pixels), timings_(timings)
+    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, bool bytes_alone,
+                 Timings& timings)
+        : gpu_(gpu), bench_(bench), scene_(scene), pixels_(pixels), bytes_alone_(bytes_alone), timings_(timings)
     {
     }
 
     void run(Entry entry, const Band& band, int steps) override
     {
+        if (entry == Entry::begin || entry == Entry::draw)
+            gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
         // A ray begins in the pass that first marches it, and stops in the one that comes after the last of these.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
@@ -79,14 +93,19 @@ public:
                            : entry == Entry::march  ? begins_ | stage_march
                            : entry == Entry::refine ? stops_ | stage_refine
                                                     : stops_ | stage_shade;
+        const int shaded = (stages & stage_shade) != 0 && bytes_alone_ ? stage_bytes : 0;
         begins_ = 0;
         if (entry != Entry::march) stops_ = 0;
         if ((stages & stage_march) != 0) {
             gpu_.commands().fillBuffer(*results().handle, 0, flag_size, 0);
             gpu_.barrier();
         }
-        dispatch(stages, band, steps);
+        dispatch(stages | shaded, band, steps);
         gpu_.barrier();
+        if (shaded != 0) {
+            dispatch(stage_pack, band, 0);
+            gpu_.barrier();
+        }
     }
 
     bool marching(const Band&) override
@@ -100,11 +119,19 @@ public:
         timings_.kernel += gpu_.finish("shading");
         const auto start = Clock::now();
         double waited = 0;
-        const std::byte* bytes = fetch(results().size, "reading back", waited);
+        const std::size_t row = 3 * static_cast<std::size_t>(scene_.width);
+        const std::size_t band_bytes = row * static_cast<std::size_t>(band.rows);
+        const std::byte* bytes = fetch(bytes_alone_ ? reals_at + band_bytes : results().size, "reading back", waited);
+        check(bytes);
+        if (bytes_alone_) {
+            std::memcpy(image.bytes().data() + row * static_cast<std::size_t>(band.first_row), bytes + reals_at,
+                        band_bytes);
+            timings_.readback += seconds_since(start);
+            return;
+        }
         const auto planes = planes_of(reinterpret_cast<const Real*>(bytes + reals_at),
                                       reinterpret_cast<const int*>(bytes + wholes_at(pixels_)), pixels_,
                                       static_cast<std::size_t>(scene_.width));
-        check(planes, band);
         image.store(planes, 0, band.first_row, scene_.width, band.rows);
         add_work(work_, planes, scene_.width, band.rows);
         timings_.readback += seconds_since(start);
@@ -121,11 +148,10 @@ public:
 private:
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
-    // Throws Error where a ray did not come to its end: its steps are kernel.comp's cut_off.
-    void check(const Planes<Real>& planes, const Band& band) const
+    // Throws Error where a ray did not come to its end: kernel.comp's second flag.
+    void check(const std::byte* results) const
     {
-        const int* end = planes.steps + planes.stride * static_cast<std::size_t>(band.rows);
-        if (std::all_of(planes.steps, end, [](int steps) { return steps <= max_steps; })) return;
+        if (*reinterpret_cast<const std::int32_t*>(results + flag_size) == 0) return;
         throw Error(fmt::format(
             "backend vulkan: {}: the device cut a ray off in a loop, expected a device whose loops run to their end",
             gpu_.name()));
@@ -143,9 +169,15 @@ private:
             gpu_.finish("compiling a shader");
             timings_.build += seconds_since(start);
         }
-        const auto groups = [](int side) { return static_cast<std::uint32_t>((side + group_side - 1) / group_side); };
+        const auto groups = [](int pixels, int side) { return static_cast<std::uint32_t>((pixels + side - 1) / side); };
+        if (stages == stage_pack) {
+            constexpr int pixels_of_group = 4 * group_side * group_side;
+            bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, 0, 0},
+                                     groups(scene_.width * band.rows, pixels_of_group), 1);
+            return;
+        }
         bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, static_cast<int>(pixels_)},
-                                 groups(scene_.width), groups(band.rows));
+                                 groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
     // Finishes, and the first bytes of the results where the host sees them. Adds the seconds.
@@ -165,6 +197,7 @@ private:
     Workbench& bench_;
     const KernelScene<Real>& scene_;
     vk::DeviceSize pixels_;  // of a plane
+    bool bytes_alone_;
     Timings& timings_;
     Work work_;
     int begins_ = 0, stops_ = 0;  // the stage, where a pass has to do it yet

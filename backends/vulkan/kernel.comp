@@ -3,6 +3,8 @@
 #version 460
 #include "core/kernel/prelude/glsl.h"
 #include "core/kernel/text.h"
+#define MM_TRUNCATED(x) int(x)
+#include "core/kernel/bytes.h"
 
 // Squares of pixels: neighbouring invocations march neighbouring rays, which end after about as many steps.
 const int side = 8;
@@ -15,6 +17,8 @@ const int stage_march = 2;
 const int stage_stop = 4;
 const int stage_refine = 8;
 const int stage_shade = 16;
+const int stage_bytes = 32;  // shading leaves three bytes in a word for each pixel
+const int stage_pack = 64;   // a pass of its own: words of four pixels become three
 layout(constant_id = 0) const int stages = 31;
 // What a scene changes seldom: known when the pipeline is built, it removes branches, which some devices pay in full.
 layout(constant_id = 1) const int fractal_whole = 0;
@@ -25,8 +29,13 @@ layout(std430, binding = 0) readonly buffer SceneBuffer { Scene whole_scene; };
 layout(std430, binding = 1) buffer RayBuffer { Ray rays[]; };
 layout(std430, binding = 1) buffer HitBuffer { Hit hits[]; };  // the same memory
 layout(std430, binding = 2) writeonly buffer RealBuffer { real reals[]; };
-layout(std430, binding = 3) writeonly buffer WholeBuffer { int wholes[]; };
-layout(std430, binding = 4) writeonly buffer FlagBuffer { int still_marching; };
+layout(std430, binding = 2) writeonly buffer PackedBuffer { int packed_bytes[]; };  // the same memory
+layout(std430, binding = 3) buffer WholeBuffer { int wholes[]; };
+layout(std430, binding = 4) writeonly buffer FlagBuffer
+{
+    int still_marching;
+    int rays_cut_off;
+};
 
 layout(push_constant) uniform Pass
 {
@@ -43,7 +52,7 @@ int every_second(int index, int bit)
     return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
 }
 
-// The steps of a ray that the device has cut off: more than any makes, so that it marches no more. The host looks for it.
+// The steps of a ray that the device has cut off: more than any makes, so that it marches no more.
 const int cut_off = 1 << 30;
 
 // `steps`, or cut_off. lavapipe counts rounds over all loops of an invocation; when they are used up it leaves the loop
@@ -53,12 +62,31 @@ int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;
     while (round < whole_scene.max_steps) round = round + 1;
-    return round < whole_scene.max_steps ? cut_off : steps;
+    if (round == whole_scene.max_steps) return steps;
+    rays_cut_off = 1;
+    return cut_off;
+}
+
+// The bytes of the four pixels from 4 `at` on, in three words.
+void pack(int at)
+{
+    if (4 * at >= whole_scene.width * pass.rows) return;
+    int a = wholes[4 * at];
+    int b = wholes[4 * at + 1];
+    int c = wholes[4 * at + 2];
+    int d = wholes[4 * at + 3];
+    packed_bytes[3 * at] = a | b << 24;
+    packed_bytes[3 * at + 1] = b >> 8 | c << 16;
+    packed_bytes[3 * at + 2] = c >> 16 | d << 8;
 }
 
 void main()
 {
     int at = int(gl_LocalInvocationIndex);
+    if (stages == stage_pack) {
+        pack(int(gl_WorkGroupID.x) * side * side + at);
+        return;
+    }
     int x = int(gl_WorkGroupID.x) * side + every_second(at, 0);
     int y = int(gl_WorkGroupID.y) * side + every_second(at, 1);
     if (x >= whole_scene.width || y >= pass.rows) return;
@@ -99,6 +127,12 @@ void main()
     }
     if ((stages & stage_shade) != 0) {
         Pixel done = shade(scene, hit);
+        if ((stages & stage_bytes) != 0) {
+            int word = byte_of(done.colour.x) | byte_of(done.colour.y) << 8 | byte_of(done.colour.z) << 16;
+            wholes[pixel] = word;
+            steps_or_cut_off(0);
+            return;
+        }
         reals[pixel] = done.colour.x;
         reals[pixel + pass.pixels] = done.colour.y;
         reals[pixel + 2 * pass.pixels] = done.colour.z;

@@ -105,7 +105,8 @@ private:
         gpu.finish("uploading the scene");
         timings.upload = seconds_since(upload);
 
-        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, timings);
+        const bool bytes_alone = !image.has_values() && !options_.counts;
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone, timings);
         run_schedule(scene, options_.mode, limits, executor, image, progress);
         report.work = executor.work();
         timings.wall = seconds_since(start);
@@ -139,7 +140,7 @@ private:
         session_->bench.program->bind(std::array{
             Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
             Binding{results, reals_at, real_planes * sizeof(Real) * pixels}, Binding{results, wholes_at, wholes_size},
-            Binding{results, 0, flag_size}});
+            Binding{results, 0, flags_size}});
     }
 
     RendererOptions options_;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -53,7 +54,7 @@ template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(const Model& model, Launch launch, const Scene& scene, const RendererOptions& options,
-                 std::int64_t pixels, Timings& timings)
+                 std::int64_t pixels, bool bytes_alone, Timings& timings)
         : model_(model),
           timings_(timings),
           launch_(launch),
@@ -61,6 +62,7 @@ public:
           wholes_on_device_(model, static_cast<std::size_t>(pixels) * whole_planes * sizeof(int)),
           job_on_device_(model, sizeof(job_))
     {
+        if (bytes_alone) bytes_on_device_.emplace(model, 3 * static_cast<std::size_t>(pixels));
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (pixels.h), but for normals of a tetrahedron.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
@@ -71,6 +73,7 @@ public:
         }
         job_.reals = static_cast<Real*>(reals_on_device_.address());
         job_.wholes = static_cast<int*>(wholes_on_device_.address());
+        job_.bytes = bytes_alone ? static_cast<unsigned char*>(bytes_on_device_->address()) : nullptr;
     }
 
     // A whole pixel is asked for.
@@ -89,6 +92,11 @@ public:
         const auto width = static_cast<std::size_t>(image.width());
         const std::size_t pixels = width * static_cast<std::size_t>(band.rows);
         timed(timings_.readback, [&] {
+            if (bytes_on_device_) {
+                unsigned char* to = image.bytes().data() + 3 * width * static_cast<std::size_t>(band.first_row);
+                model_.read_back(to, bytes_on_device_->address(), 3 * pixels);
+                return;
+            }
             reals_.resize(pixels * real_planes);
             wholes_.resize(pixels * whole_planes);
             model_.read_back(reals_.data(), reals_on_device_.address(), reals_.size() * sizeof(Real));
@@ -109,6 +117,7 @@ private:
     DeviceMemory reals_on_device_;
     DeviceMemory wholes_on_device_;
     DeviceMemory job_on_device_;
+    std::optional<DeviceMemory> bytes_on_device_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
     Work work_;

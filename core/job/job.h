@@ -11,6 +11,7 @@ struct Job {
     Scene scene;
     Real* reals;
     int* wholes;
+    unsigned char* bytes;  // three a pixel, where nothing else is asked for; else nullptr
     int first_row;
     int rows;
 };

@@ -7,6 +7,9 @@
 #endif
 #include MM_PRELUDE
 #include "core/kernel/text.h"
+#define MM_TRUNCATED(x) static_cast<int>(x)
+#include "core/kernel/bytes.h"
+#undef MM_TRUNCATED
 
 // What is fixed for the precision and the mode is fixed at compile time (core/job/backend.cpp refuses other scenes).
 #ifdef MM_MODE_fast
@@ -39,6 +42,13 @@ FN Scene fixed_scene(const Job* job)
 
 FN void put_pixel(const Job* job, int at, int pixels, Pixel pixel)
 {
+    if (job->bytes != nullptr) {
+        unsigned char* bytes = job->bytes + 3 * static_cast<long>(at);
+        bytes[0] = static_cast<unsigned char>(byte_of(pixel.colour.x));
+        bytes[1] = static_cast<unsigned char>(byte_of(pixel.colour.y));
+        bytes[2] = static_cast<unsigned char>(byte_of(pixel.colour.z));
+        return;
+    }
     job->reals[at] = pixel.colour.x;
     job->reals[at + pixels] = pixel.colour.y;
     job->reals[at + 2 * pixels] = pixel.colour.z;
