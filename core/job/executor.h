@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/job/camera_table.h"
 #include "core/job/model.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
@@ -71,6 +72,10 @@ public:
             throw Unavailable(
                 fmt::format("backend {}: its kernels are not made for this scene's hit or normal", model.name()));
         }
+        const std::vector<Real> table = camera_table(job_.scene);
+        camera_on_device_.emplace(model, table.size() * sizeof(Real));
+        model_.upload(camera_on_device_->address(), table.data(), table.size() * sizeof(Real));
+        job_.camera = static_cast<const Real*>(camera_on_device_->address());
         job_.reals = static_cast<Real*>(reals_on_device_.address());
         job_.wholes = static_cast<int*>(wholes_on_device_.address());
         job_.bytes = bytes_alone ? static_cast<unsigned char*>(bytes_on_device_->address()) : nullptr;
@@ -118,6 +123,7 @@ private:
     DeviceMemory wholes_on_device_;
     DeviceMemory job_on_device_;
     std::optional<DeviceMemory> bytes_on_device_;
+    std::optional<DeviceMemory> camera_on_device_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
     Work work_;

@@ -12,6 +12,7 @@ struct Job {
     Real* reals;
     int* wholes;
     unsigned char* bytes;  // three a pixel, where nothing else is asked for; else nullptr
+    const Real* camera;    // core/job/camera_table.h
     int first_row;
     int rows;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text and what a model's loops call, each for one pixel of a job: draw_pixel(), or march_pixel() and then
-// shade_pixel(). No include guard: every kernel source includes it once, in a namespace of its own, with MM_REAL,
-// MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and MM_MODE_exact or MM_MODE_fast defined, and core/job/job.h included before.
+// The text and what a model's loops call, each for one pixel of a job: draw_pixel(), or march_pixel(), then
+// shade_pixel() and at last bytes_of_pixel(). No include guard: every kernel source includes it once, in a namespace of
+// its own, with MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and MM_MODE_exact or MM_MODE_fast defined, and
+// core/job/job.h included before.
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif
@@ -42,13 +43,6 @@ FN Scene fixed_scene(const Job* job)
 
 FN void put_pixel(const Job* job, int at, int pixels, Pixel pixel)
 {
-    if (job->bytes != nullptr) {
-        unsigned char* bytes = job->bytes + 3 * static_cast<long>(at);
-        bytes[0] = static_cast<unsigned char>(byte_of(pixel.colour.x));
-        bytes[1] = static_cast<unsigned char>(byte_of(pixel.colour.y));
-        bytes[2] = static_cast<unsigned char>(byte_of(pixel.colour.z));
-        return;
-    }
     job->reals[at] = pixel.colour.x;
     job->reals[at + pixels] = pixel.colour.y;
     job->reals[at + 2 * pixels] = pixel.colour.z;
@@ -58,12 +52,25 @@ FN void put_pixel(const Job* job, int at, int pixels, Pixel pixel)
     job->wholes[at + 2 * pixels] = pixel.iterations;
 }
 
+FN void put_bytes(const Job* job, int at, real red, real green, real blue)
+{
+    unsigned char* bytes = job->bytes + 3 * static_cast<long>(at);
+    bytes[0] = static_cast<unsigned char>(byte_of(red));
+    bytes[1] = static_cast<unsigned char>(byte_of(green));
+    bytes[2] = static_cast<unsigned char>(byte_of(blue));
+}
+
 // A whole pixel, the one at this place of the job's planes: for a core.
 FN void draw_pixel(const Job* job, int at)
 {
     Scene scene = fixed_scene(job);
     const int y = at / scene.width;
-    put_pixel(job, at, scene.width * job->rows, draw(scene, real(at - y * scene.width), real(job->first_row + y)));
+    const Pixel pixel = draw(scene, real(at - y * scene.width), real(job->first_row + y));
+    if (job->bytes != nullptr) {
+        put_bytes(job, at, pixel.colour.x, pixel.colour.y, pixel.colour.z);
+    } else {
+        put_pixel(job, at, scene.width * job->rows, pixel);
+    }
 }
 
 // The scene, read from memory at this very place.
@@ -111,7 +118,13 @@ FN Place place_of(const Job* job, int thread)
 
 FN Ray begun(const Job* job, Place place)
 {
-    return begin(scene_of(job), real(place.x), real(job->first_row + place.y));
+    MM_ANEW(job);
+    const real* column = job->camera + place.x;
+    const real* row = job->camera + (2 * job->scene.width + job->first_row + place.y);
+    const Complex a = complex_number(column[0], column[job->scene.width]);
+    const Complex b = complex_number(row[0], row[job->scene.height]);
+    const vec3 direction = along_axes(scene_of(job), a, b);
+    return begin_along(scene_of(job), direction);
 }
 
 // Until the ray stops. It waits for shade_pixel() in its own pixel's planes.
@@ -150,6 +163,14 @@ FN void shade_pixel(const Job* job, int thread)
     Pixel pixel = shade(scene_of(job), hit);
     place = place_of(job, thread);
     put_pixel(job, place.at, place.pixels, pixel);
+}
+
+// A GPU thread's pixel from its planes to its bytes, if they are asked for; shading has no registers for it.
+FN void bytes_of_pixel(const Job* job, int at)
+{
+    const int pixels = job->scene.width * job->rows;
+    if (job->bytes == nullptr || at >= pixels) return;
+    put_bytes(job, at, job->reals[at], job->reals[at + pixels], job->reals[at + 2 * pixels]);
 }
 
 #include "core/kernel/prelude/undefine.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 11: a pixel's bytes, as Image::store() makes them of its values. For kernels that hand out bytes alone.
+// Kernel text, part 12: a pixel's bytes, as Image::store() makes them of its values. For kernels that hand out bytes alone.
 // Whoever includes it says how its language cuts a number to an int: MM_TRUNCATED(x).
 
 // Of a colour's part, 0 to 1. What is not a number becomes 0.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 9: our own looks, the colouring types from 2 up. Colours are light (linear) until the last step.
+// Kernel text, part 10: our own looks, the colouring types from 2 up. Colours are light (linear) until the last step.
 //   2 limestone  one warm stone, open to a cool sky
 //   3 coral      the orbit trap's colours under the same light
 //   4 lagoon     dark water, a lamp on the camera

@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 7: a ray from the camera until it has hit or left the scene. begin -> march (any number of times).
+// Kernel text, part 8: a ray from the camera until it has hit or left the scene. begin -> march (any number of times).
 
-// Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.
-FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
-
-// The direction through (u, v) of an equirectangular picture.
-FN_CALLED vec3 equirectangular(Scene scene, real u, real v)
-{
-    Complex turned = cosine_and_sine(scene.longitudes * u + scene.longitude);
-    Complex raised = cosine_and_sine(scene.latitudes * v + scene.latitude);
-    vec3 level = times(turned.re, wide(scene.forward));
-    level = along(level, wide(scene.across), quotient(turned.im, scene.longitudes));
-    return along(times(raised.re, level), wide(scene.upward), quotient(raised.im, scene.latitudes));
-}
-
-// The ray through (u, v) of the picture; v = -1 is the bottom.
-FN Ray begin_at(Scene scene, real u, real v)
+// The ray from the camera in a direction of any length.
+FN Ray begin_along(Scene scene, vec3 direction)
 {
     Ray ray;
-    vec3 direction = along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v);
-    if (scene.longitudes > 0) direction = equirectangular(scene, u, v);
     ray.direction = unit(direction);
     ray.end = scene.end;
     ray.t = 0;
@@ -39,6 +24,14 @@ FN Ray begin_at(Scene scene, real u, real v)
     ray.estimates = 0;
     ray.iterations = 0;
     return ray;
+}
+
+// The ray through (u, v) of the picture; v = -1 is the bottom.
+FN Ray begin_at(Scene scene, real u, real v)
+{
+    vec3 direction = perspective(scene, u, v);
+    if (scene.longitudes > 0) direction = equirectangular(scene, u, v);
+    return begin_along(scene, direction);
 }
 
 // The ray through pixel (i, j); j = 0 is the bottom row.

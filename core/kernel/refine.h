@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 8: from a ray that marches no more to the place where it meets the surface. stopped -> refine (any
+// Kernel text, part 9: from a ray that marches no more to the place where it meets the surface. stopped -> refine (any
 // number of times, in canonical pictures) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t
 // between a ray's last two samples.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 10: from a hit to a pixel's colour.
+// Kernel text, part 11: from a hit to a pixel's colour.
 
 struct Normal {
     vec3 direction;  // unit vector

@@ -11,6 +11,7 @@
 #undef MM_WIDE_REGISTERS_FAST  // for fractals that define it
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
+#include "core/kernel/camera.h"
 #include "core/kernel/march.h"
 #include "core/kernel/refine.h"
 #include "core/kernel/looks.h"
