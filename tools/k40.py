@@ -14,7 +14,7 @@ from table_file import put
 
 PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
 BLOCK = 128  # threads: block_threads in core/job/job.h
-KERNEL = re.compile(r"(march|shade)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
+KERNEL = re.compile(r"(march|shade|bytes)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # the device's peak: fused on purpose
 ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*\{", re.M)  # a declaration ends with a semicolon instead
 # An instruction on floating-point numbers, its name with all suffixes, wherever it stands in a line.
@@ -67,7 +67,7 @@ def faults(ptx, fractals):
     found = [f".target {target}" for target in re.findall(r"^\.target (\S+)", ptx, re.M) if target != "sm_35"]
     if re.search(r"^\.(visible )?func ", ptx, re.M):
         found.append("a function that is called instead of inlined")
-    wanted = {(kind, fractal, precision, mode) for kind in ("march", "shade") for fractal in fractals
+    wanted = {(kind, fractal, precision, mode) for kind in ("march", "shade", "bytes") for fractal in fractals
               for precision in ("float", "double") for mode in ("exact", "fast")}
     fused = 0
     for name, body in kernels(ptx):

@@ -118,7 +118,6 @@ FN Place place_of(const Job* job, int thread)
 
 FN Ray begun(const Job* job, Place place)
 {
-    MM_ANEW(job);
     const real* column = job->camera + place.x;
     const real* row = job->camera + (2 * job->scene.width + job->first_row + place.y);
     const Complex a = complex_number(column[0], column[job->scene.width]);

@@ -131,8 +131,8 @@ FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on
 // The light from such a hit.
 FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroundings found, mask on)
 {
+    // What the trap's loop does not ask for comes before it, so that few numbers wait for its end.
     vec3 sun = wide(scene.sun);
-    vec3 stone = albedo(scene, orbit_trap(scene, p, on));
     real facing = saturated(-inner(n, direction));
     real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
@@ -149,16 +149,17 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
         hazed = hazed * R(1.2);
     }
-    Look result;
-    vec3 lit_stone = scaled(stone, light);
     // A glint where the normal halves the angle between sun and eye.
     real glint = saturated(inner(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
-    lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     hazed = saturated(hazed * hazed * (R(0.3) + R(0.7) * hazed));
-    result.colour = displayed3(scene, blend(lit_stone, sky(scene, direction), hazed));
+    vec3 behind = sky(scene, direction);
+    vec3 lit_stone = scaled(albedo(scene, orbit_trap(scene, p, on)), light);
+    lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
+    Look result;
+    result.colour = displayed3(scene, blend(lit_stone, behind, hazed));
     // The trap is one more.
     result.estimates = tally(found.estimates, on);
     result.iterations = found.iterations;
