@@ -73,6 +73,10 @@ flythrough: ## the program that makes films
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
 
+explore: ## the program that flies live, in a window: bin/explore
+	@tools/build $(HERE) explore
+	@$(call take,$(HERE),explore)
+
 # An interrupted film goes on where it stopped. AUTHORS is the title's second line.
 FRACTAL ?= bulb
 SEED ?= 1
