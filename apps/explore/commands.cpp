@@ -98,9 +98,7 @@ void step_path(Explorer& explorer, double frames)
     if (!explorer.desk.has_path()) return explorer.say("there is no path: Ctrl+R records one");
     explorer.desk.playing = false;
     explorer.desk.go_to(explorer.desk.at() + frames);
-    const SDL_Rect place = explorer.panes.place(0, explorer.window.size());
-    explorer.scene = explorer.desk.scene(place.w, place.h);
-    explorer.changed();
+    explorer.show_path();
 }
 
 void play(Explorer& explorer)

@@ -58,7 +58,7 @@ void Explorer::run(Script* script)
 void Explorer::take_events()
 {
     const ImGuiIO& io = ImGui::GetIO();
-    const double height = std::max(1, panes.place(0, size_).h);
+    const double height = std::max(1, panes.place(0).h);
     const double radians = scene.field_of_view * degrees_per_field * std::numbers::pi / 180 / height;
     for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
         if (event.type == SDL_QUIT) quit = true;
@@ -72,7 +72,7 @@ void Explorer::take_events()
         if (event.type == SDL_MOUSEBUTTONDOWN && !io.WantCaptureMouse) {
             ImGui::SetWindowFocus(nullptr);
             for (std::size_t i = 0; i < panes.all().size(); ++i) {
-                const SDL_Rect place = panes.place(i, size_);
+                const SDL_Rect place = panes.place(i);
                 const SDL_Point at{event.button.x, event.button.y};
                 if (SDL_PointInRect(&at, &place) != 0) panes.choose(i);
             }
@@ -95,7 +95,8 @@ void Explorer::move(double seconds)
     if (played) {
         desk.advance(seconds);
         motion.stop();
-        scene = desk.scene(panes.place(0, size_).w, panes.place(0, size_).h);
+        const SDL_Rect place = panes.place(0);
+        scene = desk.scene(place.w, place.h);
     }
     moving_ = false;
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
@@ -106,14 +107,15 @@ void Explorer::move(double seconds)
     }
     if (moving_ && desk.recording()) desk.record(scene, seconds);
     moving_ = moving_ || played;
-    const bool resized = size_ != window.size();
-    size_ = window.size();
+    const SDL_Rect area = area_beside_panels(*this);
+    const bool resized = SDL_RectEquals(&area, &area_) == SDL_FALSE;
+    area_ = area;
     if (!moving_ && !dirty_ && !resized) return;
     ++view_;
     dirty_ = false;
     measure.asked(view_, frame_);
     guarded([&] { clearance_ = motion.clearance(scene); });
-    panes.look(scene, view_, size_);
+    panes.look(scene, view_, area_);
 }
 
 // Of a moving picture: what a frame of the screen leaves, or two frames where one has room for less than a quarter of
@@ -122,7 +124,7 @@ double Explorer::budget() const
 {
     const double period = 1 / window.rate();
     const double one = period - showing_ - spare;
-    const SDL_Rect place = panes.place(0, size_);
+    const SDL_Rect place = panes.place(0);
     const double count = static_cast<double>(panes.all().size());
     const auto small = panes.all().front()->pace.size(place.w, place.h, one / count).first < place.w / 2;
     return std::max(one + (small ? period : 0), 0.002);
@@ -179,7 +181,7 @@ void Explorer::wait_if_idle()
 void Explorer::show()
 {
     for (std::size_t i = 0; i < panes.all().size(); ++i) {
-        const SDL_Rect place = panes.place(i, size_);
+        const SDL_Rect place = panes.place(i);
         panes.all()[i]->sheet.show(window.renderer(), place);
     }
     window.draw_panels();

@@ -70,6 +70,9 @@ public:
     void undo();
     void redo();
 
+    // The path's picture where it is.
+    void show_path();
+
     // A .dat or a path; what is wrong with it is said.
     void open(const std::string& file);
     void save_view();
@@ -117,7 +120,7 @@ private:
     bool flew_ = false;
     std::uint64_t view_ = 0;
     std::uint64_t frame_ = 0;
-    std::pair<int, int> size_{0, 0};
+    SDL_Rect area_{0, 0, 1, 1};  // of the pictures
     double clearance_ = 0;
     double showing_ = 0.004;  // seconds that a frame takes beside its picture
     Moment last_{}, presented_{}, due_{};

@@ -20,7 +20,7 @@ void Explorer::open(const std::string& file)
             remember();
             desk.go_to(0);
             paths = true;
-            set_scene(desk.scene(size_.first, size_.second));
+            show_path();
             say(fmt::format("{}: {} frames", file, desk.frames()));
             return;
         }
@@ -31,12 +31,19 @@ void Explorer::open(const std::string& file)
     });
 }
 
+void Explorer::show_path()
+{
+    desk.playing = false;
+    const SDL_Rect place = panes.place(0);
+    set_scene(desk.scene(place.w, place.h));
+}
+
 void Explorer::save_view()
 {
     guarded([&] {
         const std::string name = free_name(folder, "view");
         Scene view = scene;
-        std::tie(view.width, view.height) = std::pair(panes.place(0, size_).w, panes.place(0, size_).h);
+        std::tie(view.width, view.height) = std::pair(panes.place(0).w, panes.place(0).h);
         view.image_file = name.substr(name.rfind('/') + 1) + ".png";
         write_file(name + ".dat", view_text(view));
         say(fmt::format("{}.dat: {}", name, command_of(view, panes.chosen().setup, name + ".dat")));
@@ -46,7 +53,7 @@ void Explorer::save_view()
 void Explorer::copy_view()
 {
     Scene view = scene;
-    std::tie(view.width, view.height) = std::pair(panes.place(0, size_).w, panes.place(0, size_).h);
+    std::tie(view.width, view.height) = std::pair(panes.place(0).w, panes.place(0).h);
     view.image_file = "view.png";
     if (SDL_SetClipboardText(view_text(view).c_str()) != 0) return say(fmt::format("clipboard: {}", SDL_GetError()));
     say("the view's parameter file is on the clipboard");
@@ -107,9 +114,8 @@ void Explorer::go_to_broken()
 {
     const auto frame = desk.next_broken();
     if (!frame) return say("no promise is broken, and no bar missed, that has a place");
-    desk.playing = false;
     desk.go_to(static_cast<double>(*frame));
-    set_scene(desk.scene(size_.first, size_.second));
+    show_path();
     say(fmt::format("frame {}", *frame));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -29,7 +31,7 @@ double percentile(std::vector<double> values, double percent)
 Json percentiles(const std::vector<double>& values, double unit)
 {
     Json json;
-    for (const int p : {50, 90, 95, 99, 100}) json["p" + std::to_string(p)] = unit * percentile(values, p);
+    for (const int p : {50, 90, 95, 99, 100}) json[fmt::format("p{}", p)] = unit * percentile(values, p);
     return json;
 }
 

@@ -48,13 +48,11 @@ std::string of(const Pane& pane)
 
 void show_statistics(Explorer& explorer)
 {
-    const float panel = panel_width(explorer);
     const auto& all = explorer.panes.all();
-    const std::pair<int, int> window = explorer.window.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const SDL_Rect place = explorer.panes.place(i, window);
+        const SDL_Rect place = explorer.panes.place(i);
         const float right = static_cast<float>(place.x + place.w);
-        const float x = std::max(static_cast<float>(place.x), std::min(panel, right - 40));
+        const float x = static_cast<float>(place.x);
         float y = static_cast<float>(place.y);
         const float width = right - x;
         if (all.size() > 1 && i == explorer.panes.chosen_number()) {
@@ -64,8 +62,9 @@ void show_statistics(Explorer& explorer)
         if (explorer.settings.statistics) y = line(of(*all[i]), x, y, width, letters);
         if (!all[i]->failure.empty()) line(all[i]->failure, x, y, width, warning);
     }
-    const float x = std::min(panel, ImGui::GetIO().DisplaySize.x - 40);
-    const float width = ImGui::GetIO().DisplaySize.x - x;
+    const SDL_Rect area = area_beside_panels(explorer);
+    const float x = static_cast<float>(area.x);
+    const float width = static_cast<float>(area.w);
     float y = ImGui::GetIO().DisplaySize.y;
     const auto above = [&](const std::string& text, ImU32 colour) {
         if (text.empty()) return;

@@ -13,6 +13,7 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr float width_in_letters = 44;
+constexpr float most_of_window = 0.55F;
 constexpr float graph_height = 48;  // pixels
 
 // After an item that changes the scene: where its changes begin can be come back to.
@@ -212,7 +213,17 @@ void graph(const Explorer& explorer)
 float panel_width(const Explorer& explorer)
 {
     if (!explorer.settings.panel) return 0;
-    return std::min(width_in_letters * ImGui::GetFontSize() * 0.6F, ImGui::GetIO().DisplaySize.x);
+    // Of the size that letters will have: that of ImGui is 0 before its first frame.
+    const float letter = 13 * ImGui::GetIO().FontGlobalScale;
+    const auto [width, height] = explorer.window.size();
+    return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(width)));
+}
+
+SDL_Rect area_beside_panels(const Explorer& explorer)
+{
+    const auto [width, height] = explorer.window.size();
+    const int left = static_cast<int>(panel_width(explorer));
+    return {left, 0, std::max(1, width - left), height};
 }
 
 void show_panel(Explorer& explorer)

@@ -2,6 +2,8 @@
 // What stands over the pictures.
 #pragma once
 
+#include <SDL.h>
+
 namespace mandelmarch::explore {
 
 class Explorer;
@@ -15,7 +17,9 @@ void show_paths(Explorer& explorer);       // the path, its audit, tours
 void show_statistics(Explorer& explorer);  // a line in each picture
 void show_help(Explorer& explorer);
 
-// Where the paths and the help stand beside the panel: its width, or 0.
+// The panel's width, or 0 where it is hidden.
 float panel_width(const Explorer& explorer);
+// What is left of the window for pictures.
+SDL_Rect area_beside_panels(const Explorer& explorer);
 
 }  // namespace mandelmarch::explore

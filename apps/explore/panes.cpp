@@ -51,25 +51,23 @@ void Panes::set(Pane& pane, const Setup& setup)
     if (painter_.silence() > short_silence) painter_.abandon();
 }
 
-SDL_Rect Panes::place(std::size_t number, std::pair<int, int> window) const
+SDL_Rect Panes::place(std::size_t number) const
 {
     const int columns = panes_.size() > 1 ? 2 : 1;
     const int rows = panes_.size() > 2 ? 2 : 1;
     const int column = static_cast<int>(number) % columns;
     const int row = static_cast<int>(number) / columns;
-    const auto [width, height] = window;
     const auto edge = [](int side, int count, int at) { return at * (side + gap) / count; };
-    const int left = edge(width, columns, column);
-    const int top = edge(height, rows, row);
     // All panes have the size of the first, so that their pictures can be compared.
-    return {left, top, std::max(1, edge(width, columns, 1) - gap), std::max(1, edge(height, rows, 1) - gap)};
+    return {area_.x + edge(area_.w, columns, column), area_.y + edge(area_.h, rows, row),
+            std::max(1, edge(area_.w, columns, 1) - gap), std::max(1, edge(area_.h, rows, 1) - gap)};
 }
 
-void Panes::look(const Scene& scene, std::uint64_t view, std::pair<int, int> window)
+void Panes::look(const Scene& scene, std::uint64_t view, const SDL_Rect& area)
 {
     scene_ = scene;
     view_ = view;
-    window_ = window;
+    area_ = area;
     const Order* current = painter_.current();
     if (current != nullptr && !current->moving && current->view != view) painter_.cancel();
 }
@@ -81,7 +79,7 @@ bool Panes::waits_after_failure(const Pane& pane) const
 
 std::optional<Order> Panes::next(bool moving, double budget) const
 {
-    const SDL_Rect whole = place(0, window_);
+    const SDL_Rect whole = place(0);
     const auto order = [&](std::size_t number, int samples, int width, int height) {
         Order made{static_cast<int>(number), view_, panes_[number]->setup, scene_, samples, moving};
         made.scene.width = width;
@@ -153,7 +151,7 @@ void Panes::accept(SDL_Renderer* renderer, Drawn drawn)
     pane.failure.clear();
     const double pixels = static_cast<double>(order.scene.width) * order.scene.height * order.samples * order.samples;
     if (order.moving) pane.pace.took(pixels, drawn.seconds);
-    const SDL_Rect whole = place(0, window_);
+    const SDL_Rect whole = place(0);
     pane.view = order.view;
     pane.samples = order.moving ? 0 : order.samples;
     pane.share = std::min(
@@ -189,7 +187,10 @@ void Panes::mark(SDL_Renderer* renderer)
             for (std::size_t c = byte; c < byte + 3; ++c) {
                 most = std::max(most, std::abs(first.whole.bytes()[c] - pane.whole.bytes()[c]));
             }
-            if (most > 0) pixels.of[at] = most > visible ? mark_visible : mark_any;
+            // What is equal steps back.
+            pixels.of[at] = most > visible ? mark_visible
+                            : most > 0     ? mark_any
+                                           : (pixels.of[at] >> 1 & 0x7F7F7F) | 0xFF000000U;
         }
         pane.sheet.take(renderer, pixels);
     }

@@ -47,11 +47,11 @@ public:
 
     bool marks = true;  // differing pixels are marked
 
-    // Where pane `number` stands in a window of this size.
-    SDL_Rect place(std::size_t number, std::pair<int, int> window) const;
+    // Where pane `number` stands in the window.
+    SDL_Rect place(std::size_t number) const;
 
-    // Another view, or another window: everything is to be drawn anew. `scene` has no size.
-    void look(const Scene& scene, std::uint64_t view, std::pair<int, int> window);
+    // Another view, or another part of the window: everything is to be drawn anew. The scene's size means nothing.
+    void look(const Scene& scene, std::uint64_t view, const SDL_Rect& area);
     // Draws until then at the latest. `moving`: pictures that are there in `budget` seconds; else whole ones, then
     // those of more samples, and returns at once where nothing is there. True where a picture has come.
     bool work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
@@ -74,7 +74,7 @@ private:
     std::size_t chosen_ = 0;
     Scene scene_;
     std::uint64_t view_ = 0;
-    std::pair<int, int> window_{1, 1};
+    SDL_Rect area_{0, 0, 1, 1};
 };
 
 }  // namespace mandelmarch::explore

@@ -34,8 +34,7 @@ void rows(Explorer& explorer)
 void go_to(Explorer& explorer, double frame)
 {
     explorer.desk.go_to(frame);
-    const SDL_Rect place = explorer.panes.place(0, explorer.window.size());
-    explorer.set_scene(explorer.desk.scene(place.w, place.h));
+    explorer.show_path();
 }
 
 void play(Explorer& explorer)

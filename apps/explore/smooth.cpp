@@ -149,8 +149,9 @@ Path smoothed(const Path& path)
     if (path.frames.size() < 3) return path;
     Path smooth = path;
     take_tremor_out(smooth);
-    for (int round = 0; round < retimings && slow_down(smooth); ++round) {
-    }
+    // Where it is slowed down it has kinks.
+    for (int round = 0; round < retimings && slow_down(smooth); ++round) take_tremor_out(smooth);
+    slow_down(smooth);
     cut_digits(smooth);
     return smooth;
 }
