@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/explore/handout.h"
 #include "apps/explore/smooth.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
@@ -76,8 +77,7 @@ void Desk::begin_recording(const Scene& scene)
     path_ = Path{};
     path_.scene = scene;
     path_.scene.conservative = true;  // what films are drawn and audited by
-    path_.scene.limits = {};
-    path_.scene.smooth = path_.scene.centred = false;
+    as_file(path_.scene);
     path_.frames = {frame_of(path_, scene)};
     at_ = owed_ = 0;
     rows_.clear();
@@ -147,8 +147,7 @@ void Desk::plan(const Scene& scene, std::uint64_t seed, int frame_count)
     if (planning_.running()) return;
     Scene shape = scene;
     shape.conservative = true;
-    shape.limits = {};
-    shape.smooth = shape.centred = false;
+    as_file(shape);
     planning_.start([shape, seed, frame_count] { return mandelmarch::plan(shape, seed, frame_count, 1).path; });
 }
 

@@ -102,8 +102,7 @@ void Explorer::move(double seconds)
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
     // A .dat has none of what a film asks of a scene's rays.
     if (moving_) {
-        scene.limits = {};
-        scene.smooth = scene.centred = false;
+        as_file(scene);
     }
     if (moving_ && desk.recording()) desk.record(scene, seconds);
     moving_ = moving_ || played;

@@ -43,6 +43,17 @@ const Fractal& guess(const std::string& text, const std::string& name, const Fra
 
 }  // namespace
 
+void as_file(Scene& scene)
+{
+    const Scene plain;
+    scene.smooth = plain.smooth;
+    scene.centred = plain.centred;
+    scene.projection = plain.projection;
+    scene.sun = plain.sun;
+    scene.limits = plain.limits;
+    scene.part = plain.part;
+}
+
 std::string view_text(const Scene& scene)
 {
     std::string text = to_parameters(scene);
@@ -88,8 +99,6 @@ void PictureTask::start(const Registry& registry, const Setup& setup, Scene scen
     const Backend* backend = registry.find(setup.backend);
     if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
     scene.image_file = std::filesystem::path(name + ".png").filename().string();
-    scene.limits = {};
-    scene.smooth = scene.centred = false;
     const std::uint64_t needed =
         Image::pixels(scene.width, scene.height) * Image::bytes_per_pixel(Image::Layers::bytes) + spare_memory;
     if (needed > available_memory()) {

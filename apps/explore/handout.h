@@ -13,7 +13,10 @@
 
 namespace mandelmarch::explore {
 
-// The text of the view's parameter file. `estimate`: said in a comment where the view has another one than the file.
+// Leaves a scene what a parameter file has, and its estimate: nothing that films ask for beside.
+void as_file(Scene& scene);
+
+// The text of the view's parameter file. A conservative estimate is said in a comment.
 std::string view_text(const Scene& scene);
 
 // The command by which bin/render draws the same.
