@@ -16,6 +16,7 @@ DEMO := demo render imgdiff flythrough
 build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox (7 min)
 	@tools/build $(PRESET) programs
 	@$(call take,$(PRESET),$(DEMO) bench)
+	@[ ! -e $(BUILD)/bin/explore ] || cp --remove-destination $(BUILD)/bin/explore bin/
 	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 
 help: ## this list; times are some of two cores, beside those of the build
@@ -72,6 +73,13 @@ equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on eve
 flythrough: ## the program that makes films
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
+
+explore: ## the program that flies live, in a window: bin/explore
+	@tools/build $(HERE) explore
+	@$(call take,$(HERE),explore)
+
+explore-study: build ## frame times of scripted flights in that window: report/results/explore.txt (5 min, on a machine at rest)
+	@python3 tools/explore_study.py bin/explore bin/flythrough report/results
 
 # An interrupted film goes on where it stopped. AUTHORS is the title's second line.
 FRACTAL ?= bulb
@@ -144,6 +152,10 @@ report: build python ## a report on report/results, with pictures that bin/rende
 report-check: ## the report in a headless browser: errors, the slider, the viewer beside bin/render
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
+
+SITE_SEEDS ?= 1 2
+site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
+	@tools/site bin build/site $(SITE_SEEDS)
 
 install: build ## programs, libraries and headers into PREFIX=/usr/local
 	cmake --install $(BUILD) --prefix $(PREFIX)

@@ -44,13 +44,14 @@ template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image,
-                 std::span<ThreadMemory> memory, Notes<Real>& notes)
+                 std::span<ThreadMemory> memory, Notes<Real>& notes, const Progress& progress)
         : picture_(scene, options.mode, options.techniques, variant, notes),
           variant_(variant),
           image_(image),
           memory_(memory),
           threads_(options.threads),
-          chunk_(std::max(1, options.chunk))
+          chunk_(std::max(1, options.chunk)),
+          progress_(progress)
     {
     }
 
@@ -61,7 +62,7 @@ public:
         Work band_work;
         for (const openmp::Lattice& lattice : picture_.lattices()) {
             const openmp::Canvas<Real> canvas = picture_.canvas(lattice, band, target);
-            TileQueue queue(image_.width(), band, chunk_);
+            TileQueue queue(image_.width(), band, chunk_, &progress_);
 #pragma omp parallel num_threads(threads_) reduction(sum : band_work)
             {
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
@@ -114,6 +115,7 @@ private:
     std::span<ThreadMemory> memory_;  // each thread's
     int threads_;
     int chunk_;
+    const Progress& progress_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
 };
@@ -144,7 +146,7 @@ private:
     {
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
-        BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_));
+        BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_), progress);
         run_schedule(scene, options_.mode, openmp::band_limits, executor, image, progress);
         RenderReport report{.backend = "openmp",
                             .device = host_device(),

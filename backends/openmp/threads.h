@@ -9,6 +9,7 @@
 
 #include "backends/openmp/variant.h"
 #include "core/image/tile.h"
+#include "core/render/backend.h"
 #include "core/render/schedule.h"
 
 namespace mandelmarch::openmp {
@@ -38,14 +39,15 @@ private:
     std::size_t size_ = 0;
 };
 
-// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time.
+// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time; none once the drawing is cancelled.
 class TileQueue {
 public:
-    TileQueue(int width, const Band& band, int chunk)
+    TileQueue(int width, const Band& band, int chunk, const Progress* progress = nullptr)
         : columns_((width + tile_side - 1) / tile_side),
           count_(columns_ * ((band.rows + tile_side - 1) / tile_side)),
           first_row_(band.first_row),
-          chunk_(chunk)
+          chunk_(chunk),
+          progress_(progress)
     {
     }
 
@@ -66,7 +68,7 @@ private:
             end = at + queue.chunk_;
         }
         const int index = at++;
-        if (index >= queue.count_) {
+        if (index >= queue.count_ || (queue.progress_ != nullptr && queue.progress_->cancelled())) {
             at = end = queue.count_;
             return false;
         }
@@ -79,6 +81,7 @@ private:
     int count_;
     int first_row_;
     int chunk_;
+    const Progress* progress_;  // nullptr: it is never cancelled
     std::atomic<int> taken_ = 0;
 };
 

@@ -39,6 +39,12 @@ public:
     using Error::Error;
 };
 
+// Who asked for a picture no longer wants it (core/render/backend.h, Progress): exit_failure.
+class Cancelled : public Error {
+public:
+    Cancelled() : Error("the drawing was cancelled") {}
+};
+
 // Seconds that a device may take for one pass over one band of a picture: MANDELMARCH_DEVICE_TIMEOUT in the
 // environment, or 300. Throws InputError where that is no number from 0.001 to 1e6; empty counts as not set.
 double device_timeout();

@@ -2,6 +2,7 @@
 #include "core/isolation/channel.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <cerrno>
@@ -41,6 +42,12 @@ bool Channel::send(const std::string& bytes, int descriptor) const
         if (sendmsg(number(), &message, MSG_NOSIGNAL) >= 0) return true;
         if (errno != EINTR) return false;
     }
+}
+
+bool Channel::waiting() const
+{
+    pollfd from{number(), POLLIN, 0};
+    return poll(&from, 1, 0) > 0;
 }
 
 std::optional<Packet> Channel::receive() const

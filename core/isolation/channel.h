@@ -27,6 +27,8 @@ public:
     bool send(const std::string& bytes, int descriptor = -1) const;
     // Waits for a message; nullopt where the other side has gone.
     std::optional<Packet> receive() const;
+    // True where a message, or the other side's end, can be received at once.
+    bool waiting() const;
 
     int number() const { return socket_.number(); }
 

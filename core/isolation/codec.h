@@ -46,10 +46,11 @@ enum class Request : int {
     create,   // a renderer's number, its options ->
     render,   // its number, whether the image has values, the scene; with it the image's memory -> the report
     release,  // its number; nothing is answered
+    cancel,   // nothing is answered: what is being drawn is, if it still is
     peak      // options -> whether there is a number; operations per second
 };
 
 // What it answers. Progress comes any number of times before one of the others.
-enum class Answer : int { progress, done, error, input_error, unavailable, hung, no_memory };
+enum class Answer : int { progress, done, error, input_error, unavailable, hung, no_memory, cancelled };
 
 }  // namespace mandelmarch::isolation

@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <functional>
 #include <mutex>
 #include <new>
 #include <set>
@@ -98,8 +97,7 @@ void Process::tell(const Writer& request)
     if (!ended_) child_.channel.send(request.bytes());
 }
 
-Reader Process::ask(const Writer& request, const char* doing, int descriptor,
-                    const std::function<void(double)>& progress)
+Reader Process::ask(const Writer& request, const char* doing, int descriptor, const Progress& progress)
 {
     const std::scoped_lock lock(mutex_);
     const auto ended = [&]() -> Error {
@@ -110,6 +108,7 @@ Reader Process::ask(const Writer& request, const char* doing, int descriptor,
         if (!words.empty()) words = fmt::format("; its last words: {}", printable(words, last_words));
         return Error(fmt::format("{}: the driver ended the device's process while {}: {}{}", name_, doing, how, words));
     };
+    bool cancelled = false;
     if (ended_ || !child_.channel.send(request.bytes(), descriptor)) throw ended();
     for (;;) {
         auto packet = heard(doing);
@@ -117,13 +116,27 @@ Reader Process::ask(const Writer& request, const char* doing, int descriptor,
         Reader answer(std::move(packet->bytes));
         const auto kind = answer.take<Answer>();
         if (kind == Answer::progress) {
-            if (progress) progress(answer.take<double>());
+            if (!cancelled) cancelled = !told(progress, answer.take<double>());
             continue;
         }
         listen();
         repeat_said();
+        if (cancelled && (kind == Answer::done || kind == Answer::cancelled)) throw Cancelled();
         if (kind == Answer::done) return answer;
         fail(kind, answer, doing);
+    }
+}
+
+bool Process::told(const Progress& progress, double share)
+{
+    try {
+        if (progress) progress(share);
+        return true;
+    } catch (const Cancelled&) {
+        Writer request;
+        request(Request::cancel);
+        child_.channel.send(request.bytes());
+        return false;
     }
 }
 

@@ -2,7 +2,6 @@
 // A device's process, as the program sees it.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -22,9 +21,9 @@ public:
 
     // Sends a request and waits for its answer; `doing` is for messages: "drawing". What the process prints goes to
     // stderr. Throws what the backend there throws; Error where the process ends, and DeviceHung where nothing is heard
-    // for longer than device_timeout(): the process has then been ended, and has_ended() is true.
-    Reader ask(const Writer& request, const char* doing, int descriptor = -1,
-               const std::function<void(double)>& progress = {});
+    // for longer than device_timeout(): the process has then been ended, and has_ended() is true. Cancelled: the
+    // process has been told after a sign of life, and has answered.
+    Reader ask(const Writer& request, const char* doing, int descriptor = -1, const Progress& progress = {});
     // Sends what is not answered.
     void tell(const Writer& request);
 
@@ -33,9 +32,10 @@ public:
 private:
     // The next message; nullopt where the process has ended. Throws DeviceHung.
     std::optional<Packet> heard(const char* doing);
-    void listen();                      // takes what the process has printed
-    void repeat_said();                 // prints it
-    std::string end(bool now = false);  // how it ended
+    void listen();                                      // takes what the process has printed
+    void repeat_said();                                 // prints it
+    std::string end(bool now = false);                  // how it ended
+    bool told(const Progress& progress, double share);  // false: cancelled, and the process knows
     [[noreturn]] void fail(Answer kind, Reader& answer, const char* doing);
 
     std::shared_ptr<const Nursery> nursery_;

@@ -27,6 +27,7 @@ public:
             renderers_.erase(request.take<int>());
             return true;
         }
+        if (kind == Request::cancel) return true;  // it came too late
         try {
             Writer made;
             made(Answer::done);
@@ -38,6 +39,8 @@ public:
             return refuse(Answer::unavailable, error.what());
         } catch (const DeviceHung& error) {
             return refuse(Answer::hung, error.what());
+        } catch (const Cancelled& cancelled) {
+            return refuse(Answer::cancelled, cancelled.what());
         } catch (const std::bad_alloc&) {
             return refuse(Answer::no_memory, {});
         } catch (const std::exception& error) {
@@ -60,7 +63,8 @@ private:
                 const auto rate = backend_.multiply_add_peak(request.take<RendererOptions>());
                 return made(rate.has_value(), rate.value_or(0));
             }
-            case Request::release: return;
+            case Request::release:
+            case Request::cancel: return;
         }
     }
 
@@ -84,6 +88,11 @@ private:
             Writer progress;
             progress(Answer::progress, share);
             channel_.send(progress.bytes());
+            // While a picture is drawn nothing else is asked for.
+            if (channel_.waiting()) {
+                static_cast<void>(channel_.receive());
+                throw Cancelled();
+            }
         });
         transfer(made, report);
     }

@@ -28,6 +28,12 @@ constexpr std::array names_of_techniques{NamedTechnique{"hull", &Techniques::hul
 
 }  // namespace
 
+void Progress::operator()(double share) const
+{
+    if (cancelled()) throw Cancelled();
+    if (told_) told_(share);
+}
+
 std::string_view name_of(Precision precision) { return precision == Precision::f64 ? "double" : "float"; }
 
 std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }

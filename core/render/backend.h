@@ -6,8 +6,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/image/image.h"
@@ -100,15 +103,37 @@ struct RenderReport {
     Work work;
 };
 
-// Called with the finished share of the picture, 0 to 1, from the thread that called render().
-using Progress = std::function<void(double)>;
+// Called with the finished share of the picture, 0 to 1, from the thread that called render(). Made of any function of
+// a share, and of a token by which any thread may cancel the drawing: render() then throws Cancelled, before its next
+// band at the latest. What stands in the image is then no picture.
+class Progress {
+public:
+    Progress() = default;
+    template <class Told>
+    requires std::is_invocable_v<Told&, double> Progress(
+        Told told, std::stop_token stop = {})  // NOLINT(google-explicit-constructor): a function is a Progress
+        : told_(std::move(told)), stop_(std::move(stop))
+    {
+    }
+    explicit Progress(std::stop_token stop) : stop_(std::move(stop)) {}
+
+    explicit operator bool() const { return told_ || stop_.stop_possible(); }
+    // From any thread.
+    bool cancelled() const { return stop_.stop_requested(); }
+    // Throws Cancelled.
+    void operator()(double share) const;
+
+private:
+    std::function<void(double)> told_;
+    std::stop_token stop_;
+};
 
 class Renderer {
 public:
     virtual ~Renderer() = default;
 
     // Draws `scene` into `image`, which has the scene's size. The whole image is written. Can be called again.
-    // Throws Unavailable if the scene's fractal cannot be drawn, Error if the device fails.
+    // Throws Unavailable if the scene's fractal cannot be drawn, Error if the device fails, Cancelled.
     virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };
 

@@ -176,6 +176,32 @@ TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
     EXPECT_EQ(image.bytes()[1], 0);
 }
 
+TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
+{
+    const auto backend = made(Where::nowhere);
+    const auto renderer = backend->create({.device = draws});
+    const Scene scene = scene_of(8, 8);
+    Image image(8, 8, Image::Layers::bytes);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
+    EXPECT_EQ(image.bytes()[1], 0);
+    // The next answer is the next picture's.
+    EXPECT_EQ(renderer->render(scene, image).timings.kernel, 1.25);
+    EXPECT_NE(image.bytes()[1], 0);
+}
+
+// Its driver shows no sign of life after the word that it is cancelled.
+TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
+{
+    const auto backend = made(Where::drawing);
+    const auto renderer = backend->create({.device = hangs});
+    Image image(8, 8, Image::Layers::bytes);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(renderer->render(bad_scene(), image, Progress(source.get_token())), Error);
+}
+
 TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
 {
     const auto backend = made(Where::opening);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The backends' devices, listed beside the window, as a driver may take its time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/explore/task.h"
+#include "core/render/registry.h"
+
+namespace mandelmarch::explore {
+
+class Devices {
+public:
+    explicit Devices(const Registry& registry) : registry_(registry)
+    {
+        task_.start([&registry] {
+            std::vector<Listing> found;
+            for (const auto& backend : registry.backends()) found.push_back(listing_of(*backend));
+            return found;
+        });
+    }
+
+    const Registry& registry() const { return registry_; }
+
+    // In the registry's order; empty until all drivers have answered.
+    const std::vector<Listing>& listings()
+    {
+        std::string failure;
+        if (auto found = task_.take(failure)) listings_ = std::move(*found);
+        return listings_;
+    }
+
+private:
+    const Registry& registry_;
+    Task<std::vector<Listing>> task_;
+    std::vector<Listing> listings_;
+};
+
+}  // namespace mandelmarch::explore

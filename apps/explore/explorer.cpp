@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/explorer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "apps/explore/commands.h"
+#include "apps/explore/panels.h"
+#include "apps/explore/script.h"
+#include "core/base/stopwatch.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+constexpr double spare = 0.0012;      // seconds of a frame that nothing is planned for
+constexpr double patience = 1.5;      // frames that a picture is waited for, while moving
+constexpr double longest_step = 0.1;  // seconds of one motion
+constexpr int idle_wait = 100;        // milliseconds
+constexpr double notch = 1.2;         // of speed, a notch of the wheel
+constexpr double least_speed = 1.0 / 16, most_speed = 16;
+
+Clock::duration duration(double seconds)
+{
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+Explorer::Explorer(const Registry& registry_, Window& window_, const Settings& settings_, std::string folder_)
+    : registry(registry_),
+      window(window_),
+      settings(settings_),
+      folder(std::move(folder_)),
+      panes(registry_, settings_.setup),
+      devices(registry_)
+{
+    motion.speed = settings.speed;
+    motion.collides = settings.collides;
+    ImGui::GetIO().FontGlobalScale = static_cast<float>(settings.scale);
+}
+
+Explorer::~Explorer() = default;
+
+void Explorer::run(Script* script)
+{
+    last_ = presented_ = due_ = Clock::now();
+    while (!quit) tick(script);
+    settings.speed = motion.speed;
+    settings.collides = motion.collides;
+    settings.setup = panes.all().front()->setup;
+    std::tie(settings.width, settings.height) = window.size();
+}
+
+void Explorer::take_events()
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    const double height = std::max(1, panes.place(0).h);
+    const double radians = scene.field_of_view * degrees_per_field * std::numbers::pi / 180 / height;
+    for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
+        if (event.type == SDL_QUIT) quit = true;
+        if (event.type == SDL_DROPFILE) {
+            open(event.drop.file);
+            SDL_free(event.drop.file);
+        }
+        Window::take(event);
+        const bool command = take_command(*this, event);
+        if (command) continue;
+        if (event.type == SDL_MOUSEBUTTONDOWN && !io.WantCaptureMouse) {
+            ImGui::SetWindowFocus(nullptr);
+            for (std::size_t i = 0; i < panes.all().size(); ++i) {
+                const SDL_Rect place = panes.place(i);
+                const SDL_Point at{event.button.x, event.button.y};
+                if (SDL_PointInRect(&at, &place) != 0) panes.choose(i);
+            }
+        }
+        hands_.take(event, io.WantCaptureMouse, io.WantCaptureKeyboard || io.WantTextInput, radians);
+    }
+}
+
+void Explorer::move(double seconds)
+{
+    const Wish wish = hands_.wish();
+    if (const double notches = hands_.take_notches(); notches != 0) {
+        motion.speed = std::clamp(motion.speed * std::pow(notch, notches), least_speed, most_speed);
+    }
+    const bool flies = wish.any();
+    if (flies && !flew_) remember();
+    const bool played = desk.playing && desk.has_path() && !flies;
+    if (flies) desk.playing = false;
+    flew_ = flies;
+    if (played) {
+        desk.advance(seconds);
+        motion.stop();
+        const SDL_Rect place = panes.place(0);
+        scene = desk.scene(place.w, place.h);
+    }
+    moving_ = false;
+    guarded([&] { moving_ = motion.move(scene, wish, seconds); });
+    // A .dat has none of what a film asks of a scene's rays.
+    if (moving_) {
+        as_file(scene);
+    }
+    if (moving_ && desk.recording()) desk.record(scene, seconds);
+    moving_ = moving_ || played;
+    const SDL_Rect area = area_beside_panels(*this);
+    const bool resized = SDL_RectEquals(&area, &area_) == SDL_FALSE;
+    area_ = area;
+    if (!moving_ && !dirty_ && !resized) return;
+    ++view_;
+    dirty_ = false;
+    measure.asked(view_, frame_);
+    guarded([&] { clearance_ = motion.clearance(scene); });
+    panes.look(scene, view_, area_);
+}
+
+// Of a moving picture: what a frame of the screen leaves, or two frames where one has room for less than a quarter of
+// the pixels.
+double Explorer::budget() const
+{
+    const double period = 1 / window.rate();
+    const double one = period - showing_ - spare;
+    const SDL_Rect place = panes.place(0);
+    const double count = static_cast<double>(panes.all().size());
+    const auto small = panes.all().front()->pace.size(place.w, place.h, one / count).first < place.w / 2;
+    return std::max(one + (small ? period : 0), 0.002);
+}
+
+void Explorer::tick(Script* script)
+{
+    ++frame_;
+    const Moment begin = Clock::now();
+    const double period = 1 / window.rate();
+    const double seconds = std::clamp(std::chrono::duration<double>(begin - last_).count(), 1e-4, longest_step);
+    last_ = begin;
+    if (script != nullptr) guarded([&] { script->step(*this); });
+    take_events();
+    move(seconds);
+    if (const std::string news = desk.take_news(); !news.empty()) say(news);
+    if (const std::string news = picture.take_news(); !news.empty()) say(news);
+
+    const double given = budget();
+    bool came = panes.work(window.renderer(), moving_, given, begin);
+    const Moment build = Clock::now();
+    window.begin();
+    show_panels(*this);
+    // The keyboard flies until a panel is asked for.
+    if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);
+    const double building = seconds_since(build);
+    const double wait = moving_ ? std::max(given + building, patience * period - showing_) : period - showing_ - spare;
+    came = panes.work(window.renderer(), moving_, given, begin + duration(wait)) || came;
+    const Moment drawn = Clock::now();
+    show();
+    const Moment end = Clock::now();
+    const double showing = building + std::chrono::duration<double>(end - drawn).count();
+    showing_ += 0.1 * (showing - showing_);
+    const Pane& first = *panes.all().front();
+    if (came) measure.shown(first.view, frame_);
+    measure.note({std::chrono::duration<double>(end - begin).count(),
+                  std::chrono::duration<double>(end - presented_).count(), came ? first.seconds : 0, showing,
+                  first.share});
+    presented_ = end;
+    if (window.waits()) return wait_if_idle();
+    // The screen's rate, kept by the clock.
+    due_ = std::max(due_ + duration(period), end);
+    std::this_thread::sleep_until(due_);
+    wait_if_idle();
+}
+
+void Explorer::wait_if_idle()
+{
+    if (moving_ || measure.on() || tasks_running() || desk.planning() || !at_rest()) return;
+    SDL_WaitEventTimeout(nullptr, idle_wait);
+    last_ = presented_ = due_ = Clock::now();
+}
+
+void Explorer::show()
+{
+    for (std::size_t i = 0; i < panes.all().size(); ++i) {
+        const SDL_Rect place = panes.place(i);
+        panes.all()[i]->sheet.show(window.renderer(), place);
+    }
+    window.draw_panels();
+    if (!shot_.empty()) guarded([&] { window.shoot(std::exchange(shot_, {})); });
+    window.present();
+}
+
+void Explorer::say(const std::string& text) { said_ = text; }
+
+Explorer::State Explorer::state() const
+{
+    State state{scene, {}};
+    for (const auto& pane : panes.all()) state.setups.push_back(pane->setup);
+    return state;
+}
+
+void Explorer::set_state(const State& state)
+{
+    scene = state.scene;
+    panes.set_count(state.setups.size());
+    for (std::size_t i = 0; i < state.setups.size(); ++i) panes.set(*panes.all()[i], state.setups[i]);
+    motion.stop();
+    changed();
+}
+
+void Explorer::remember()
+{
+    constexpr std::size_t most = 500;
+    past_.push_back(state());
+    if (past_.size() > most) past_.erase(past_.begin());
+    future_.clear();
+}
+
+void Explorer::undo()
+{
+    if (past_.empty()) return say("there is nothing to undo");
+    future_.push_back(state());
+    set_state(past_.back());
+    past_.pop_back();
+}
+
+void Explorer::redo()
+{
+    if (future_.empty()) return say("there is nothing to do again");
+    past_.push_back(state());
+    set_state(future_.back());
+    future_.pop_back();
+}
+
+void Explorer::set_scene(const Scene& wanted)
+{
+    scene = wanted;
+    desk.playing = false;
+    motion.stop();
+    changed();
+}
+
+void Explorer::set_setup(const Setup& setup)
+{
+    panes.set(panes.chosen(), setup);
+    changed();
+}
+
+void Explorer::focus_panel()
+{
+    hands_.let_go();
+    focus_ = true;
+    settings.panel = true;
+}
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// explore: flies through the fractals in a window, on any backend.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "apps/backend_option.h"
+#include "apps/explore/explorer.h"
+#include "apps/explore/script.h"
+#include "apps/option_values.h"
+#include "backends/all.h"
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/base/version.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace {
+
+using namespace mandelmarch;
+using namespace mandelmarch::explore;
+
+struct Options {
+    std::string file;
+    std::string fractal;
+    std::string backend;
+    std::string device;
+    std::string precision;
+    std::string mode;
+    std::string size;
+    std::string folder;
+    std::string script;
+    std::string stats;
+};
+
+Options parse_options(const Registry& registry, int argc, char** argv, std::optional<int>& done)
+{
+    CLI::App app("explore: flies through the fractals in a window, on any backend; F1 there lists the keys.");
+    app.set_version_flag("--version", version_line("explore"));
+    Options options;
+    app.add_option("FILE", options.file, "a parameter file (.dat) or a path (.json)");
+    app.add_option("--fractal", options.fractal, "the first one; of a parameter file that does not tell its own");
+    std::vector<std::string> names = registry.names();
+    app.add_option("--backend", options.backend, "who draws; else as the last time")->check(CLI::IsMember(names));
+    app.add_option("--device", options.device, "which of the backend's devices, from 0");
+    app.add_option("--precision", options.precision, "float or double")->check(CLI::IsMember({"double", "float"}));
+    app.add_option("--mode", options.mode, "fast or exact")->check(CLI::IsMember({"exact", "fast"}));
+    app.add_option("--size", options.size, "WxH of the window, in pixels");
+    app.add_option("--folder", options.folder, "where views, pictures, paths and films go; else the current folder");
+    app.add_option("--script", options.script, "a script that plays the user (docs/explore.md)");
+    app.add_option("--stats", options.stats, "frame times of the script's measured parts go into this file, as JSON");
+    app.footer(
+        "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, but not by scripts.\n"
+        "Exit codes: 0 fine, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answer) {
+        done = app.exit(answer);
+    } catch (const CLI::ParseError& error) {
+        throw InputError(fmt::format("explore: {} (--help lists the options)", error.what()));
+    }
+    return options;
+}
+
+Settings settings_of(const Options& options, const std::string& file, std::string& said)
+{
+    // A script is the same whatever was done before.
+    Settings settings = options.script.empty() ? read_settings(file, said) : Settings();
+    if (!options.backend.empty()) settings.setup = {options.backend, 0, settings.setup.precision, settings.setup.mode};
+    if (!options.device.empty()) settings.setup.device = whole_option("device", options.device, 0, 1'000'000);
+    if (!options.precision.empty())
+        settings.setup.precision = options.precision == "double" ? Precision::f64 : Precision::f32;
+    if (!options.mode.empty()) settings.setup.mode = options.mode == "exact" ? Mode::exact : Mode::fast;
+    if (!options.size.empty()) std::tie(settings.width, settings.height) = size_option(options.size);
+    return settings;
+}
+
+// Ends the process without tidying up: a driver may never come back.
+[[noreturn]] void leave(int code)
+{
+    std::fflush(nullptr);
+    std::_Exit(code);
+}
+
+int body(int argc, char** argv)
+{
+    // Backends come first: their drivers' processes are made of this one, while it has no threads and no window.
+    static const Registry registry = all_backends(Drivers::isolated);
+    std::optional<int> done;
+    const Options options = parse_options(registry, argc, argv, done);
+    if (done) return *done;
+    const Fractal& fractal = options.fractal.empty() ? fractals().front() : fractal_named(options.fractal);
+    std::optional<Script> script;
+    if (!options.script.empty()) script.emplace(options.script);
+    if (!options.stats.empty()) OutputFile::check(options.stats);
+    if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {
+        throw InputError(fmt::format("--folder: '{}' is no folder", options.folder));
+    }
+    const std::string file = settings_file();
+    std::string said;
+    const Settings settings = settings_of(options, file, said);
+    Window window("mandelmarch explore", settings.width, settings.height);
+    Explorer explorer(registry, window, settings, options.folder);
+    explorer.scene = official_scene(fractal);
+    explorer.say(said);
+    if (!options.file.empty()) explorer.open(options.file);
+    explorer.run(script ? &*script : nullptr);
+    if (!options.stats.empty()) {
+        write_file(options.stats,
+                   explorer.measure.json(window.size(), window.how(), window.rate(), *explorer.panes.all().front()));
+    }
+    if (!script) {
+        try {
+            write_settings(file, explorer.settings);
+        } catch (const Error& error) {
+            say("explore: {}\n", error.what());
+        }
+    }
+    flush_stdout();
+    leave(exit_fine);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return mandelmarch::run_program("explore", body, argc, argv); }

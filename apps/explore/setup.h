@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who draws, and how.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <compare>
+#include <string>
+
+#include "core/render/backend.h"
+
+namespace mandelmarch::explore {
+
+struct Setup {
+    std::string backend;
+    int device = 0;
+    Precision precision = Precision::f32;
+    Mode mode = Mode::fast;
+
+    auto operator<=>(const Setup&) const = default;
+};
+
+inline std::string name_of(const Setup& setup)
+{
+    return fmt::format("{}{} {} {}", setup.backend, setup.device > 0 ? fmt::format(":{}", setup.device) : "",
+                       mandelmarch::name_of(setup.precision), mandelmarch::name_of(setup.mode));
+}
+
+// Without counts, as bin/render draws where no statistics are asked for.
+inline RendererOptions options_of(const Setup& setup)
+{
+    RendererOptions options;
+    options.device = setup.device;
+    options.precision = setup.precision;
+    options.mode = setup.mode;
+    options.counts = false;
+    return options;
+}
+
+}  // namespace mandelmarch::explore

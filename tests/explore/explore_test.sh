@@ -1,0 +1,191 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# explore_test.sh BIN SOURCE [SHIM]: the explorer in a window of its own X server, driven by a person's events: it flies,
+# draws on every backend, compares, hands out pictures that are bin/render's, records a path that flythrough takes, and
+# outlives drivers that die or hang. Without Xvfb the window is SDL's own, which shows nothing.
+set -uo pipefail
+bin=$1
+source=$2
+shim=${3:-}
+folder=$(mktemp -d)
+server=
+trap '[ -z "$server" ] || kill "$server"; rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+export XDG_CONFIG_HOME=$folder/config XDG_CACHE_HOME=${XDG_CACHE_HOME:-$HOME/.cache}
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+if command -v Xvfb >/dev/null; then
+    mkfifo number
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>number 2>/dev/null &
+    server=$!
+    DISPLAY=:$(head -n 1 number)
+    export DISPLAY
+else
+    export SDL_VIDEODRIVER=dummy
+fi
+
+# play NAME OPTION...: the script NAME.txt; what it tells is in NAME.out, and its exit code is 0.
+play() {
+    local name=$1 code=0
+    shift
+    timeout 300 "$bin/explore" --script "$name.txt" --folder "$folder" "$@" >"$name.out" 2>"$name.err" || code=$?
+    [ $code = 0 ] || fail "$name: exit code $code: $(head -c 500 "$name.err")"
+}
+
+# of NAME LINE EXPRESSION: python's value of the expression of what NAME's LINE-th `tell` said, t.
+of() {
+    sed -n "$2p" "$1.out" | python3 -c 'import json, sys
+t = json.load(sys.stdin)
+print(eval(sys.argv[1]))' "$3"
+}
+is() {  # NAME LINE EXPRESSION VALUE
+    local found
+    found=$(of "$1" "$2" "$3" 2>&1 | tail -n 1)
+    [ "$found" = "$4" ] || fail "$1: $3 is '$found', expected '$4'"
+}
+
+# Flying, turning, undo, both fractals, looks.
+cat >fly.txt <<'END'
+rest
+tell
+key W 30
+drag 4 2 20
+rest
+tell
+key Ctrl+Z
+key Ctrl+Z
+rest
+tell
+key F7
+rest
+tell
+key F8
+rest
+tell
+shoot fly.png
+END
+play fly --fractal mandelbulb
+is fly 1 't["panes"][0]["samples"]' 4
+is fly 2 't["eye"][0] < 1.2 and t["view"] > 30' True
+is fly 3 't["eye"][0] > 1.199' True
+is fly 4 't["fractal"] != "mandelbulb"' True
+is fly 5 't["colouring"]' 2
+[ -s fly.png ] || fail "fly: no screenshot"
+
+# A view and a picture are bin/render's, of their own files.
+cat >hand.txt <<'END'
+rest
+key D 20
+key Ctrl+S
+picture 200 120
+key Ctrl+P
+tasks
+rest
+tell
+END
+play hand --fractal box --mode exact --precision double
+if "$bin/render" picture-001.dat --fractal box --backend openmp --output again.png 2>hand.err; then
+    "$bin/imgdiff" picture-001.png again.png >/dev/null || fail "hand: bin/render's picture is another one"
+    "$bin/render" picture-001.dat --fractal box --backend openmp --mode fast --output twin.png
+    "$bin/imgdiff" picture-001.png twin.png >/dev/null && fail "hand: a picture in another mode is the same"
+else
+    fail "hand: $(cat hand.err)"
+fi
+"$bin/render" view-001.dat --fractal box --output view.png 2>/dev/null || fail "hand: the view cannot be drawn"
+[ "$(ls -- *.part* .*tmp* 2>/dev/null | wc -l)" = 0 ] || fail "hand: unfinished files are left"
+
+# A path is recorded, smoothed, audited while it is flown, saved, opened again; flythrough keeps its promises and draws it.
+cat >path.txt <<'END'
+rest
+key Ctrl+R
+key W 60
+press Right
+key W 40
+release Right
+key W 20
+key Ctrl+R
+key Ctrl+L
+audited
+tell
+key Ctrl+D
+open path-001.json
+key PageDown
+rest
+tell
+key Space
+wait 10
+tell
+END
+play path --fractal box
+is path 1 't["path"]["frames"] > 60 and t["path"]["rows"]' 4
+is path 1 't["path"]["broken"]' 0
+is path 2 't["path"]["at"]' 30.0
+is path 3 't["path"]["at"] > 30' True
+"$bin/flythrough" audit path-001.json >audit 2>audit.err || fail "path: $(cat audit audit.err)"
+"$bin/flythrough" render path-001.json --stills stills --every 30 --size 64x36 >/dev/null 2>stills.err &&
+    [ "$(ls stills/*.png | wc -l)" -gt 2 ] || fail "path: no stills: $(cat stills.err)"
+
+# Every backend that there is, then four panes.
+{
+    echo rest
+    "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done
+} >backends.txt
+play backends --fractal box --size 320x240
+drawn=$(grep -c . backends.out)
+[ "$drawn" -ge 2 ] || fail "backends: $drawn"
+for line in $(seq "$drawn"); do is backends "$line" 't["panes"][0]["failure"]' ''; done
+[ "$(grep -o '"setup":"[a-z]*' backends.out | sort -u | wc -l)" -ge 2 ] || fail "backends: always the same one"
+printf '%s\n' rest 'key F9' 'key F9' 'key F9' rest tell 'key F5' rest tell 'shoot panes.png' >panes.txt
+play panes --fractal box --size 400x300
+is panes 1 'len(t["panes"])' 4
+is panes 1 't["panes"][1]["differing"] > 0' True
+# The fourth pane again in float: as the third one, bit for bit beside the first one's twin.
+is panes 2 't["panes"][2]["differing"] == t["panes"][3]["differing"]' True
+
+# Mistakes are lines in the window, or on stderr.
+printf '1 2 3\n1 2\n' >bad.dat
+printf 'rest\ntell\n' >bad.txt
+play bad bad.dat
+is bad 1 't["said"].startswith("bad.dat:2: ")' True
+is bad 1 't["panes"][0]["failure"]' ''
+printf 'rest\nfly\n' >wrong.txt
+"$bin/explore" --script wrong.txt 2>wrong.err
+[ $? = 2 ] && grep -q '^wrong.txt:2: ' wrong.err || fail "a wrong script: $(cat wrong.err)"
+env -u DISPLAY SDL_VIDEODRIVER=x11 "$bin/explore" >no.out 2>no.err
+code=$?
+[ $code = 77 ] && [ "$(wc -l <no.err)" = 1 ] || fail "no display: exit code $code: $(cat no.err)"
+
+# A driver that dies, and one that hangs: a line, and another backend draws.
+if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
+    for action in abort hang; do
+        printf '%s\n' 'wait 120' tell 'wait 120' 'key F4' rest tell >$action.txt
+        MANDELMARCH_MISCONDUCT="launch $action" MANDELMARCH_DEVICE_TIMEOUT=60 LD_PRELOAD=$shim \
+            play $action --backend opencl --size 200x160
+    done
+    is abort 1 '"ended the device" in t["panes"][0]["failure"]' True
+    is hang 1 't["panes"][0]["samples"]' 0
+    for action in abort hang; do is $action 2 't["panes"][0]["samples"] == 4 and t["panes"][0]["failure"]' ''; done
+fi
+
+# A person's keys: X's own events.
+if [ -n "$server" ] && command -v xdotool >/dev/null; then
+    mkdir hands
+    timeout 100 "$bin/explore" --fractal box --folder hands --size 400x300 >hands.out 2>&1 &
+    program=$!
+    window=$(timeout 60 xdotool search --sync --name 'mandelmarch explore' | tail -n 1)
+    xdotool windowfocus --sync "$window" keydown w
+    sleep 1
+    xdotool keyup w mousemove --window "$window" 300 150 mousedown 1 mousemove_relative 40 10 mouseup 1 key ctrl+s
+    for _ in $(seq 100); do [ -s hands/view-001.dat ] && break || sleep 0.1; done
+    xdotool key ctrl+q
+    wait $program || fail "hands: exit code $?: $(cat hands.out)"
+    eye=$(sed -n 2p hands/view-001.dat 2>/dev/null)
+    [ -n "$eye" ] && [ "$eye" != "$(sed -n 2p "$source/paramsBox.dat")" ] && [ "$eye" != "14 8 10" ] ||
+        fail "hands: the eye is at '$eye'"
+    [ -s config/mandelmarch/explore.json ] || fail "hands: no settings were kept"
+fi
+[ $failures = 0 ]

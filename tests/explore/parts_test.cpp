@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the explorer does without a window.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "apps/explore/desk.h"
+#include "apps/explore/handout.h"
+#include "apps/explore/motion.h"
+#include "apps/explore/pace.h"
+#include "apps/explore/settings.h"
+#include "apps/explore/smooth.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+#include "flight/audit/audit.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+constexpr double tick = 1.0 / 60;  // seconds
+
+Scene official(const char* name) { return official_scene(fractal_named(name), 16, 9); }
+
+// Straight on for a minute at the greatest speed.
+double clearance_after_a_minute(Motion& motion, Scene& scene)
+{
+    motion.speed = 16;
+    double least = motion.clearance(scene);
+    for (int i = 0; i < 3600; ++i) {
+        motion.move(scene, {.way = {0, 0, 1}, .turn = {}}, tick);
+        least = std::min(least, motion.clearance(scene));
+    }
+    return least;
+}
+
+TEST(ExploreMotion, WallsStopTheFlight)
+{
+    for (const char* fractal : {"bulb", "box"}) {
+        Scene scene = official(fractal);
+        Motion motion;
+        EXPECT_GT(clearance_after_a_minute(motion, scene), 0) << fractal;
+    }
+}
+
+// The twin.
+TEST(ExploreMotion, AFlightThroughWallsIsInside)
+{
+    Scene scene = official("bulb");
+    Motion motion;
+    motion.collides = false;
+    EXPECT_LE(clearance_after_a_minute(motion, scene), 0);
+}
+
+TEST(ExploreMotion, TurningRoundFourTimesLooksTheSameWay)
+{
+    Scene scene = official("box");
+    const Vector before = unit(scene.target - scene.eye);
+    Motion motion;
+    for (int i = 0; i < 4; ++i) {
+        Wish wish;
+        wish.yaw = std::numbers::pi / 2;
+        motion.move(scene, wish, tick);
+        if (i == 1) {
+            EXPECT_LT(dot(before, unit(scene.target - scene.eye)), 0.9);
+        }
+    }
+    EXPECT_NEAR(dot(before, unit(scene.target - scene.eye)), 1, 1e-9);
+}
+
+TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
+{
+    Pace pace;
+    for (int i = 0; i < 8; ++i) pace.took(100'000, 0.010);
+    const auto [width, height] = pace.size(960, 540, 0.012);
+    EXPECT_LE(pace.expected(static_cast<double>(width) * height), 0.012);
+    EXPECT_GT(pace.expected(1.2 * width * height), 0.012);
+    EXPECT_EQ(pace.size(960, 540, 1), std::pair(960, 540));
+}
+
+// A flight by an unsteady hand, faster than a film may be.
+Path unsteady()
+{
+    Path path;
+    path.scene = official("box");
+    path.scene.conservative = true;
+    for (int i = 0; i < 200; ++i) {
+        const double t = i / 199.0;
+        const double tremor = i % 2 == 0 ? 0.02 : -0.02;
+        Frame frame;
+        frame.eye = {14 - 16 * t, 8 + tremor, 10 - 16 * t};
+        frame.target = frame.eye + Vector{-1 + tremor, -0.5 + 0.4 * std::sin(12 * t), -0.7};
+        frame.up = {0, 1, 0};
+        path.frames.push_back(frame);
+    }
+    return path;
+}
+
+TEST(ExplorePaths, SmoothingKeepsThePromisesThatTheHandBreaks)
+{
+    const Path path = unsteady();
+    EXPECT_FALSE(audit_promises(path, 1).promises_kept());
+    const Path smooth = smoothed(path);
+    const Audit audit = audit_promises(smooth, 1);
+    EXPECT_TRUE(audit.promises_kept()) << table_of(smooth, audit);
+    EXPECT_LT(length(smooth.frames.front().eye - path.frames.front().eye), 1e-6);
+    EXPECT_LT(length(smooth.frames.back().eye - path.frames.back().eye), 0.5);
+}
+
+TEST(ExplorePaths, ACameraThatIsPutElsewhereDrawsItsNeighboursAlong)
+{
+    const Path path = unsteady();
+    Frame frame = path.frames[100];
+    frame.eye = frame.eye + Vector{0, 1, 0};
+    frame.target = frame.target + Vector{0, 1, 0};
+    const Path after = bent(path, 100, frame);
+    EXPECT_NEAR(after.frames[100].eye.y, path.frames[100].eye.y + 1, 1e-6);
+    EXPECT_GT(after.frames[110].eye.y, path.frames[110].eye.y + 0.5);
+    EXPECT_NEAR(after.frames[0].eye.y, path.frames[0].eye.y, 1e-6);
+}
+
+TEST(ExplorePaths, ARecordingHasThirtyFramesASecond)
+{
+    Scene scene = official("bulb");
+    Desk desk;
+    desk.begin_recording(scene);
+    for (int i = 0; i < 120; ++i) {
+        scene.eye.x += 0.001;
+        scene.target.x += 0.001;
+        desk.record(scene, tick);
+    }
+    desk.end_recording();
+    EXPECT_NEAR(static_cast<double>(desk.frames()), 61, 1);
+    EXPECT_NEAR(desk.path().frames.back().eye.x, scene.eye.x, 0.003);
+}
+
+TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)
+{
+    Scene scene = official("bulb");
+    scene.eye.x = 1.2345678901234567;
+    scene.colouring = 3;
+    scene.image_file = "view.png";
+    const Scene read = view_of_text(view_text(scene), "view.dat", fractal_named("box"));
+    EXPECT_EQ(read.fractal->name, "mandelbulb");
+    EXPECT_EQ(read.eye.x, scene.eye.x);
+    EXPECT_EQ(read.colouring, 3);
+    EXPECT_FALSE(read.conservative);
+    scene.conservative = true;
+    EXPECT_TRUE(view_of_text(view_text(scene), "view.dat", fractal_named("box")).conservative);
+}
+
+TEST(ExploreSettings, AreKeptAndWhatIsNoneIsSaid)
+{
+    const std::string folder = testing::TempDir() + "explore-settings";
+    std::filesystem::remove_all(folder);
+    const std::string file = folder + "/mandelmarch/explore.json";
+    Settings settings;
+    settings.speed = 2;
+    settings.setup = {"vulkan", 1, Precision::f64, Mode::exact};
+    write_settings(file, settings);
+    std::string said;
+    const Settings read = read_settings(file, said);
+    EXPECT_EQ(read.setup, settings.setup);
+    EXPECT_EQ(read.speed, 2);
+    EXPECT_EQ(said, "");
+    std::ofstream(file) << "{\"width\": \"wide\"}";
+    EXPECT_EQ(read_settings(file, said).speed, 1);
+    EXPECT_NE(said.find("no file of settings"), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace mandelmarch::explore
