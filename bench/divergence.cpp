@@ -183,7 +183,7 @@ Divergence divergence_of(const std::string& folder)
         together.push_back(model.coverage);
         Coverage copied;
         for (const auto& [file, used] : model.coverage) {
-            copied[file.starts_with(kernel_folder) ? backend + ":" + file : file] = used;
+            copied[file.starts_with(kernel_folder) ? fmt::format("{}:{}", backend, file) : file] = used;
         }
         apart.push_back(std::move(copied));
         found.models.push_back(std::move(model));
