@@ -75,9 +75,11 @@ bool Motion::move(Scene& scene, const Wish& wish, double seconds)
         const double least = nearest * known.hull().size;
         Vector step =
             (speed * seconds * std::max(clearance, least)) * (way_.x * right + way_.y * up + way_.z * forward);
-        if (collides && clearance > least) {
+        if (collides) {
             const double most = most_of_way * known.safety() * clearance;
-            if (length(step) > most) step = (most / length(step)) * step;
+            if (clearance > least && length(step) > most) step = (most / length(step)) * step;
+            // At a wall only ways that lead from it are free.
+            if (clearance <= least && known.distance(scene.eye + step) <= clearance) step = {};
         }
         scene.eye = scene.eye + step;
     }
