@@ -18,7 +18,7 @@ from markupsafe import Markup
 
 from . import page, viewer
 from .errors import InputError, write_whole
-from .pictures import Cache, Studio
+from .pictures import SCENES, Cache, Studio
 from .results import read_results
 from .sections import Material
 
@@ -33,10 +33,15 @@ def run(*command: object) -> str:
 
 
 def gallery(folder: Path, programs: Path, output: Path, names: list[str]) -> list[dict[str, str]]:
-    """Draws each NAME.FRACTAL.dat of the folder; views of fractals that the viewer lacks have no link to it."""
-    views = []
+    """Draws the official scenes and each NAME.FRACTAL.dat of the folder; views that the viewer cannot show have no link to it."""
+    files = [(f"official-{fractal}", fractal, file) for fractal, file in SCENES.items()]
     for file in sorted(folder.glob("*.*.dat")):
         name, fractal, _ = file.name.split(".")
+        files.append((name, fractal, file))
+    if len(files) == len(SCENES):
+        raise InputError(f"{folder}: no view, expected files NAME.FRACTAL.dat")
+    views = []
+    for name, fractal, file in files:
         picture = output / "views" / f"{name}.png"
         picture.parent.mkdir(parents=True, exist_ok=True)
         run(programs / "render", file, "--fractal", fractal, "--backend", "openmp", "--size", SIZE, "--output", picture)
@@ -51,8 +56,6 @@ def gallery(folder: Path, programs: Path, output: Path, names: list[str]) -> lis
                 "live": f"viewer.html#{urlencode({'fractal': fractal, 'dat': text})}" if fractal in names else "",
             }
         )
-    if not views:
-        raise InputError(f"{folder}: no view, expected files NAME.FRACTAL.dat")
     return views
 
 
