@@ -45,9 +45,21 @@ Scene scene_of(const Flythrough& options)
 // Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
+// How the fractal changes in flight.
+Schedule schedule_of(const Flythrough& options)
+{
+    if (!options.power.empty() && !options.scale.empty()) {
+        throw InputError("--power, --scale: both are given, expected the one that the fractal has");
+    }
+    const Scene scene = scene_of(options);
+    if (!options.power.empty()) return parse_schedule("power", options.power, scene, options.frames);
+    if (!options.scale.empty()) return parse_schedule("scale", options.scale, scene, options.frames);
+    return {};
+}
+
 Plan make_plan(const Flythrough& options)
 {
-    return plan(scene_of(options), options.seed, options.frames, options.threads, log_plan);
+    return plan(scene_of(options), schedule_of(options), options.seed, options.frames, options.threads, log_plan);
 }
 
 void tell_audit(const Path& path)
@@ -89,7 +101,8 @@ void write_map(const Flythrough& options, const Plan& made)
     if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
 }
 
-// Before any work: every file that will be written can be, and none of them is another one.
+// Before any work: every file that will be written can be, and none of them is another one; the shape's changes are
+// such as can be flown.
 void check_outputs(const Flythrough& options)
 {
     const std::vector<NamedFile> written = options.written();
@@ -97,6 +110,7 @@ void check_outputs(const Flythrough& options)
     for (const NamedFile& file : written) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
+    if (options.command == Command::plan || options.command == Command::film) schedule_of(options);
 }
 
 int plan_command(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)

@@ -40,6 +40,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--params", options.parameters,
                    "a parameter file (.dat): its fractal, not its camera, is flown through");
     app.add_option("--seed", texts.seed, "chooses the tour")->capture_default_str();
+    const std::string changing =
+        "in flight: A, A:B from the first frame to the last, or at named seconds, 0s=A,60s=B,120s=C";
+    app.add_option("--power", options.power, "plan, film: the Mandelbulb's power " + changing);
+    app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale " + changing);
     add_estimate_option(app, texts.estimate);
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
@@ -149,6 +153,10 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     const bool reads = options.command == Command::render || options.command == Command::audit;
     if (reads && options.path.empty()) {
         throw InputError(fmt::format("flythrough: no path file given, expected flythrough {} PATH", texts.command));
+    }
+    if (reads && !(options.power.empty() && options.scale.empty())) {
+        throw InputError(fmt::format("--{}: {} takes the shape from the path file, expected plan or film",
+                                     options.power.empty() ? "scale" : "power", texts.command));
     }
     if (!options.stills.empty() && !options.summary.empty()) {
         throw InputError("--summary: it tells of a film, and --stills makes none");

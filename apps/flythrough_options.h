@@ -37,6 +37,7 @@ struct Flythrough {
     bool device_given = false;
     int threads = 0;
     std::optional<int> look;
+    std::string power, scale;  // how that number of the shape changes in flight (flight/plan/schedule.h)
     std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;
     std::size_t every = 1;

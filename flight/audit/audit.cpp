@@ -3,57 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include "core/scene/fractal.h"
 #include "flight/audit/passages.h"
+#include "flight/audit/runs.h"
 #include "flight/audit/standing.h"
 #include "flight/audit/turns.h"
 #include "flight/audit/view_rows.h"
-#include "flight/plan/tour.h"
+#include "flight/field/threads.h"
+#include "flight/plan/roads.h"
 
 namespace mandelmarch {
 namespace {
 
 constexpr double solid = 1e-5;            // hull sizes: an estimate under it is inside solid
+constexpr double most_wall_step = 0.25;   // what a change of shape may move the nearest wall by, in clearances
 constexpr double turn_cap = 1.2;          // degrees a frame
 constexpr double aside = 60;              // degrees off the motion
 constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
 constexpr double official_frames = 7200;  // that the bar on passages is for
 
-// Frames that have the same fractal constants one after another, with their field.
-struct Run {
-    std::size_t first, last;  // [first, last)
-    std::unique_ptr<Field> field;
-};
-
-std::vector<Run> runs_of(const Path& path, int threads)
-{
-    const auto same = [](const Changes& a, const Changes& b) {
-        return a.shape == b.shape && a.iterations == b.iterations && a.escape == b.escape;
-    };
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < path.frames.size(); ++i) {
-        if (i == 0 || !same(path.frames[i].changes, path.frames[i - 1].changes)) {
-            runs.push_back({i, i, std::make_unique<Field>(scene_of(path, path.frames[i], 16, 9), threads)});
-        }
-        runs.back().last = i + 1;
-    }
-    return runs;
-}
-
 class Auditor {
 public:
     Auditor(const Path& path, int threads, int stride)
-        : path_(path), stride_(static_cast<std::size_t>(stride)), runs_(runs_of(path, threads))
+        : path_(path), stride_(static_cast<std::size_t>(stride)), runs_(path, threads), clearances_(runs_.clearances())
     {
         for (const Frame& frame : path.frames) places_.push_back(frame.eye);
-        clearances_.resize(places_.size());
-        for (const Run& run : runs_) {
-            run.field->distances(std::span(places_).subspan(run.first, run.last - run.first),
-                                 std::span(clearances_).subspan(run.first, run.last - run.first));
-        }
     }
 
     void promises()
@@ -61,6 +37,7 @@ public:
         const FlightBars& bars = path_.scene.fractal->flight.bars;
         solids();
         steps(bars.step);
+        if (runs_.changes()) walls();
         turns();
         standing();
     }
@@ -70,7 +47,7 @@ public:
         const FlightBars& bars = path_.scene.fractal->flight.bars;
         nearness();
         inside();
-        const Field& field = *runs_.front().field;
+        const auto field = [this](std::size_t frame) -> const Field& { return runs_.field(frame); };
         const auto passages = distinct_passages(field, places_, clearances_);
         add({"distinct passages", static_cast<double>(passages.size()),
              std::floor(bars.passages * static_cast<double>(places_.size()) / official_frames), false, false, "", ""});
@@ -84,36 +61,26 @@ public:
     void add(Row row) { audit_.rows.push_back(std::move(row)); }
 
 private:
-    double size() const { return runs_.front().field->hull().size; }
+    const Hull& hull(std::size_t frame) const { return runs_.field(frame).hull(); }
     double percent(std::size_t count) const
     {
         return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
     }
     static double seconds(std::size_t frames) { return static_cast<double>(frames) / frames_per_second; }
 
-    // Between two frames the camera flies straight. Each sample's safe ball must reach the next sample.
     void solids()
     {
-        std::size_t hits = 0;
-        std::string worst;
-        const auto hit = [&](std::size_t i) {
-            if (hits++ == 0) worst = at_frame(i);
-        };
-        for (std::size_t r = 0; r < runs_.size(); ++r) {
-            const Field& field = *runs_[r].field;
-            const double floor = solid * field.hull().size;
-            for (std::size_t i = runs_[r].first; i < runs_[r].last; ++i) {
-                if (clearances_[i] <= floor) {
-                    hit(i);
-                } else if (i > 0) {
-                    const double way = length(places_[i] - places_[i - 1]);
-                    // Where the fractal changes between the frames, it is the later one's that is swept.
-                    const bool reached = way <= field.safety() * clearances_[i];
-                    if (!reached && field.least_between(places_[i], places_[i - 1], floor) <= floor) hit(i);
-                }
+        std::vector<char> hit(places_.size(), 0);
+        parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const bool inside = clearances_[i] <= solid * hull(i).size;
+                hit[i] = inside || (i > 0 && !runs_.free_before(i, clearances_)) ? 1 : 0;
             }
-        }
-        add({"frames inside solid, swept between frames", static_cast<double>(hits), 0, true, true, "", worst});
+        });
+        const auto worst = std::ranges::find(hit, 1) - hit.begin();
+        const auto hits = std::ranges::count(hit, 1);
+        add({"frames inside solid, swept between frames", static_cast<double>(hits), 0, true, true, "",
+             hits > 0 ? at_frame(static_cast<std::size_t>(worst)) : ""});
     }
 
     void steps(double bar)
@@ -131,6 +98,18 @@ private:
         add({"largest step between frames / DE", worst, bar, true, true, "", at_frame(where)});
     }
 
+    // Where the shape changes: by how much that alone moves the nearest wall.
+    void walls()
+    {
+        std::vector<double> steps(places_.size(), 0);
+        parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) steps[i] = runs_.wall_step(i, clearances_);
+        });
+        const auto worst = std::ranges::max_element(steps);
+        add({"largest change of DE between frames by the shape / DE", *worst, most_wall_step, true, true, "",
+             at_frame(static_cast<std::size_t>(worst - steps.begin()))});
+    }
+
     void turns()
     {
         const std::vector<double> turns = turns_of(path_);
@@ -145,9 +124,9 @@ private:
     // The longest time that the camera stays within a quarter of its clearance of one place.
     void standing()
     {
-        const double fastest = fastest_clearance(runs_.front().field->hull());
         std::vector<double> radii(clearances_.size());
-        std::ranges::transform(clearances_, radii.begin(), [&](double c) { return stillness * std::min(c, fastest); });
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            radii[i] = stillness * std::min(clearances_[i], fastest_clearance(hull(i)));
         const Stand stand = longest_stand(places_, radii);
         add({"longest time standing still", seconds(stand.steps), 2, true, true, "s",
              stand.steps > 0 ? at_frame(stand.first) : ""});
@@ -155,17 +134,17 @@ private:
 
     void nearness()
     {
-        const auto least = std::ranges::min_element(clearances_);
-        add({"least DE, share of the hull's size", 100 * *least / size(), 0.25, false, false, "%",
-             at_frame(static_cast<std::size_t>(least - clearances_.begin()))});
+        std::vector<double> shares(clearances_.size());
+        for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 100 * clearances_[i] / hull(i).size;
+        const auto least = std::ranges::min_element(shares);
+        add({"least DE, share of the hull's size", *least, 0.25, false, false, "%",
+             at_frame(static_cast<std::size_t>(least - shares.begin()))});
     }
 
     void inside()
     {
         std::size_t count = 0;
-        for (const Run& run : runs_) {
-            for (std::size_t i = run.first; i < run.last; ++i) count += run.field->hull().contains(places_[i]) ? 1 : 0;
-        }
+        for (std::size_t i = 0; i < places_.size(); ++i) count += hull(i).contains(places_[i]) ? 1 : 0;
         add({"frames inside the hull", percent(count), 90, false, false, "%", ""});
     }
 
@@ -183,14 +162,15 @@ private:
 
     void views()
     {
-        // Runs are short where the fractal changes in flight: there a view is taken of every frame of a run.
         Seen seen;
-        for (const Run& run : runs_) {
-            const auto part = views_of(*run.field, std::span(path_.frames).subspan(run.first, run.last - run.first),
-                                       static_cast<int>(stride_));
-            for (std::size_t i = 0; i < part.size(); ++i) seen.frames.push_back(run.first + i * stride_);
-            seen.views.insert(seen.views.end(), part.begin(), part.end());
-        }
+        for (std::size_t i = 0; i < places_.size(); i += stride_) seen.frames.push_back(i);
+        seen.views.resize(seen.frames.size());
+        parallel(seen.frames.size(), 16, runs_.threads(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t v = first; v < last; ++v) {
+                const std::size_t frame = seen.frames[v];
+                seen.views[v] = views_of(runs_.field(frame), std::span(path_.frames).subspan(frame, 1), 1).front();
+            }
+        });
         add(motion_row(path_, seen));
         for (Row& row : dull_rows(seen, clearances_, stride_)) add(std::move(row));
         for (Row& row : subject_rows(seen, stride_)) add(std::move(row));
@@ -199,9 +179,9 @@ private:
 
     const Path& path_;
     std::size_t stride_;  // frames between the views that are looked at
-    std::vector<Run> runs_;
-    std::vector<Vector> places_;
+    Runs runs_;
     std::vector<double> clearances_;
+    std::vector<Vector> places_;
     std::size_t turned_at_cap_ = 0;
     Audit audit_;
 };

@@ -9,6 +9,7 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
+#include "flight/audit/runs.h"
 #include "flight/audit/turns.h"
 
 namespace mandelmarch {
@@ -62,12 +63,13 @@ std::string places(const Hull& hull, const std::vector<Vector>& path, std::vecto
 
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads)
 {
-    const Field field(scene_of(path, path.frames.front(), 16, 9), threads);
+    const Runs runs(path, threads);
+    const Field& field = runs.field(0);
     std::vector<Vector> at;
     for (const Frame& frame : path.frames) at.push_back(frame.eye);
-    std::vector<double> clearances(at.size());
-    field.distances(at, clearances);
-    const auto passages = distinct_passages(field, at, clearances);
+    const std::vector<double> clearances = runs.clearances();
+    const auto passages =
+        distinct_passages([&](std::size_t frame) -> const Field& { return runs.field(frame); }, at, clearances);
     const auto whole = [](const Passage& passage) { return std::to_string(passage.frame); };
     return fmt::format(
         "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n"

@@ -12,7 +12,7 @@
 namespace mandelmarch {
 
 // JSON: hull, the balls and gates on and beside the path, passages (frames), and for each frame its place, clearance
-// (the distance estimate) and turn since the frame before in degrees. The path's first frame says which fractal;
+// (the distance estimate) and turn since the frame before in degrees. The hull is that of the first frame's shape;
 // `threads`: 0 for one a core.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 

@@ -12,7 +12,7 @@ constexpr double same_size = 0.02;     // or than this share of the hull's size
 
 }  // namespace
 
-std::vector<Passage> distinct_passages(const Field& field, std::span<const Vector> places,
+std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
                                        std::span<const double> clearances)
 {
     std::vector<Passage> passages;
@@ -34,9 +34,10 @@ std::vector<Passage> distinct_passages(const Field& field, std::span<const Vecto
         if (here < narrowing * least.clearance) continue;
         narrowed = false;
         widest = here;
-        if (!field.hull().contains(places[least.frame])) continue;
-        const Vector place = field.representative(places[least.frame]);
-        const double apart = std::max(same_clearances * least.clearance, same_size * field.hull().size);
+        const Field& there = field(least.frame);
+        if (!there.hull().contains(places[least.frame])) continue;
+        const Vector place = there.representative(places[least.frame]);
+        const double apart = std::max(same_clearances * least.clearance, same_size * there.hull().size);
         if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
         known.push_back(place);
         passages.push_back(least);

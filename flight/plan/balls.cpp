@@ -13,8 +13,14 @@ constexpr double overlap = 0.95;      // of two radii: linked balls are nearer t
 
 }  // namespace
 
-Balls::Balls(const Field& field, double least, double narrow)
-    : field_(field), least_(least), narrow_(narrow), half_(margin * field.hull().size), side_(2 * half_ / fine)
+Balls::Balls(const Field& field, double least, double narrow, int coarse)
+    : field_(field),
+      least_(least),
+      narrow_(narrow),
+      coarse_(coarse),
+      fine_(coarse * parts),
+      half_(margin * field.hull().size),
+      side_(2 * half_ / fine_)
 {
     flood();
     cover();
@@ -26,7 +32,7 @@ Balls::Balls(const Field& field, double least, double narrow)
 Balls::Cell Balls::cell_of(Vector p) const
 {
     const auto along = [this](double c) {
-        return std::clamp(static_cast<int>(std::floor((c + half_) / side_)), 0, fine - 1);
+        return std::clamp(static_cast<int>(std::floor((c + half_) / side_)), 0, fine_ - 1);
     };
     return {along(p.x), along(p.y), along(p.z)};
 }
@@ -58,15 +64,16 @@ void Balls::each_cell_near(Vector p, double radius, Visit visit) const
 void Balls::flood()
 {
     const double half_diagonal = side_ * parts * std::sqrt(0.75);
-    std::vector<char> seen(static_cast<std::size_t>(coarse) * coarse * coarse, 0);
-    const auto coarse_index = [](Cell c) {
-        return (static_cast<std::size_t>(c.z) * coarse + static_cast<std::size_t>(c.y)) * coarse +
+    const auto along = static_cast<std::size_t>(coarse_);
+    std::vector<char> seen(along * along * along, 0);
+    const auto coarse_index = [along](Cell c) {
+        return (static_cast<std::size_t>(c.z) * along + static_cast<std::size_t>(c.y)) * along +
                static_cast<std::size_t>(c.x);
     };
     const auto middle = [](Cell c) {
         return Cell{c.x * parts + parts / 2, c.y * parts + parts / 2, c.z * parts + parts / 2};
     };
-    const Cell start{coarse - 1, coarse / 2, coarse - 1};
+    const Cell start{coarse_ - 1, coarse_ / 2, coarse_ - 1};
     std::vector<Cell> wave{start};
     seen[coarse_index(start)] = 1;
     std::vector<Vector> points;
@@ -117,7 +124,7 @@ void Balls::flood()
                 if ((faces >> face & 1U) == 0) continue;
                 Cell to = c;
                 (face < 2 ? to.x : face < 4 ? to.y : to.z) += face % 2 == 0 ? -1 : 1;
-                if (std::min({to.x, to.y, to.z}) < 0 || std::max({to.x, to.y, to.z}) >= coarse) continue;
+                if (std::min({to.x, to.y, to.z}) < 0 || std::max({to.x, to.y, to.z}) >= coarse_) continue;
                 if (seen[coarse_index(to)] != 0) continue;
                 if (!field_.worth_searching(centre_of(middle(to)))) continue;
                 seen[coarse_index(to)] = 1;
@@ -133,7 +140,8 @@ void Balls::cover()
     std::vector<std::uint32_t> order(samples_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
     std::ranges::stable_sort(order, [this](auto a, auto b) { return samples_[a].clearance > samples_[b].clearance; });
-    owner_.assign(static_cast<std::size_t>(fine) * fine * fine, -1);
+    const auto along = static_cast<std::size_t>(fine_);
+    owner_.assign(along * along * along, -1);
     for (const auto i : order) {
         const Ball& ball = samples_[i];
         if (owner_[index(cell_of(ball.centre))] >= 0) continue;

@@ -24,28 +24,33 @@ class Balls {
 public:
     // Fills the cube of 1.2 hull sizes with balls of at least `least` clearance, as far as they hang together with the
     // outside. Free places of at least `narrow` clearance that were seen on the way are kept as samples.
-    Balls(const Field& field, double least, double narrow);
+    // `coarse`: cells of the coarse grid along an edge.
+    Balls(const Field& field, double least, double narrow, int coarse = usual_coarse);
+
+    static constexpr int usual_coarse = 64;
 
     const std::vector<Ball>& balls() const { return balls_; }
     const std::vector<Link>& links(int ball) const { return links_[static_cast<std::size_t>(ball)]; }
+
+    double least() const { return least_; }
 
     // A ball that holds p; -1 if none is known.
     int holding(Vector p) const;
 
     // Free places inside the hull, near the surface too, where narrows may be looked for.
     const std::vector<Ball>& narrows() const { return narrows_; }
+    void forget_narrows() { narrows_ = {}; }
 
 private:
     struct Cell {
         int x, y, z;
     };
-    static constexpr int coarse = 64;  // cells of the coarse grid along an edge
-    static constexpr int parts = 4;    // fine cells along the edge of a coarse one
-    static constexpr int fine = coarse * parts;
+    static constexpr int parts = 4;  // fine cells along the edge of a coarse one
 
     std::size_t index(Cell c) const
     {
-        return (static_cast<std::size_t>(c.z) * fine + static_cast<std::size_t>(c.y)) * fine +
+        const auto along = static_cast<std::size_t>(fine_);
+        return (static_cast<std::size_t>(c.z) * along + static_cast<std::size_t>(c.y)) * along +
                static_cast<std::size_t>(c.x);
     }
     Cell cell_of(Vector p) const;
@@ -61,8 +66,9 @@ private:
 
     const Field& field_;
     double least_, narrow_;
-    double half_;  // half the edge of the cube
-    double side_;  // of a fine cell
+    int coarse_, fine_;  // cells along an edge
+    double half_;        // half the edge of the cube
+    double side_;        // of a fine cell
     std::vector<Ball> samples_, narrows_;
     std::vector<Ball> balls_;
     std::vector<std::vector<Link>> links_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "flight/field/threads.h"
 
@@ -11,31 +12,47 @@ namespace mandelmarch {
 namespace {
 
 constexpr double spacing = 0.35;      // between points, in clearances
+constexpr double densest = 0.0005;    // hull sizes: a clearance under it counts as that
 constexpr double freedom = 0.45;      // how far a point may leave its place in a round, in safe clearances
 constexpr double pin_freedom = 0.08;  // the same for a pin
 constexpr double push = 0.15;         // of a point away from the walls, in clearances, each round
 constexpr int rounds = 7;
 constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
 constexpr int sweeps = 12;  // at each stride
+// Where the shape changes in flight:
+constexpr double parts_a_step = 10;  // of the way from the shape that it was found in to that of its moment
+constexpr int most_parts = 60;
+constexpr int pushes = 2;             // at each part
+constexpr double clock_reach = 12.0;  // clearances before and behind that the clock is the mean over
 
 struct Band {
     std::vector<Vector> at;
     std::vector<char> pinned;
+    std::vector<double> clock;
+    std::vector<double> value;
     std::vector<double> clearance;
 };
 
 // New points along the old line, dense where it is narrow; pins stay points.
-Band resampled(const Field& field, const Band& old)
+Band resampled(const Shapes& shapes, const Band& old)
 {
-    const double most = 1.5 * fastest_clearance(field.hull());
+    const double most = 1.5 * fastest_clearance(shapes.field().hull());
+    // Inside solid, where a changing shape may have taken it, the band is no denser than elsewhere near a wall.
+    const double least = densest * shapes.field().hull().size;
+    const auto apart = [&](double clearance) { return spacing * std::clamp(clearance, least, most); };
     Band band;
-    const auto add = [&](Vector p, bool pin, double clearance) {
+    const auto add = [&](Vector p, bool pin, double clearance, double clock, double value) {
         band.at.push_back(p);
         band.pinned.push_back(pin ? 1 : 0);
         band.clearance.push_back(clearance);
+        band.clock.push_back(clock);
+        band.value.push_back(value);
     };
-    add(old.at[0], old.pinned[0] != 0, old.clearance[0]);
-    double left = spacing * std::min(old.clearance[0], most);
+    const auto keep = [&](std::size_t i, bool pin) {
+        add(old.at[i], pin, old.clearance[i], old.clock[i], old.value[i]);
+    };
+    keep(0, old.pinned[0] != 0);
+    double left = apart(old.clearance[0]);
     for (std::size_t i = 1; i < old.at.size(); ++i) {
         const Vector from = old.at[i - 1];
         const double whole = length(old.at[i] - from);
@@ -45,28 +62,38 @@ Band resampled(const Field& field, const Band& old)
             const double share = done / whole;
             // The clearance between two points is at least about that of the nearer one less the way to it.
             const double guess = (1 - share) * old.clearance[i - 1] + share * old.clearance[i];
-            const Vector p = from + share * (old.at[i] - from);
-            add(p, false, guess);
-            left = spacing * std::min(guess, most);
+            add(from + share * (old.at[i] - from), false, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
+                std::lerp(old.value[i - 1], old.value[i], share));
+            left = apart(guess);
         }
         left -= whole - done;
         if (old.pinned[i] != 0) {
-            add(old.at[i], true, old.clearance[i]);
-            left = spacing * std::min(old.clearance[i], most);
+            keep(i, true);
+            left = apart(old.clearance[i]);
         }
     }
-    add(old.at.back(), false, old.clearance.back());
-    field.distances(band.at, band.clearance);
+    keep(old.at.size() - 1, false);
+    shapes.distances(band.at, band.value, band.clearance);
     return band;
 }
 
-// Away from the walls, across the band.
-void push_off(const Field& field, Band& band)
+Band band_of(const Shapes& shapes, const Way& way)
+{
+    Band band{way.points, way.pinned, way.clock, way.found, std::vector<double>(way.points.size())};
+    shapes.distances(band.at, band.value, band.clearance);
+    return resampled(shapes, band);
+}
+
+// Away from the walls, across the band; pins only where they are to be pushed, too.
+void push_off(const Shapes& shapes, Band& band, bool pins)
 {
     const std::vector<Vector> old = band.at;
-    parallel(old.size(), 64, field.threads(), [&](std::size_t first, std::size_t last) {
+    const double open = fastest_clearance(shapes.field().hull());
+    parallel(old.size(), 64, shapes.threads(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = std::max<std::size_t>(first, 1); i < std::min(last, old.size() - 1); ++i) {
-            if (band.pinned[i] != 0 || band.clearance[i] > fastest_clearance(field.hull())) continue;
+            if ((band.pinned[i] != 0 && !pins) || band.clearance[i] > open) continue;
+            std::optional<Field> room;
+            const Field& field = shapes.at(band.value[i], room);
             const Vector tangent = unit(old[i + 1] - old[i - 1]);
             Vector up = field.uphill(old[i], 0.3 * band.clearance[i]);
             up = up - dot(up, tangent) * tangent;
@@ -79,14 +106,15 @@ void push_off(const Field& field, Band& band)
     });
 }
 
-void relax(const Field& field, Band& band)
+void relax(const Shapes& shapes, Band& band)
 {
     const std::vector<Vector> home = band.at;
     const auto count = static_cast<int>(home.size());
     std::vector<double> radius(home.size());
     for (std::size_t i = 0; i < home.size(); ++i) {
-        const double most = 2 * fastest_clearance(field.hull());
-        radius[i] = (band.pinned[i] != 0 ? pin_freedom : freedom) * field.safety() * std::min(band.clearance[i], most);
+        const double most = 2 * fastest_clearance(shapes.field().hull());
+        radius[i] =
+            (band.pinned[i] != 0 ? pin_freedom : freedom) * shapes.field().safety() * std::min(band.clearance[i], most);
     }
     for (const int stride : strides) {
         for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -116,32 +144,94 @@ void relax(const Field& field, Band& band)
 }
 
 // Points that came too near a surface go back to where they were.
-void take_back(const Field& field, Band& band, const std::vector<Vector>& home, double least)
+void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home, double least)
 {
     for (int attempt = 0; attempt < 4; ++attempt) {
-        field.distances(band.at, band.clearance);
+        shapes.distances(band.at, band.value, band.clearance);
         for (std::size_t i = 0; i < home.size(); ++i) {
             if (band.clearance[i] < least) band.at[i] = attempt < 3 ? 0.5 * (band.at[i] + home[i]) : home[i];
         }
     }
-    field.distances(band.at, band.clearance);
+    shapes.distances(band.at, band.value, band.clearance);
+}
+
+// The way was found among the shapes of some moments. It follows the walls from there to the shape at each point's own
+// moment, a little at a time; gates move as well.
+void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double step)
+{
+    const std::vector<double> found = band.value;
+    std::vector<double> there(found.size());
+    double most = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        there[i] = schedule.value(band.clock[i]);
+        most = std::max(most, std::abs(there[i] - found[i]));
+    }
+    const int parts = std::clamp(static_cast<int>(std::ceil(parts_a_step * most / step)), 1, most_parts);
+    for (int part = 1; part <= parts; ++part) {
+        // All go at one speed: who has a short way is there early.
+        const double gone = most * part / parts;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            band.value[i] = found[i] + std::clamp(there[i] - found[i], -gone, gone);
+        shapes.distances(band.at, band.value, band.clearance);
+        for (int round = 0; round < pushes; ++round) push_off(shapes, band, true);
+    }
+}
+
+// The clock goes with the way in clearances, the mean over some: where it jumped the shape would.
+void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
+{
+    const double cap = fastest_clearance(shapes.field().hull());
+    std::vector<double> way(band.at.size(), 0);  // in clearances
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double clearance = 0.5 * (std::min(band.clearance[i], cap) + std::min(band.clearance[i - 1], cap));
+        way[i] = way[i - 1] + length(band.at[i] - band.at[i - 1]) / std::max(clearance, 0.01 * cap);
+    }
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::vector<double> old = band.clock;
+        std::vector<double> sum(way.size(), 0);  // its integral over the way
+        for (std::size_t i = 1; i < way.size(); ++i)
+            sum[i] = sum[i - 1] + 0.5 * (old[i] + old[i - 1]) * (way[i] - way[i - 1]);
+        const auto integral = [&](double to) {
+            const auto after = std::ranges::upper_bound(way, to) - way.begin();
+            const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(way) - 1)) - 1;
+            const double rest = to - way[k];
+            const double rise = (old[k + 1] - old[k]) / std::max(way[k + 1] - way[k], 1e-12);
+            return sum[k] + rest * (old[k] + 0.5 * rest * rise);
+        };
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            // As far behind as before: the ends stay, and so does a steady clock.
+            const double reach = std::min({clock_reach, way[i] - way.front(), way.back() - way[i]});
+            if (reach > 1e-9) band.clock[i] = (integral(way[i] + reach) - integral(way[i] - reach)) / (2 * reach);
+        }
+    }
+    for (std::size_t i = 1; i < way.size(); ++i) band.clock[i] = std::max(band.clock[i], band.clock[i - 1]);
+    for (std::size_t i = 0; i < way.size(); ++i) band.value[i] = schedule.value(band.clock[i]);
+    shapes.distances(band.at, band.value, band.clearance);
 }
 
 }  // namespace
 
-std::vector<Vector> smooth(const Field& field, const Way& way, double least)
+double least_on(const Shapes& shapes, const Way& way, const Schedule& schedule, double step)
 {
-    Band band{way.points, way.pinned, std::vector<double>(way.points.size())};
-    field.distances(band.at, band.clearance);
-    band = resampled(field, band);
+    Band band = band_of(shapes, way);
+    follow(shapes, band, schedule, step);
+    return *std::ranges::min_element(band.clearance);
+}
+
+Line smooth(const Shapes& shapes, const Way& way, const Schedule& schedule, double step, double least)
+{
+    const bool changes = schedule.changes();
+    Band band = band_of(shapes, way);
+    if (changes) follow(shapes, band, schedule, step);
     for (int round = 0; round < rounds; ++round) {
-        push_off(field, band);
+        if (changes) set_clock(shapes, band, schedule);
+        push_off(shapes, band, false);
         const std::vector<Vector> home = band.at;
-        relax(field, band);
-        take_back(field, band, home, least);
-        band = resampled(field, band);
+        relax(shapes, band);
+        take_back(shapes, band, home, least);
+        band = resampled(shapes, band);
     }
-    return band.at;
+    return {std::move(band.at), std::move(band.clock), std::move(band.value)};
 }
 
 }  // namespace mandelmarch

@@ -86,9 +86,11 @@ double lack(double value, double enough, double none)
 
 }  // namespace
 
-Director::Director(const Field& field, const Track& track)
+Director::Director(const Shapes& shapes, const Track& track)
 {
+    const Field& field = shapes.field();
     std::vector<Vector> places;
+    std::vector<double> values;
     std::vector<double> clearances;
     double next = 0;
     for (std::size_t s = 0; s < track.at.size(); ++s) {
@@ -96,10 +98,11 @@ Director::Director(const Field& field, const Track& track)
         next = track.length[s] + spacing * std::min(track.clearance[s], fastest_clearance(field.hull()));
         samples_.push_back(static_cast<double>(s));
         places.push_back(track.at[s]);
+        values.push_back(track.value[s]);
         clearances.push_back(track.clearance[s]);
     }
     const double end = farthest_seen * field.hull().size;
-    depths_ = panoramas(field, sphere(), places, end);
+    depths_ = panoramas(shapes, sphere(), places, values, end);
     costs_.resize(depths_.size());
     parallel(places.size(), 8, field.threads(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {

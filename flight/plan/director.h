@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "flight/field/field.h"
+#include "flight/field/shapes.h"
 #include "flight/path/path.h"
 #include "flight/plan/ride.h"
 
@@ -14,7 +14,7 @@ namespace mandelmarch {
 // What there is to see along a track: panoramas at places of it, and what each direction is worth as a gaze.
 class Director {
 public:
-    Director(const Field& field, const Track& track);
+    Director(const Shapes& shapes, const Track& track);
 
     // Unit vectors for the first `frames` places, two at least, of a ride along the track that goes on for look_ahead
     // more. Dynamic programming (Bellman) over directions at every tenth frame: a direction costs what its view lacks,

@@ -258,10 +258,12 @@ private:
 
 }  // namespace
 
-std::vector<Gate> find_gates(const Field& field, const Balls& balls, double least, double most, int tries)
+std::vector<Gate> find_gates(const Field& field, const Balls& balls, const GateSearch& search, std::vector<Gate> known,
+                             std::span<const Ball> also)
 {
+    const auto [least, most, tries] = search;
     // The places are drawn by a fixed seed: every tour chooses among the same gates.
-    std::vector<Ball> places;
+    std::vector<Ball> places(also.begin(), also.end());
     Random random(1);
     const double share = static_cast<double>(tries) / std::max(static_cast<double>(balls.narrows().size()), 1.0);
     for (const Ball& place : balls.narrows()) {
@@ -272,8 +274,11 @@ std::vector<Gate> find_gates(const Field& field, const Balls& balls, double leas
     parallel(places.size(), 64, field.threads(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) found[i] = finder.from(places[i]);
     });
-    std::vector<Gate> gates;
+    std::vector<Gate> gates = std::move(known);
     std::vector<Vector> kinds;
+    for (const Gate& gate : gates) {
+        if (static_cast<std::size_t>(gate.kind) == kinds.size()) kinds.push_back(field.representative(gate.centre));
+    }
     for (auto& gate : found) {
         if (!gate) continue;
         const auto same = [&](const Gate& other) {
@@ -282,7 +287,7 @@ std::vector<Gate> find_gates(const Field& field, const Balls& balls, double leas
         if (std::ranges::any_of(gates, same)) continue;
         const Vector here = field.representative(gate->centre);
         const auto kind = std::ranges::find_if(
-            kinds, [&](Vector known) { return length(known - here) < same_place * gate->clearance; });
+            kinds, [&](Vector other) { return length(other - here) < same_place * gate->clearance; });
         gate->kind = static_cast<int>(kind - kinds.begin());
         if (kind == kinds.end()) kinds.push_back(here);
         gates.push_back(std::move(*gate));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "flight/plan/balls.h"
@@ -21,7 +21,14 @@ struct Gate {
     int kind;  // gates that the fractal's symmetry maps onto each other have the same kind, 0 and up
 };
 
-// Searched from up to `tries` of the balls' narrow places. `least` and `most`: bounds of a gate's clearance.
-std::vector<Gate> find_gates(const Field& field, const Balls& balls, double least, double most, int tries);
+// Bounds of a gate's clearance, and how many of the balls' narrow places gates are searched from, about.
+struct GateSearch {
+    double least, most;
+    int tries;
+};
+
+// The gates that are `known` stay, and come first. More are searched from the places `also`, too.
+std::vector<Gate> find_gates(const Field& field, const Balls& balls, const GateSearch& search,
+                             std::vector<Gate> known = {}, std::span<const Ball> also = {});
 
 }  // namespace mandelmarch

@@ -40,17 +40,20 @@ int Sphere::nearest(Vector unit_vector) const
     return static_cast<int>(std::ranges::max_element(directions_, closer) - directions_.begin());
 }
 
-std::vector<float> panoramas(const Field& field, const Sphere& sphere, std::span<const Vector> places, double end)
+std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
+                             std::span<const double> values, double end)
 {
     const std::size_t count = sphere.directions().size();
     std::vector<float> depths(places.size() * count);
-    parallel(places.size(), 8, field.threads(), [&](std::size_t first, std::size_t last) {
+    parallel(places.size(), 8, shapes.threads(), [&](std::size_t first, std::size_t last) {
         std::vector<Vector> from(count);
         std::vector<double> t(count);
         for (std::size_t i = first; i < last; ++i) {
             std::ranges::fill(from, places[i]);
-            field.casts(from, sphere.directions(),
-                        {.floor = 0, .tolerance = coarse_share, .end = end, .steps = most_steps}, t);
+            std::optional<Field> room;
+            shapes.at(values[i], room)
+                .casts(from, sphere.directions(),
+                       {.floor = 0, .tolerance = coarse_share, .end = end, .steps = most_steps}, t);
             std::ranges::transform(t, depths.begin() + static_cast<std::ptrdiff_t>(i * count), [end](double depth) {
                 return depth < end ? static_cast<float>(depth) : std::numeric_limits<float>::infinity();
             });

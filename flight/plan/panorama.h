@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "flight/field/field.h"
+#include "flight/field/shapes.h"
 
 namespace mandelmarch {
 
@@ -27,7 +27,8 @@ private:
 };
 
 // The depths along all of the sphere's directions, place after place, in the scene's units; +infinity where nothing is
-// met within `end`.
-std::vector<float> panoramas(const Field& field, const Sphere& sphere, std::span<const Vector> places, double end);
+// met within `end`. `values`: of the shape that each place is in.
+std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
+                             std::span<const double> values, double end);
 
 }  // namespace mandelmarch

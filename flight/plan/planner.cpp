@@ -15,65 +15,81 @@
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
 #include "flight/plan/ride.h"
+#include "flight/plan/roads.h"
 
 namespace mandelmarch {
 namespace {
 
 constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
-constexpr int tries = 300'000;              // places where gates are looked for
 constexpr double field_of_view = 1.0;
 constexpr double wanted_turn = 0.95;    // degrees a frame: where the gaze turns faster, the ride slows down
 constexpr double turn_limit = 1.17;     // degrees a frame; the promise is 1.2
 constexpr double slowest = 0.08;        // of the pace
 constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
 constexpr int retimings = 7;
+// Where the shape changes in flight:
+constexpr double first_share = 0.6;  // of the pace that rides keep up, at first
+constexpr double usual_slow = 0.7;   // the mean of `slow` that tours are made for
+constexpr double most_off = 1;       // frames by which a ride may miss a knot
+
 constexpr int audit_stride = 5;  // the same while tours are compared
 constexpr int view_stride = 10;  // frames between the views whose motion is looked at
 
 class Planner {
 public:
-    Planner(const Scene& scene, std::uint64_t seed, int frames, int threads)
-        : field_(scene, threads),
+    Planner(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads)
+        : schedule_(schedule),
+          shapes_(scene, schedule.number(), threads),
           measures_(scene.fractal->flight.measures),
           seed_(seed),
           frames_(frames),
-          size_(field_.hull().size),
-          balls_(field_, measures_.roads * size_, 0.0022 * size_),
-          gates_(find_gates(field_, balls_, measures_.gate_least * size_, measures_.gate_most * size_, tries))
+          size_(shapes_.field().hull().size),
+          atlas_(shapes_, schedule_)
     {
     }
 
-    const std::vector<Ball>& balls() const { return balls_.balls(); }
-    std::vector<Ball> gates() const
-    {
-        std::vector<Ball> narrowest;
-        for (const Gate& gate : gates_) narrowest.push_back({gate.centre, gate.clearance});
-        return narrowest;
-    }
+    const Atlas& atlas() const { return atlas_; }
 
-    // The path of one tour; empty if the tour was too short.
+    // The path of one tour; empty if the tour was too short, or too long for a changing shape.
     Path attempt(int number)
     {
         Random random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
         for (int i = 0; i < 4; ++i) random.next();
-        const double budget = 1.2 * measures_.pace * frames_ + 60;
-        const Tour tour = make_tour(field_, balls_, gates_, budget, random);
-        const auto points = smooth(field_, tour.way, least_clearance * size_);
-        Track track = track_of(field_, points);
+        TourLength length;
+        if (schedule_.changes()) {
+            length.frames_a_clearance = 1 / (measures_.pace * share_);
+            length.clock = frames_ + 4 * look_ahead;
+        } else {
+            length.cost = 1.2 * measures_.pace * frames_ + 60;
+        }
+        const std::function<bool(const Way&)> fine = [this](const Way& part) {
+            return least_on(shapes_, part, schedule_, atlas_.step()) > least_clearance * size_;
+        };
+        const Tour tour = make_tour(atlas_.stretches(frames_), length, random,
+                                    schedule_.changes() ? fine : std::function<bool(const Way&)>{});
+        if (schedule_.changes() && tour.clock < length.clock) return {};
+        Track track =
+            track_of(shapes_, schedule_, smooth(shapes_, tour.way, schedule_, atlas_.step(), least_clearance * size_));
         return fly(track);
     }
-
-    const Field& field() const { return field_; }
 
 private:
     Path fly(Track& track)
     {
         const int needed = frames_ + look_ahead;
-        const Director director(field_, track);
+        const Director director(shapes_, track);
+        const Hull& hull = shapes_.field().hull();
         std::vector<Vector> views;
         Ride now;
+        double off = 0;
         for (int round = 0; round < retimings; ++round) {
-            now = ride(field_, track, measures_.pace, needed);
+            if (schedule_.changes()) {
+                Timed timed = ride_in_time(hull, track, measures_.pace, frames_, schedule_);
+                now = std::move(timed.ride);
+                off = timed.off;
+            } else {
+                now = ride(hull, track, measures_.pace, needed);
+            }
             // A ride that is too short now may last when it has slowed down in its bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
@@ -82,13 +98,35 @@ private:
             keep_moving(track, now, views, director);
             slow_turns(track, now, views);
         }
+        if (schedule_.changes()) learn(track, now);
+        if (off > most_off) return {};
         limit_turns(views, turn_limit);
         Path path;
-        path.scene = field_.scene();
+        path.scene = shapes_.field().scene();
         path.seed = seed_;
         path.frames = cameras(now, views, first_up(views[0]), field_of_view);
+        if (schedule_.changes()) change(path, track, now);
         cut_digits(path);
         return path;
+    }
+
+    // How much of the pace rides keep up: what the next tour's clock goes by.
+    void learn(const Track& track, const Ride& ride)
+    {
+        double sum = 0;
+        for (const double sample : ride.sample) sum += track.slow[static_cast<std::size_t>(sample)];
+        const double mean = sum / static_cast<double>(ride.sample.size());
+        share_ = std::clamp(share_ * std::pow(usual_slow / mean, 0.7), 0.2, 1.0);
+    }
+
+    // Each frame's shape, in single precision, as path files have it.
+    void change(Path& path, const Track& track, const Ride& ride) const
+    {
+        const std::vector<double> clock = clock_of(track, ride, static_cast<int>(path.frames.size()), schedule_);
+        for (std::size_t i = 0; i < path.frames.size(); ++i) {
+            const auto shape = shapes_.scene(static_cast<float>(schedule_.value(clock[i]))).shape;
+            if (shape != path.scene.shape) path.frames[i].changes.shape = shape;
+        }
     }
 
     // Where the gaze turns too fast, the track's samples become slow.
@@ -124,13 +162,14 @@ private:
     // The up vector of the first camera: y, or z where the gaze goes along y.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
-    Field field_;
+    Schedule schedule_;
+    Shapes shapes_;
     FlightMeasures measures_;
     std::uint64_t seed_;
     int frames_;
     double size_;
-    Balls balls_;
-    std::vector<Gate> gates_;
+    Atlas atlas_;
+    double share_ = first_share;  // of the pace, by which the clock of tours goes
 };
 
 // Bars missed, and by how much: a promise weighs more than all quality.
@@ -147,15 +186,18 @@ double faults(const Audit& audit)
 
 }  // namespace
 
-Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const Log& log)
+Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log)
 {
     const auto start = Clock::now();
     const auto seconds = [&] { return seconds_since(start); };
     const auto say = [&](const std::string& text) {
         if (log) log(fmt::format("{:5.1f} s  {}", seconds(), text));
     };
-    Planner planner(scene, seed, frames, threads);
-    say(fmt::format("{} balls, {} gates", planner.balls().size(), planner.gates().size()));
+    Scene first = scene;
+    if (!schedule.knots().empty()) first.shape[schedule.number()] = schedule.value(0);
+    Planner planner(first, schedule, seed, frames, threads);
+    say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
+                    planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
     Plan best;
@@ -164,7 +206,7 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
         Path path = planner.attempt(number);
         ++best.attempts;
         if (path.frames.empty()) {
-            say(fmt::format("tour {}: too short", number));
+            say(fmt::format("tour {}: too short{}", number, schedule.changes() ? ", or not in time" : ""));
             continue;
         }
         const Audit result = audit(path, threads, 0, audit_stride);
@@ -178,8 +220,8 @@ Plan plan(const Scene& scene, std::uint64_t seed, int frames, int threads, const
         if (least == 0 || (number + 1 >= usual_attempts && least < 1000)) break;
     }
     best.seconds = seconds();
-    best.balls = planner.balls();
-    best.gates = planner.gates();
+    best.balls = planner.atlas().balls();
+    best.gates = planner.atlas().gates();
     if (least >= 1000) throw Error(fmt::format("plan: no tour of seed {} keeps every promise", seed));
     return best;
 }

@@ -14,6 +14,9 @@ constexpr int samples_per_span = 6;
 constexpr double gentle = 0.03;       // the speed's logarithm changes by at most this a frame: twice as fast in 0.8 s
 constexpr double smooth_frames = 15;  // the speed is smoothed over so many before and behind
 constexpr double foresight = 1;       // clearances ahead and behind whose least counts
+constexpr int fits = 12;              // rides until one is in time
+constexpr double in_time = 0.25;      // frames
+constexpr std::ptrdiff_t even_frames = 45;  // before and behind that the clock is the mean over
 
 // The speed without its kinks and nowhere above it: the least within a quarter of a second before and behind, then the
 // mean over as long.
@@ -50,21 +53,56 @@ std::vector<double> smoothed(const Track& track, const std::vector<double>& spee
     return mean;
 }
 
+// Where the clock stands at a sample of the track.
+double clock_at(const Track& track, double sample)
+{
+    const auto i = std::min(static_cast<std::size_t>(sample), track.clock.size() - 1);
+    return std::lerp(track.clock[i], track.clock[std::min(i + 1, track.clock.size() - 1)],
+                     sample - static_cast<double>(i));
+}
+
+// The mean over the values around each. Beyond the ends they go on turned about them by 180 degrees: the ends stay, and
+// so do even steps.
+std::vector<double> mean_around(const std::vector<double>& values, std::ptrdiff_t reach)
+{
+    const std::ptrdiff_t last = std::ssize(values) - 1;
+    reach = std::min(reach, last);
+    const auto at = [&](std::ptrdiff_t i) {
+        if (i < 0) return 2 * values.front() - values[static_cast<std::size_t>(-i)];
+        if (i > last) return 2 * values.back() - values[static_cast<std::size_t>(2 * last - i)];
+        return values[static_cast<std::size_t>(i)];
+    };
+    std::vector<double> means;
+    double sum = 0;
+    for (std::ptrdiff_t i = -reach; i < reach; ++i) sum += at(i);
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+        sum += at(i + reach);
+        means.push_back(sum / static_cast<double>(2 * reach + 1));
+        sum -= at(i - reach);
+    }
+    return means;
+}
+
 }  // namespace
 
-Track track_of(const Field& field, const std::vector<Vector>& points)
+Track track_of(const Shapes& shapes, const Schedule& schedule, const Line& line)
 {
     Track track;
-    for (std::size_t i = 0; i + 3 < points.size(); ++i) {
+    for (std::size_t i = 0; i + 3 < line.at.size(); ++i) {
         for (int k = 0; k < samples_per_span; ++k) {
             const double u = static_cast<double>(k) / samples_per_span;
             const double v = 1 - u;
-            track.at.push_back((v * v * v / 6) * points[i] + ((3 * u * u * u - 6 * u * u + 4) / 6) * points[i + 1] +
-                               ((3 * v * v * v - 6 * v * v + 4) / 6) * points[i + 2] + (u * u * u / 6) * points[i + 3]);
+            const auto spline = [&](const auto& points) {
+                return (v * v * v / 6) * points[i] + ((3 * u * u * u - 6 * u * u + 4) / 6) * points[i + 1] +
+                       ((3 * v * v * v - 6 * v * v + 4) / 6) * points[i + 2] + (u * u * u / 6) * points[i + 3];
+            };
+            track.at.push_back(spline(line.at));
+            track.clock.push_back(spline(line.clock));
+            track.value.push_back(schedule.changes() ? schedule.value(track.clock.back()) : shapes.usual());
         }
     }
     track.clearance.resize(track.at.size());
-    field.distances(track.at, track.clearance);
+    shapes.distances(track.at, track.value, track.clearance);
     track.length.resize(track.at.size(), 0);
     for (std::size_t i = 1; i < track.at.size(); ++i) {
         track.length[i] = track.length[i - 1] + length(track.at[i] - track.at[i - 1]);
@@ -73,10 +111,10 @@ Track track_of(const Field& field, const std::vector<Vector>& points)
     return track;
 }
 
-Ride ride(const Field& field, const Track& track, double pace, int frames)
+Ride ride(const Hull& hull, const Track& track, double pace, int frames)
 {
     const std::size_t count = track.at.size();
-    const double cap = fastest_clearance(field.hull());
+    const double cap = fastest_clearance(hull);
     // The least clearance nearby, so that a sudden narrow place does not meet a fast camera.
     std::vector<double> speed(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -109,6 +147,68 @@ Ride ride(const Field& field, const Track& track, double pace, int frames)
         time = next;
     }
     return result;
+}
+
+Timed ride_in_time(const Hull& hull, Track& track, double pace, int frames, const Schedule& schedule)
+{
+    // The legs end at the knots that lie in the film, and at its last frame.
+    const double last = frames - 1;
+    std::vector<double> ends;
+    for (const Knot& knot : schedule.knots()) {
+        if (knot.frame > 0 && knot.frame < last) ends.push_back(knot.frame);
+    }
+    ends.push_back(last);
+    const auto leg_of = [&](double clock) {
+        const auto leg = std::ranges::lower_bound(ends, clock) - ends.begin();
+        return static_cast<std::size_t>(std::min(leg, std::ssize(ends) - 1));
+    };
+    Timed result{};
+    for (int round = 0; round < fits; ++round) {
+        result.ride = ride(hull, track, pace, frames * 3);
+        // When the ride passes the end of each leg.
+        std::vector<double> times(ends.size(), 3 * last);
+        for (std::size_t f = 1, leg = 0; f < result.ride.sample.size() && leg < ends.size(); ++f) {
+            const double before = clock_at(track, result.ride.sample[f - 1]);
+            const double now = clock_at(track, result.ride.sample[f]);
+            for (; leg < ends.size() && now >= ends[leg]; ++leg)
+                times[leg] = static_cast<double>(f) - (now > before ? (now - ends[leg]) / (now - before) : 0);
+        }
+        result.off = 0;
+        for (std::size_t leg = 0; leg < ends.size(); ++leg)
+            result.off = std::max(result.off, std::abs(times[leg] - ends[leg]));
+        if (result.off < in_time || round + 1 == fits) break;
+        std::vector<double> factors;
+        for (std::size_t leg = 0; leg < ends.size(); ++leg) {
+            const double took = times[leg] - (leg > 0 ? times[leg - 1] : 0);
+            factors.push_back(std::clamp(took / (ends[leg] - (leg > 0 ? ends[leg - 1] : 0)), 0.3, 3.0));
+        }
+        for (std::size_t s = 0; s < track.slow.size(); ++s)
+            track.slow[s] = std::clamp(track.slow[s] * factors[leg_of(track.clock[s])], 0.02, 1.0);
+    }
+    return result;
+}
+
+std::vector<double> clock_of(const Track& track, const Ride& ride, int frames, const Schedule& schedule)
+{
+    std::vector<double> clock;
+    for (int f = 0; f < frames; ++f) clock.push_back(clock_at(track, ride.sample[static_cast<std::size_t>(f)]));
+    for (int pass = 0; pass < 2; ++pass) clock = mean_around(clock, even_frames);
+    // By how much it is off at the knots goes away bit by bit between them.
+    std::vector<Knot> off;
+    const auto add = [&](double frame) {
+        const auto f = static_cast<std::size_t>(std::lround(frame));
+        if (f < clock.size() && (off.empty() || off.back().frame < frame)) off.push_back({frame, frame - clock[f]});
+    };
+    add(0);
+    for (const Knot& knot : schedule.knots()) add(std::round(knot.frame));
+    add(frames - 1);
+    for (std::size_t k = 1; k < off.size(); ++k) {
+        const auto [from, before] = off[k - 1];
+        const auto [to, after] = off[k];
+        for (double frame = k == 1 ? from : from + 1; frame <= to; ++frame)
+            clock[static_cast<std::size_t>(frame)] += std::lerp(before, after, (frame - from) / (to - from));
+    }
+    return clock;
 }
 
 }  // namespace mandelmarch

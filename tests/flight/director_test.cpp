@@ -21,16 +21,19 @@ constexpr int frames = 300;
 
 // A way past the fractal: from the left to the right of it, 0.3 above.
 struct Passing {
-    Field field{official_scene("bulb", 16, 9), 0};
+    Shapes shapes{official_scene("bulb", 16, 9), 2, 0};
+    const Field& field = shapes.field();
     Track track;
     Ride flown;
 
     Passing()
     {
-        std::vector<Vector> points;
-        for (int i = 0; i < 60; ++i) points.push_back({-2 + 4.0 * i / 59, 0.2, 1.5});
-        track = track_of(field, points);
-        flown = ride(field, track, 0.05, frames + look_ahead);
+        Line line;
+        for (int i = 0; i < 60; ++i) line.at.push_back({-2 + 4.0 * i / 59, 0.2, 1.5});
+        line.clock.assign(60, 0);
+        line.value.assign(60, shapes.usual());
+        track = track_of(shapes, {}, line);
+        flown = ride(field.hull(), track, 0.05, frames + look_ahead);
     }
 
     double mean_hit_share(const std::vector<Vector>& gaze) const
@@ -62,10 +65,10 @@ TEST(Sphere, DirectionsAreSpreadEvenly)
 
 TEST(Panorama, SeesTheFractalWhereItIs)
 {
-    const Field field(official_scene("bulb", 16, 9), 0);
+    const Shapes shapes(official_scene("bulb", 16, 9), 2, 0);
     const Sphere sphere(200, 0.3);
     const std::vector<Vector> places{{0, 0, 4}, {4, 0, 0}};
-    const auto depths = panoramas(field, sphere, places, 20);
+    const auto depths = panoramas(shapes, sphere, places, std::vector<double>(2, shapes.usual()), 20);
     const auto depth = [&](std::size_t place, Vector direction) {
         return depths[place * 200 + static_cast<std::size_t>(sphere.nearest(direction))];
     };
@@ -82,7 +85,7 @@ TEST(Director, ShowsMoreThanLookingAhead)
     ASSERT_GE(way.flown.at.size(), static_cast<std::size_t>(frames));
     std::vector<Vector> straight;
     for (std::size_t i = 0; i < frames; ++i) straight.push_back(ahead(way.flown, i, look_ahead));
-    const Director director(way.field, way.track);
+    const Director director(way.shapes, way.track);
     const double directed = way.mean_hit_share(smoothed_gaze(way.flown, director.gaze(way.flown, frames)));
     EXPECT_GT(directed, way.mean_hit_share(straight) + 0.15);
 }
@@ -90,7 +93,7 @@ TEST(Director, ShowsMoreThanLookingAhead)
 TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
 {
     const Passing way;
-    const auto gaze = smoothed_gaze(way.flown, Director(way.field, way.track).gaze(way.flown, frames));
+    const auto gaze = smoothed_gaze(way.flown, Director(way.shapes, way.track).gaze(way.flown, frames));
     for (std::size_t i = 1; i < gaze.size(); ++i) {
         EXPECT_LT(degrees_between(gaze[i - 1], gaze[i]), 1.2);
         // The first three seconds leave the fractal's middle.
@@ -103,7 +106,7 @@ TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
 TEST(Director, KnowsHowFarThePictureMoves)
 {
     const Passing way;
-    const Director director(way.field, way.track);
+    const Director director(way.shapes, way.track);
     const auto shots = cameras(way.flown, smoothed_gaze(way.flown, director.gaze(way.flown, frames)), {0, 1, 0}, 1.0);
     const auto views = views_of(way.field, shots, 50);
     for (std::size_t v = 1; v < 5; ++v) {

@@ -149,6 +149,11 @@ run 2 film $small --size 60000x60000
 run 77 film ${small/openmp/openmp --device 99}
 run 2 film $small --stills file
 run 2 film $small --stills stills --summary summary.json
+run 2 film $small --power 8:
+run 2 film $small --power 0s=8,300s=5
+run 2 plan new.json --power 8:5 --scale 2:3
+run 2 plan new.json --fractal box --power 8:5
+run 2 render path.json $small --power 8:5
 run 2 plan nowhere/path.json
 run 2 plan new.json --map nowhere/map.json
 run 2 audit path.json --json nowhere/audit.json

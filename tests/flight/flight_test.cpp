@@ -20,7 +20,7 @@ constexpr int frames = 400;
 
 const Path& planned()
 {
-    static const Path path = plan(official_scene("bulb", 16, 9), 3, frames, 0).path;
+    static const Path path = plan(official_scene("bulb", 16, 9), {}, 3, frames, 0).path;
     return path;
 }
 
@@ -62,9 +62,9 @@ TEST(Field, SymmetricPlacesAreOne)
 TEST(Plan, TheSameSeedGivesTheSamePathOnAnyNumberOfThreads)
 {
     const Scene scene = official_scene("box", 16, 9);
-    const std::string one = to_text(plan(scene, 9, 150, 1).path);
-    EXPECT_EQ(one, to_text(plan(scene, 9, 150, 3).path));
-    EXPECT_NE(one, to_text(plan(scene, 10, 150, 3).path));
+    const std::string one = to_text(plan(scene, {}, 9, 150, 1).path);
+    EXPECT_EQ(one, to_text(plan(scene, {}, 9, 150, 3).path));
+    EXPECT_NE(one, to_text(plan(scene, {}, 10, 150, 3).path));
 }
 
 TEST(Plan, KeepsEveryPromise)
@@ -80,7 +80,7 @@ TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
 {
     Scene scene = official_scene("bulb", 16, 9);
     scene.conservative = true;
-    const Path path = plan(scene, 3, frames, 0).path;
+    const Path path = plan(scene, {}, 3, frames, 0).path;
     const Audit result = audit(path, 0, 0, 5);
     EXPECT_TRUE(result.promises_kept()) << table_of(path, result);
     EXPECT_NE(to_text(path), to_text(planned()));
@@ -179,16 +179,17 @@ TEST(Audit, EveryRowCanFail)
 TEST(Audit, PassagesAreCountedModuloTheSymmetry)
 {
     const Field field(official_scene("box", 16, 9), 1);
+    const auto always = [&](std::size_t) -> const Field& { return field; };
     const std::vector<Vector> places{{1, 2, 3},    {1, 2, 3.1}, {1, 2, 3.2}, {2, 1, -3.3},
                                      {-3.1, 2, 1}, {3, 3, 3},   {3, 3, 2}};
     const std::vector<double> once{1, 0.4, 0.9, 0.9, 0.9, 0.9, 0.9};
-    EXPECT_EQ(distinct_passages(field, places, once).size(), 1U);
+    EXPECT_EQ(distinct_passages(always, places, once).size(), 1U);
     const std::vector<double> mirrored{1, 0.04, 1, 1, 0.04, 1, 1};
-    EXPECT_EQ(distinct_passages(field, places, mirrored).size(), 1U);
+    EXPECT_EQ(distinct_passages(always, places, mirrored).size(), 1U);
     const std::vector<double> twice{1, 0.04, 1, 1, 1, 0.1, 1};
-    EXPECT_EQ(distinct_passages(field, places, twice).size(), 2U);
+    EXPECT_EQ(distinct_passages(always, places, twice).size(), 2U);
     const std::vector<double> shallow{1, 0.6, 1, 1, 1, 1, 1};
-    EXPECT_TRUE(distinct_passages(field, places, shallow).empty());
+    EXPECT_TRUE(distinct_passages(always, places, shallow).empty());
 }
 
 TEST(PathFile, IsReadAsItIsWritten)

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/plan/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace mandelmarch {
+namespace {
+
+constexpr double outside_penalty = 6;  // a way outside the hull counts so many times
+constexpr double seen_penalty = 3;     // a way through balls flown through before
+constexpr double whole_turn = 30;      // clearances that turning round costs: 180 degrees at the cap on turning
+constexpr double reach = 400;          // clearances within which the next gate is sought
+constexpr int choices = 10;            // gate entries looked at before choosing
+constexpr double whim = 1.0;           // a gate's cost counts up to this much more, at random
+// Where the shape changes in flight:
+constexpr double changing_reach = 70;  // real clearances, too: a gate that is farther off has moved
+constexpr double stroll_reach = 40;    // clearances to a wide place, where no gate is in reach
+constexpr double same_place = 0.03;    // hull sizes: gates of two shapes that are nearer to each other are one
+constexpr double over = 4;             // clearances of a ball: a place that is no farther off may go on in it,
+constexpr std::size_t tried = 24;      // where it is one of the nearest,
+constexpr double free_share = 0.3;     // and the way there has so much of a road's least clearance
+
+double angle_between(Vector a, Vector b)
+{
+    const double product = length(a) * length(b);
+    return product > 0 ? std::acos(std::clamp(dot(a, b) / product, -1.0, 1.0)) : 0;
+}
+
+}  // namespace
+
+Search::Search(std::span<const Stretch> stretches, double frames_a_clearance)
+    : stretches_(stretches), frames_a_clearance_(frames_a_clearance)
+{
+    for (const Stretch& stretch : stretches) {
+        const Roads& roads = *stretch.roads;
+        offsets_.push_back(entries_.size());
+        entries_.resize(entries_.size() + roads.balls.balls().size());
+        int kinds = 0;
+        for (std::size_t g = 0; g < roads.gates.size(); ++g) {
+            for (std::size_t side = 0; side < 2; ++side) {
+                entries_[offsets_.back() + static_cast<std::size_t>(roads.gates[g].balls[side])].push_back(
+                    static_cast<int>(2 * g + side));
+            }
+            kinds = std::max(kinds, roads.gates[g].kind + 1);
+        }
+        flown_.emplace_back(static_cast<std::size_t>(kinds), 0);
+    }
+    seen_.assign(entries_.size(), 0);
+    cost_.assign(entries_.size(), 0);
+    clock_.assign(entries_.size(), 0);
+    before_.assign(entries_.size(), {});
+    round_.assign(entries_.size(), -1);
+}
+
+Node Search::near(int stretch, Vector place) const
+{
+    const Roads& there = roads(stretch);
+    const int holding = there.balls.holding(place);
+    if (holding >= 0) return {stretch, holding};
+    std::vector<std::pair<double, int>> nearest;
+    for (std::size_t b = 0; b < there.balls.balls().size(); ++b) {
+        const Ball& ball = there.balls.balls()[b];
+        const double apart = length(ball.centre - place) / ball.clearance;
+        if (apart < over && !there.balls.links(static_cast<int>(b)).empty())
+            nearest.emplace_back(apart, static_cast<int>(b));
+    }
+    std::ranges::sort(nearest);
+    if (nearest.size() > tried) nearest.resize(tried);
+    const double floor = free_share * there.balls.least();
+    for (const auto& [apart, b] : nearest) {
+        const Vector centre = there.balls.balls()[static_cast<std::size_t>(b)].centre;
+        if (there.field.least_between(centre, place, floor) > floor) return {stretch, b};
+    }
+    return {};
+}
+
+Entry Search::next(Node from, double clock, std::span<const Vector> done, Random& random)
+{
+    ++turn_;
+    using Label = std::pair<double, std::pair<int, int>>;
+    std::priority_queue<Label, std::vector<Label>, std::greater<>> queue;
+    const auto relax = [&](Node node, double cost, double when, Node before) {
+        const std::size_t b = index(node);
+        if (round_[b] == turn_ && cost_[b] <= cost) return;
+        round_[b] = turn_;
+        cost_[b] = cost;
+        clock_[b] = when;
+        before_[b] = before;
+        queue.emplace(cost, std::pair{node.stretch, node.ball});
+    };
+    relax(from, 0, clock, {});
+    Entry best;
+    stroll_ = {};
+    double best_cost = std::numeric_limits<double>::infinity();
+    int found = 0;
+    while (!queue.empty() && found < choices) {
+        const auto [cost, name] = queue.top();
+        queue.pop();
+        const Node node{name.first, name.second};
+        const std::size_t b = index(node);
+        if (cost > cost_[b]) continue;
+        if (cost > reach) break;
+        const double way = frames_a_clearance_ > 0 ? (clock_[b] - clock) / frames_a_clearance_ : 0;
+        if (way > changing_reach) continue;
+        const Roads& here = roads(node.stretch);
+        const Hull& hull = here.field.hull();
+        if (clock_[b] > stretch(node.stretch).until) {
+            const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
+            if (on.ball >= 0) relax(on, cost, clock_[b], node);
+            continue;
+        }
+        if (way > stroll_reach / 4 && way < stroll_reach && hull.contains(ball(node).centre)) stroll_ = node;
+        for (const int entry : entries_[b]) {
+            const Gate& gate = here.gates[static_cast<std::size_t>(entry) / 2];
+            if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
+            ++found;
+            const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, done)) *
+                                  (1 + whim * random.share()) / (0.4 + gate.walled);
+            if (wanted < best_cost) {
+                best_cost = wanted;
+                best = {node.stretch, entry};
+            }
+        }
+        for (const Link& link : here.balls.links(node.ball)) {
+            const Node to{node.stretch, link.to};
+            const Ball& there = ball(to);
+            const double clearance = std::min(0.5 * (std::min(link.clearance, there.clearance) + ball(node).clearance),
+                                              fastest_clearance(hull));
+            double step = link.length / clearance;
+            const double when = clock_[b] + step * frames_a_clearance_;
+            if (!hull.contains(there.centre)) step *= outside_penalty;
+            if (seen_[index(to)] != 0) step *= seen_penalty;
+            relax(to, cost + step, when, node);
+        }
+    }
+    return best;
+}
+
+double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) const
+{
+    const std::vector<Node> leg = leg_to(node);
+    if (leg.size() < 2) return 0;
+    const auto centre = [&](std::size_t i) { return ball(leg[i]).centre; };
+    const std::size_t some = std::min<std::size_t>(4, leg.size() - 1);
+    const auto& way = gate(entry).ways[static_cast<std::size_t>(entry.number) % 2];
+    const Vector into = way.front() - way.back();
+    double sum = angle_between(centre(leg.size() - 1) - centre(leg.size() - 1 - some), into);
+    if (done.size() > 4) {
+        sum += angle_between(done.back() - done[done.size() - 4], centre(some) - centre(0));
+    }
+    return whole_turn / std::numbers::pi * sum;
+}
+
+std::vector<Node> Search::leg_to(Node node) const
+{
+    std::vector<Node> leg;
+    for (Node at = node; at.ball >= 0; at = before_[index(at)]) leg.push_back(at);
+    std::ranges::reverse(leg);
+    return leg;
+}
+
+void Search::see(Node node)
+{
+    for (int stretch = node.stretch; stretch < static_cast<int>(stretches_.size()); ++stretch) {
+        const Node there =
+            stretch == node.stretch ? node : Node{stretch, roads(stretch).balls.holding(ball(node).centre)};
+        if (there.ball < 0) continue;
+        seen_[index(there)] = 1;
+        for (const Link& link : roads(stretch).balls.links(there.ball)) seen_[index({stretch, link.to})] = 1;
+    }
+}
+
+void Search::mark_flown(Entry entry)
+{
+    const Gate& done = gate(entry);
+    flown_[static_cast<std::size_t>(entry.stretch)][static_cast<std::size_t>(done.kind)] = 1;
+    for (int other = 0; other < static_cast<int>(stretches_.size()); ++other) {
+        if (other == entry.stretch) continue;
+        const Field& there = field(other);
+        const Vector place = there.representative(done.centre);
+        for (const Gate& gate : roads(other).gates) {
+            if (length(there.representative(gate.centre) - place) < same_place * there.hull().size)
+                flown_[static_cast<std::size_t>(other)][static_cast<std::size_t>(gate.kind)] = 1;
+        }
+    }
+}
+
+void Search::forget()
+{
+    for (auto& kinds : flown_) std::ranges::fill(kinds, 0);
+    std::ranges::fill(seen_, 0);
+}
+
+}  // namespace mandelmarch

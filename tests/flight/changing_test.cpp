@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flights through a fractal that changes: schedules, plans, and what an audit finds out of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "flight/audit/audit.h"
+#include "flight/plan/planner.h"
+#include "flight/plan/random.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr int frames = 300;
+
+Schedule scale(const std::string& text) { return parse_schedule("scale", text, official_scene("box", 16, 9), frames); }
+
+const Path& planned()
+{
+    static const Path path = plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 0).path;
+    return path;
+}
+
+const Row& row_of(const Audit& audit, const std::string& name)
+{
+    const auto row = std::ranges::find_if(audit.rows, [&](const Row& r) { return r.name.starts_with(name); });
+    if (row == audit.rows.end()) throw Error("no row " + name);
+    return *row;
+}
+
+const std::string solid = "frames inside solid";
+const std::string walls = "largest change of DE between frames by the shape";
+
+// The largest jump of the rate from one frame to the next.
+template <class Value>
+double rate_jump(Value value)
+{
+    double worst = 0;
+    for (int f = 1; f + 1 < frames; ++f) worst = std::max(worst, std::abs(value(f + 1) - 2 * value(f) + value(f - 1)));
+    return worst;
+}
+
+TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
+{
+    const Schedule there = scale("2:2.4");
+    EXPECT_EQ(there.value(0), 2);
+    EXPECT_EQ(there.value(frames - 1), static_cast<float>(2.4));
+    const Schedule back = scale("1s=2,5s=2.4,8s=2");
+    for (const auto& [frame, value] : {std::pair{0.0, 2.0}, {30.0, 2.0}, {150.0, 2.4}, {240.0, 2.0}, {299.0, 2.0}})
+        EXPECT_NEAR(back.value(frame), value, 1e-6) << frame;
+    // Its largest rate is 1.5 times the mean one, 0.4 in 90 frames.
+    const double rate = 1.5 * 0.4 / 90;
+    EXPECT_LT(rate_jump([&](int f) { return back.value(f); }), 0.05 * rate);
+    // The twin goes straight from value to value.
+    EXPECT_GT(rate_jump([](int f) { return 2 + 0.4 * std::clamp((f - 30) / 120.0, 0.0, 1.0); }), 0.4 * rate);
+    EXPECT_TRUE(back.changes());
+    EXPECT_FALSE(scale("2.5").changes());
+    EXPECT_FALSE(Schedule{}.changes());
+}
+
+TEST(Schedule, RefusesNonsenseInOneLine)
+{
+    for (const char* text :
+         {"", "x", "2:", ":2", "2:3:4", "nan", "2:1e9", "0s=2,=3", "0s=2,5=3", "5s", "0s=2,3s=3,3s=2", "5s=2,3s=3",
+          "-1s=2", "0s=2,11s=3", "2:1", "2:-2", "2:0.5", "2,3", "0s=2,,5s=3"}) {
+        try {
+            scale(text);
+            ADD_FAILURE() << text;
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            EXPECT_TRUE(std::string(error.what()).starts_with("--scale: ")) << error.what();
+        }
+    }
+    EXPECT_THROW(parse_schedule("power", "8:5", official_scene("box", 16, 9), frames), InputError);
+    // The twins.
+    for (const char* text : {"2", "2:3", "-1.5:-2", "0s=2,10s=3"}) EXPECT_NO_THROW(scale(text)) << text;
+}
+
+TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
+{
+    const Path& path = planned();
+    const Audit result = audit(path, 0, 0, 5);
+    EXPECT_TRUE(result.promises_kept()) << table_of(path, result);
+    EXPECT_EQ(path.frames.size(), static_cast<std::size_t>(frames));
+    const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };
+    EXPECT_EQ(value(0), 2);
+    EXPECT_EQ(value(frames - 1), static_cast<float>(2.03));
+    // It never goes back, and its rate has no jumps: the mean is 1e-4 a frame.
+    double jump = 0;
+    for (std::size_t i = 1; i + 1 < frames; ++i) {
+        EXPECT_GE(value(i + 1), value(i));
+        jump = std::max(jump, std::abs(value(i + 1) - 2 * value(i) + value(i - 1)));
+    }
+    EXPECT_LT(jump, 1e-5);
+    EXPECT_EQ(to_text(path), to_text(path_from_text(to_text(path), "a.json")));
+}
+
+TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads)
+{
+    EXPECT_EQ(to_text(planned()), to_text(plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 1).path));
+}
+
+// A path that was planned for one shape, flown while the shape changes.
+TEST(ChangingAudit, FindsOutAPathThatKnowsNothingOfTheChange)
+{
+    Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;
+    ASSERT_TRUE(audit_promises(path, 0).promises_kept());
+    // The hull grows from 6 to 8.7.
+    const Schedule schedule = scale("2:1.6");
+    for (std::size_t i = 0; i < path.frames.size(); ++i)
+        path.frames[i].changes.shape = {static_cast<float>(schedule.value(static_cast<double>(i))), 0.5, 1};
+    EXPECT_FALSE(audit_promises(path, 0).promises_kept());
+}
+
+TEST(ChangingAudit, FindsOutAShapeThatJumps)
+{
+    Path path = planned();
+    EXPECT_TRUE(row_of(audit_promises(path, 0), walls).kept());
+    for (std::size_t i = 150; i < path.frames.size(); ++i) (*path.frames[i].changes.shape)[0] += 0.15;
+    EXPECT_FALSE(row_of(audit_promises(path, 0), walls).kept());
+}
+
+// Free before and behind, solid between: a wall that sweeps over a camera that stands still.
+TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
+{
+    Path path;
+    path.scene = official_scene("bulb", 16, 9);
+    const auto clearance = [&](Vector p, double power) {
+        Scene scene = path.scene;
+        scene.shape[2] = power;
+        return Field(scene, 1).distance(p);
+    };
+    const auto swept = [&](Vector place) {
+        path.frames.assign(2, {place, place + Vector{1, 0, 0}, {0, 0, 1}, 1, {}});
+        path.frames[1].changes.shape = {0, 4, 7};
+        return !row_of(audit_promises(path, 1), solid).kept();
+    };
+    Random random(1);
+    int found = 0;
+    int free = 0;
+    for (int i = 0; i < 4000 && (found < 3 || free < 3); ++i) {
+        const auto along = [&] { return 2.4 * random.share() - 1.2; };
+        const double x = along();
+        const double y = along();
+        const Vector place{x, y, along()};
+        if (std::min(clearance(place, 8), clearance(place, 7)) < 0.01) continue;
+        if (clearance(place, 7.5) <= 0) {
+            EXPECT_TRUE(swept(place)) << i;
+            ++found;
+        } else if (length(place) > 1.25) {
+            EXPECT_FALSE(swept(place)) << i;
+            ++free;
+        }
+    }
+    EXPECT_GE(found, 3);
+    EXPECT_GE(free, 3);
+}
+
+}  // namespace
+}  // namespace mandelmarch
