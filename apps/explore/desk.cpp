@@ -148,7 +148,8 @@ void Desk::plan(const Scene& scene, std::uint64_t seed, int frame_count)
     Scene shape = scene;
     shape.conservative = true;
     as_file(shape);
-    planning_.start([shape, seed, frame_count] { return mandelmarch::plan(shape, Schedule{}, seed, frame_count, 1).path; });
+    planning_.start(
+        [shape, seed, frame_count] { return mandelmarch::plan(shape, Schedule{}, seed, frame_count, 1).path; });
 }
 
 void Desk::film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -101,15 +102,18 @@ public:
         const Clock::time_point start = Clock::now();
         if (bytes_alone_) {
             const std::size_t row = 3 * static_cast<std::size_t>(width_);
-            session_.queue.enqueueReadBuffer(bytes_, CL_TRUE, 0, row * static_cast<std::size_t>(band.rows),
-                                             image.bytes().data() + row * static_cast<std::size_t>(band.first_row));
+            const std::size_t size = row * static_cast<std::size_t>(band.rows);
+            std::uint8_t* to = image.bytes().data() + row * static_cast<std::size_t>(band.first_row);
+            if (session_.is_cpu) {
+                void* bytes = mapped(bytes_, size);
+                std::memcpy(to, bytes, size);
+                session_.queue.enqueueUnmapMemObject(bytes_, bytes);
+            } else {
+                session_.queue.enqueueReadBuffer(bytes_, CL_TRUE, 0, size, to);
+            }
         } else if (session_.is_cpu) {
-            // The device's memory is the host's: no copy.
-            const auto map = [&](const cl::Buffer& buffer, std::size_t bytes) {
-                return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
-            };
-            void* reals = map(reals_, real_planes * sizeof(Real) * pixels_);
-            void* wholes = map(wholes_, whole_planes * sizeof(int) * pixels_);
+            void* reals = mapped(reals_, real_planes * sizeof(Real) * pixels_);
+            void* wholes = mapped(wholes_, whole_planes * sizeof(int) * pixels_);
             store(static_cast<const Real*>(reals), static_cast<const int*>(wholes), band, image);
             session_.queue.enqueueUnmapMemObject(reals_, reals);
             session_.queue.enqueueUnmapMemObject(wholes_, wholes);
@@ -155,6 +159,12 @@ private:
             cl::NDRange(static_cast<std::size_t>(side_x), static_cast<std::size_t>(side_y)), nullptr, &done);
         session_.queue.flush();
         wait_for(done, doing);
+    }
+
+    // A CPU's buffers are the host's memory: no copy.
+    void* mapped(const cl::Buffer& buffer, std::size_t bytes)
+    {
+        return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
     }
 
     void store(const Real* reals, const int* wholes, const Band& band, Image& image)
