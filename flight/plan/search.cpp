@@ -13,13 +13,13 @@ namespace {
 constexpr double outside_penalty = 6;  // a way outside the hull counts so many times
 constexpr double seen_penalty = 3;     // a way through balls flown through before
 constexpr double whole_turn = 30;      // clearances that turning round costs: 180 degrees at the cap on turning
-constexpr double reach = 400;          // clearances within which the next gate is sought
+constexpr double gate_reach = 400;     // clearances within which the next gate is sought
 constexpr int choices = 10;            // gate entries looked at before choosing
 constexpr double whim = 1.0;           // a gate's cost counts up to this much more, at random
 // Where the shape changes in flight:
 constexpr double changing_reach = 70;  // real clearances, too: a gate that is farther off has moved
 constexpr double stroll_reach = 40;    // clearances to a wide place, where no gate is in reach
-constexpr double same_place = 0.03;    // hull sizes: gates of two shapes that are nearer to each other are one
+constexpr double same_gate = 0.03;     // hull sizes: gates of two shapes that are nearer to each other are one
 constexpr double over = 4;             // clearances of a ball: a place that is no farther off may go on in it,
 constexpr std::size_t tried = 24;      // where it is one of the nearest,
 constexpr double free_share = 0.3;     // and the way there has so much of a road's least clearance
@@ -103,7 +103,7 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Random
         const Node node{name.first, name.second};
         const std::size_t b = index(node);
         if (cost > cost_[b]) continue;
-        if (cost > reach) break;
+        if (cost > gate_reach) break;
         const double way = frames_a_clearance_ > 0 ? (clock_[b] - clock) / frames_a_clearance_ : 0;
         if (way > changing_reach) continue;
         const Roads& here = roads(node.stretch);
@@ -183,7 +183,7 @@ void Search::mark_flown(Entry entry)
         const Field& there = field(other);
         const Vector place = there.representative(done.centre);
         for (const Gate& gate : roads(other).gates) {
-            if (length(there.representative(gate.centre) - place) < same_place * there.hull().size)
+            if (length(there.representative(gate.centre) - place) < same_gate * there.hull().size)
                 flown_[static_cast<std::size_t>(other)][static_cast<std::size_t>(gate.kind)] = 1;
         }
     }
