@@ -234,7 +234,7 @@ private:
         const std::int64_t pixels = rows * scene.width;
         // On the heap: a hung device keeps what it works on.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
-                                                             !image.has_values() && !options_.counts);
+                                                             bytes_alone(image, options_));
         double build_seconds = 0;
         try {
             if (first) {

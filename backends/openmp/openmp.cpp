@@ -145,7 +145,7 @@ private:
     RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
     {
         const Clock::time_point start = Clock::now();
-        const Variant<Real> variant = choose<Real>(scene, options_.counts || image.has_values());
+        const Variant<Real> variant = choose<Real>(scene, !bytes_alone(image, options_));
         BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_), progress);
         run_schedule(scene, options_.mode, openmp::band_limits, executor, image, progress);
         RenderReport report{.backend = "openmp",

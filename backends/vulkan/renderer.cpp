@@ -105,8 +105,7 @@ private:
         gpu.finish("uploading the scene");
         timings.upload = seconds_since(upload);
 
-        const bool bytes_alone = !image.has_values() && !options_.counts;
-        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone, timings);
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone(image, options_), timings);
         run_schedule(scene, options_.mode, limits, executor, image, progress);
         report.work = executor.work();
         timings.wall = seconds_since(start);

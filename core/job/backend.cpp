@@ -50,11 +50,10 @@ private:
             model_->run(options_, [&] {
                 const Launch launch = built(scene, report.timings);
                 const Limits limits = limits_for(scene, pixel_bytes<Real>);
-                const bool bytes_alone = !image.has_values() && !options_.counts;
                 std::optional<BandExecutor<Real>> executor;
                 timed(report.timings.upload, [&] {
-                    executor.emplace(*model_, launch, scene, options_, limits.pixels_per_band, bytes_alone,
-                                     report.timings);
+                    executor.emplace(*model_, launch, scene, options_, limits.pixels_per_band,
+                                     bytes_alone(image, options_), report.timings);
                 });
                 run_schedule(scene, options_.mode, limits, *executor, image, progress);
                 report.work = executor->work();

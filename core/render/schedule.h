@@ -24,6 +24,12 @@ struct Limits {
     std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
 };
 
+// True where nothing but a picture's bytes is asked for: neither the values that they came from nor what they cost.
+inline bool bytes_alone(const Image& image, const RendererOptions& options)
+{
+    return !image.has_values() && !options.counts;
+}
+
 // The rows of every band but the last, which may have fewer.
 int rows_per_band(const Scene& scene, const Limits& limits);
 

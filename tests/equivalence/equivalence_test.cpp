@@ -102,5 +102,30 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
     every.check_all(*make_skeleton_backend());
 }
 
+// Devices hand out bytes alone by another way than values. The sizes leave parts of words and of work groups over.
+TEST(Equivalence, BytesAloneAreThoseOfTheValues)
+{
+    const Registry registry = all_backends();
+    for (const auto& backend : registry.backends()) {
+        if (backend->unavailable()) continue;
+        const Precision precision = backend->facts().role == Role::reference ? Precision::f64 : Precision::f32;
+        for (const char* fractal : {"bulb", "box"}) {
+            const Scene scene = official_scene(fractal, 51, 37);
+            const auto bytes = [&](Mode mode) {
+                const RendererOptions options{.precision = precision, .mode = mode, .counts = false};
+                Image image(scene.width, scene.height, Image::Layers::bytes);
+                backend->create(options)->render(scene, image);
+                return std::vector<std::uint8_t>(image.bytes().begin(), image.bytes().end());
+            };
+            Image values(scene.width, scene.height, Image::Layers::all);
+            backend->create({.precision = precision})->render(scene, values);
+            const std::vector<std::uint8_t> expected(values.bytes().begin(), values.bytes().end());
+            EXPECT_EQ(bytes(Mode::exact), expected) << backend->name() << " " << fractal;
+            // The twin: other bytes are found.
+            EXPECT_NE(bytes(Mode::fast), expected) << backend->name() << " " << fractal;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mandelmarch
