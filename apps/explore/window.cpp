@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -78,6 +79,14 @@ void Sheet::show(SDL_Renderer* renderer, const SDL_Rect& where) const
 Window::Window(const std::string& title, int width, int height)
 {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    // Where nothing names a screen SDL takes a driver that shows nothing, and would run unseen.
+    const auto named = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return value != nullptr && *value != '\0';
+    };
+    if (!named("DISPLAY") && !named("WAYLAND_DISPLAY") && !named("SDL_VIDEODRIVER")) {
+        throw Unavailable("no display: none of DISPLAY, WAYLAND_DISPLAY and SDL_VIDEODRIVER is set");
+    }
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER) != 0) {
         throw Unavailable(fmt::format("no display: {}", SDL_GetError()));
     }

@@ -158,6 +158,9 @@ printf 'rest\nfly\n' >wrong.txt
 env -u DISPLAY SDL_VIDEODRIVER=x11 "$bin/explore" >no.out 2>no.err
 code=$?
 [ $code = 77 ] && [ "$(wc -l <no.err)" = 1 ] || fail "no display: exit code $code: $(cat no.err)"
+env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER timeout 20 "$bin/explore" >no.out 2>no.err
+code=$?
+[ $code = 77 ] && [ "$(wc -l <no.err)" = 1 ] || fail "no display is named: exit code $code: $(cat no.err)"
 
 # A driver that dies, and one that hangs: a line, and another backend draws.
 if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
