@@ -30,6 +30,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
           {"build", t.build},
           {"upload", t.upload},
           {"kernel", t.kernel},
+          {"host", t.host},
           {"readback", t.readback},
           {"wall", t.wall}}},
         {"work",

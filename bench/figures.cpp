@@ -60,6 +60,13 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
     return found;
 }
 
+std::vector<double> unaccounted_shares(const Row& row)
+{
+    std::vector<double> shares;
+    for (const Sample& s : row.samples) shares.push_back(1 - (s.upload + s.host + s.readback) / s.wall);
+    return shares;
+}
+
 }  // namespace
 
 bool same_picture(const Setting& a, const Setting& b)
@@ -97,6 +104,8 @@ Figures figures_of(const Result& result, const Row& row)
     f.wall = summary(wall_launches(row));
     f.upload = median(times(row, &Sample::upload));
     f.readback = median(times(row, &Sample::readback));
+    f.host = median(times(row, &Sample::host));
+    if (row.setting.frames == 0 && f.wall.median > 0) f.unaccounted = median(unaccounted_shares(row));
     const double seconds = f.kernel.median;
     if (seconds > 0) {
         f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;

@@ -24,7 +24,10 @@ std::vector<double> launch_medians(const Row& row);
 
 struct Figures {
     Summary kernel, wall;                          // seconds
-    double upload = 0, readback = 0;               // seconds, medians
+    double upload = 0, readback = 0, host = 0;     // seconds, medians
+    // The share of the wall time that upload, host and readback leave, the median of the samples; not of rows whose
+    // wall time has more parts: those of several pictures from a fresh renderer.
+    std::optional<double> unaccounted;
     double pixel_rate = 0;                         // pixels per second of kernel time
     double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
     std::optional<double> operation_rate;          // operations per second, from counted work

@@ -132,6 +132,7 @@ Setting setting_at(const Json& parent, const char* key)
             .threads = whole_at(json, "threads"),
             .pack = whole_at(json, "pack"),
             .chunk = whole_at(json, "chunk"),
+            .band = json.contains("band") ? whole_at(json, "band") : 0,  // older files have none
             .without = text_at(json, "without"),
             .view = text_at(json, "view"),
             .frames = whole_at(json, "frames")};
@@ -168,7 +169,9 @@ Sample sample_of(const Json& json)
             .kernel = seconds_at(json, "kernel"),
             .wall = seconds_at(json, "wall"),
             .upload = seconds_at(json, "upload"),
-            .readback = seconds_at(json, "readback")};
+            .readback = seconds_at(json, "readback"),
+            // Before devices had clocks of their own, kernels had the host's.
+            .host = seconds_at(json, json.contains("host") ? "host" : "kernel")};
 }
 
 Row row_of(const Json& json)

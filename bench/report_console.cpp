@@ -93,11 +93,10 @@ std::string main_table(const Result& result, bool sweep)
 std::string wide_table(const Result& result)
 {
     std::string text = fmt::format(
-        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} "
-        "{:>6} "
-        "{:>8} {:>8} {:>4} {:>4} {}\n",
+        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
+        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
         "row", "proof", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
-        "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up",
+        "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up",
         "thr", "pack", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
@@ -108,11 +107,11 @@ std::string wide_table(const Result& result)
         }
         const Figures f = figures_of(result, row);
         text += fmt::format(
-            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} "
-            "{:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
+            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
+            "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
             row.name(), row.proof.text, row.samples.size(), digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
             digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
-            digits(1e3 * f.upload), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
+            digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
             digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
             row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
             percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.pack,
@@ -139,6 +138,21 @@ std::string devices(const Result& result)
             "\n";
     }
     return text;
+}
+
+// Rows of whose wall time the parts leave more than a little.
+std::string incomplete_parts(const Result& result)
+{
+    constexpr double little = 0.05;
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (!row.timed()) continue;
+        const auto share = figures_of(result, row).unaccounted;
+        if (share && *share > little) text += fmt::format("{}{} {}\n", head(result, row), row.point, percent(share));
+    }
+    if (text.empty()) return {};
+    return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}",
+                       percent(little), text);
 }
 
 // A ratio and its interval in 28 columns.
@@ -217,6 +231,7 @@ std::string to_console(const Result& result, bool wide)
             "scalar C++\n",
             any->setting.width, any->setting.height, result.host());
     }
+    text += incomplete_parts(result);
     text += speed_ups(result);
     text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's",
                         false);

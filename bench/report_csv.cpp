@@ -46,7 +46,7 @@ std::string to_csv(const Result& result)
         "problem,application,platform,fom,name,fractal,precision,mode,backend,device,point,width,height,iterations_"
         "limit,"
         "detail,threads,pack,frames,proof,proof_fine,differing_pixels,samples,kernel_s,kernel_low_s,kernel_high_s,"
-        "kernel_mad_s,wall_s,context_s,build_s,upload_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
+        "kernel_mad_s,wall_s,context_s,build_s,upload_s,host_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
         "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,speed_up_low,speed_up_high,"
         "over_scalar,over_scalar_low,over_scalar_high,"
         "steps,de_calls,iterations,"
@@ -90,6 +90,7 @@ std::string to_csv(const Result& result)
                                              timed(row.context),
                                              timed(row.build),
                                              timed(f.upload),
+                                             timed(f.host),
                                              timed(f.readback),
                                              timed(f.pixel_rate),
                                              timed(f.estimate_rate),

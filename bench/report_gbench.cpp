@@ -42,6 +42,7 @@ Run run_of(const Row& row, const Sample& sample)
     run.real_accumulated_time = run.cpu_accumulated_time = sample.kernel;
     run.counters["wall"] = sample.wall;
     run.counters["upload"] = sample.upload;
+    run.counters["host"] = sample.host;
     run.counters["readback"] = sample.readback;
     run.statistics = nullptr;
     return run;
@@ -61,7 +62,8 @@ Run median_of(const Row& row)
     Run run = run_of(row, {.kernel = median_of(row, &Sample::kernel) * static_cast<double>(row.samples.size()),
                            .wall = median_of(row, &Sample::wall),
                            .upload = median_of(row, &Sample::upload),
-                           .readback = median_of(row, &Sample::readback)});
+                           .readback = median_of(row, &Sample::readback),
+                           .host = median_of(row, &Sample::host)});
     run.run_type = Run::RT_Aggregate;
     run.aggregate_name = "median";
     run.iterations = static_cast<benchmark::IterationCount>(row.samples.size());

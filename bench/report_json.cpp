@@ -31,7 +31,7 @@ Json of(const Setting& s)
 {
     return {{"width", s.width}, {"height", s.height}, {"iterations", s.iterations}, {"detail", s.detail},
             {"power", s.power}, {"view", s.view},     {"without", s.without},       {"threads", s.threads},
-            {"pack", s.pack},   {"chunk", s.chunk},   {"frames", s.frames}};
+            {"pack", s.pack},   {"chunk", s.chunk},   {"band", s.band},             {"frames", s.frames}};
 }
 
 Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.estimates}, {"iterations", w.iterations}}; }
@@ -62,6 +62,8 @@ Json of(const Figures& f)
             {"wall_seconds", of(f.wall)},
             {"upload_seconds", f.upload},
             {"readback_seconds", f.readback},
+            {"host_seconds", f.host},
+            {"unaccounted_share", or_null(f.unaccounted)},
             {"pixels_per_second", f.pixel_rate},
             {"de_calls_per_second", f.estimate_rate},
             {"iterations_per_second", f.iteration_rate},
@@ -84,7 +86,8 @@ Json of(const Result& result, const Row& row)
                            {"kernel", s.kernel},
                            {"wall", s.wall},
                            {"upload", s.upload},
-                           {"readback", s.readback}});
+                           {"readback", s.readback},
+                           {"host", s.host}});
     }
     return {{"name", row.name()},
             {"fractal", row.fractal},

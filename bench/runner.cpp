@@ -135,6 +135,7 @@ Sample draw_sample(Live& row, Image& image)
     const double processor = processor_seconds();
     const auto add = [&](const Timings& t) {
         sample.kernel += t.kernel;
+        sample.host += t.host;
         sample.wall += t.wall;
         sample.upload += t.upload;
         sample.readback += t.readback;
@@ -146,7 +147,7 @@ Sample draw_sample(Live& row, Image& image)
         const auto renderer = one.backend->create(one.options);
         for (int frame = 0; frame < frames; ++frame) add(renderer->render(one.scene, image).timings);
         sample.wall = seconds_since(start);
-        for (double Sample::*part : {&Sample::kernel, &Sample::wall, &Sample::upload, &Sample::readback}) {
+        for (double Sample::*part : {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
             sample.*part /= frames;
         }
     }
@@ -167,7 +168,8 @@ void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
                                          .kernel = t.kernel,
                                          .wall = t.wall,
                                          .upload = t.upload,
-                                         .readback = t.readback});
+                                         .readback = t.readback,
+                                         .host = t.host});
         live.done = true;
     }
 }

@@ -21,13 +21,14 @@ namespace {
 constexpr int usual_side = 540;   // pixels
 constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
 
-constexpr std::array<Study, 11> all_studies{{
+constexpr std::array<Study, 12> all_studies{{
     {standard_study, "", "every fractal, precision, mode, backend and device at one size"},
     {"resolution", "pixels", "pictures from 270 x 270 to 4096 x 2160"},
     {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
     {"iterations", "iterations", "the distance estimator's limit of iterations"},
     {"detail", "detail", "the detail level D"},
     {"tiles", "chunk", "tiles that a thread takes at once"},
+    {"bands", "band", "pixels that a device draws in one go"},
     {"threads", "threads", "threads on the host"},
     {"packs", "pack", "pixels at once on a core"},
     {"ablation", "without", "what makes a picture cheaper or better, switched off one by one"},
@@ -72,6 +73,9 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
         return made;
     }
     if (study == "tiles") return points("chunk", &Setting::chunk, std::array{1, 2, 4, 8, 16, 32, 64});
+    if (study == "bands") {
+        return points("band", &Setting::band, std::array{1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22});
+    }
     if (study == "packs") return points("pack", &Setting::pack, std::array{1, 2, 4, 8, 16, 24, 32, 48, 64});
     if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
@@ -123,6 +127,7 @@ bool is_baseline(const Facts& facts, const Point& point, Precision precision, Mo
 bool takes_part(std::string_view study, const Facts& facts)
 {
     if (study == "tiles") return facts.chunk;
+    if (study == "bands") return facts.band;
     if (study == "threads") return facts.threads;
     if (study == "packs") return facts.pack;
     // Its stages are openmp's (profile.h).
@@ -223,6 +228,7 @@ std::vector<Mode> modes_of(const Options& options)
 std::pair<int, int> size_of(const Options& options)
 {
     if (options.size.empty()) {
+        if (options.study == "bands") return {1920, 1080};  // several bands
         const int side = options.study == "frames" ? frames_side : usual_side;
         return {side, side};
     }
@@ -266,6 +272,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
                                             .threads = setting.threads,
                                             .pack = setting.pack,
                                             .chunk = setting.chunk,
+                                            .band = setting.band,
                                             .counts = false,
                                             .techniques = techniques_without(setting.without)};
                             made.backend = backend.get();

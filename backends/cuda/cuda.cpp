@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
+#include "core/job/nvidia.h"
 
 namespace mandelmarch {
 namespace cuda {
@@ -70,6 +71,7 @@ public:
                            .driver = fmt::format("CUDA {}.{}", version / 1000, version % 1000 / 10),
                            .is_gpu = true},
                 .instruction_set = fmt::format("PTX for compute_{}", MANDELMARCH_CUDA_LOWEST),
+                .pixels_per_band = job::pixels_per_launch(index),
                 .peak_threads = 1 << 21};
     }
 
@@ -89,6 +91,8 @@ public:
         check(driver().cuCtxSetCurrent(context), "using the device");
         draw();
     }
+
+    double seconds_of(const std::function<void()>& launch) const override { return job::seconds_on_gpu(launch); }
 
     std::optional<std::size_t> free_memory(int) const override
     {
@@ -114,6 +118,13 @@ public:
     {
         check(driver().cuMemcpyDtoH(to, device_address(from), bytes), "copying from the device");
     }
+
+    void* allocate_staging(std::size_t bytes) const override
+    {
+        void* address = nullptr;
+        return driver().cuMemAllocHost(&address, bytes) == CUDA_SUCCESS ? address : nullptr;
+    }
+    void release_staging(void* address) const override { driver().cuMemFreeHost(address); }
 
 private:
     mutable std::mutex mutex_;

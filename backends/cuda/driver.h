@@ -25,6 +25,8 @@ namespace mandelmarch::cuda {
     NAME(cuMemGetInfo)             \
     NAME(cuMemAlloc)               \
     NAME(cuMemFree)                \
+    NAME(cuMemAllocHost)           \
+    NAME(cuMemFreeHost)            \
     NAME(cuMemcpyHtoD)             \
     NAME(cuMemcpyDtoH)             \
     NAME(cuGetErrorString)

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
+#include "core/job/nvidia.h"
 
 namespace mandelmarch {
 namespace {
@@ -63,6 +64,7 @@ public:
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
                     .instruction_set = "PTX for sm_35",
+                    .pixels_per_band = job::pixels_per_launch(index),
                     .peak_threads = 1 << 21};
         }
         const std::string why = gpus == 0 ? "no NVIDIA GPU here" : "instead of a GPU";
@@ -89,6 +91,12 @@ public:
     int threads(const RendererOptions& options, const job::Opened& opened) const override
     {
         return options.threads == 0 || opened.device.is_gpu ? opened.threads : options.threads;
+    }
+
+    double seconds_of(const std::function<void()>& launch) const override
+    {
+        const bool on_gpu = omp_get_default_device() < omp_get_num_devices();
+        return on_gpu ? job::seconds_on_gpu(launch) : Model::seconds_of(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/job/model.h"
+#include "core/job/nvidia.h"
 
 namespace mandelmarch {
 namespace openacc {
@@ -14,9 +15,7 @@ job::Kernels kernels();
 
 namespace {
 
-// A band of 2^18 pixels fills the largest GPUs and ends well before a display's watchdog (seconds) on the K40; on the
-// host a band only shows progress.
-constexpr std::int64_t gpu_band = 1 << 18;   // pixels
+// On the host a band only shows progress.
 constexpr std::int64_t host_band = 1 << 13;  // pixels
 // For the peak: several for each lane of the largest GPUs; the host works on one after the other.
 constexpr int gpu_threads = 1 << 21;
@@ -52,7 +51,7 @@ public:
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
                     .instruction_set = "PTX for sm_35",
-                    .pixels_per_band = gpu_band,
+                    .pixels_per_band = job::pixels_per_launch(index),
                     .peak_threads = gpu_threads};
         }
         const std::string name =
@@ -76,6 +75,11 @@ public:
             acc_set_device_num(0, acc_device_host);
         }
         draw();
+    }
+
+    double seconds_of(const std::function<void()>& launch) const override
+    {
+        return acc_get_device_type() == acc_device_nvidia ? job::seconds_on_gpu(launch) : Model::seconds_of(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override

@@ -72,7 +72,7 @@ public:
             }
         }
         add_to(work, band_work);
-        timings.kernel += seconds_since(start);
+        timings.ran(seconds_since(start));
     }
 
     bool marching(const Band&) override { return false; }

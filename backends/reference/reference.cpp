@@ -247,7 +247,7 @@ private:
                             .timings = {},
                             .work = tracer.work()};
         report.timings.wall = seconds_since(start);
-        report.timings.kernel = report.timings.wall;
+        report.timings.ran(report.timings.wall);
         return report;
     }
 

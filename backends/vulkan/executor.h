@@ -49,12 +49,14 @@ static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
-// Pixels that keep a CPU's or a GPU's lanes busy.
+// Pixels that keep a CPU's or a GPU's lanes busy: of a GPU, waves of all invocations that it holds, so that the last
+// one, which waits for the slowest ray, does not count.
 inline constexpr std::int64_t busy_cpu = 1 << 15;
-inline constexpr std::int64_t busy_gpu = 1 << 18;
+inline constexpr std::int64_t busy_gpu = 1 << 18;  // at least, and where a GPU does not tell what it holds
+inline constexpr std::int64_t waves = 16;
 inline constexpr std::int64_t largest_band = 1 << 22;  // pixels
 
-inline Limits limits_of(const Facts& facts, vk::DeviceSize real)
+inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
 {
     // The rays are the largest buffer.
     const vk::DeviceSize bytes =
@@ -64,8 +66,8 @@ inline Limits limits_of(const Facts& facts, vk::DeviceSize real)
     limits.loops_per_invocation = facts.counts_loops ? counted_loops
                                   : real == 4        ? watched_loops_float
                                                      : watched_loops_double;
-    limits.pixels_to_fill = facts.device.is_gpu ? busy_gpu : busy_cpu;
-    return limits;
+    limits.pixels_to_fill = !facts.device.is_gpu ? busy_cpu : std::max(busy_gpu, waves * facts.most_invocations);
+    return with_band(limits, band);
 }
 
 // Runs the program on the bench over the buffers that `Index` names.
@@ -110,18 +112,19 @@ public:
 
     bool marching(const Band&) override
     {
-        const std::byte* flag = fetch(flag_size, "marching", timings_.kernel);
+        const std::byte* flag = fetch(flag_size);
+        ran(gpu_.finish("marching"));
         return *reinterpret_cast<const std::int32_t*>(flag) != 0;
     }
 
     void read_back(const Band& band, Image& image) override
     {
-        timings_.kernel += gpu_.finish("shading");
+        ran(gpu_.finish("shading"));
         const auto start = Clock::now();
-        double waited = 0;
         const std::size_t row = 3 * static_cast<std::size_t>(scene_.width);
         const std::size_t band_bytes = row * static_cast<std::size_t>(band.rows);
-        const std::byte* bytes = fetch(bytes_alone_ ? reals_at + band_bytes : results().size, "reading back", waited);
+        const std::byte* bytes = fetch(bytes_alone_ ? reals_at + band_bytes : results_size(pixels_));
+        gpu_.finish("reading back");
         check(bytes);
         if (bytes_alone_) {
             std::memcpy(image.bytes().data() + row * static_cast<std::size_t>(band.first_row), bytes + reals_at,
@@ -144,8 +147,16 @@ public:
     {
         return reals_at + aligned(real_planes * sizeof(Real) * pixels);
     }
+    static vk::DeviceSize wholes_size(vk::DeviceSize pixels) { return whole_planes * sizeof(int) * pixels; }
+    static vk::DeviceSize results_size(vk::DeviceSize pixels) { return wholes_at(pixels) + wholes_size(pixels); }
 
 private:
+    void ran(const Took& took)
+    {
+        timings_.kernel += took.device;
+        timings_.host += took.host;
+    }
+
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
     // Throws Error where a ray did not come to its end: kernel.comp's second flag.
@@ -161,7 +172,7 @@ private:
     {
         const Program::Ints constants{stages, scene_.fractal_whole, scene_.canonical, scene_.differences};
         if (bench_.program->lacks(constants)) {
-            timings_.kernel += gpu_.finish("marching");
+            ran(gpu_.finish("marching"));
             const auto start = Clock::now();
             // Some drivers compile when they first run a pipeline: here for no rows.
             bench_.program->dispatch(gpu_, constants, {}, 1, 1);
@@ -180,8 +191,8 @@ private:
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
-    // Finishes, and the first bytes of the results where the host sees them. Adds the seconds.
-    const std::byte* fetch(vk::DeviceSize size, const std::string& doing, double& seconds)
+    // Where the host sees the first bytes of the results, once the work is done.
+    const std::byte* fetch(vk::DeviceSize size)
     {
         const bool mirrored = results().bytes == nullptr;
         const Buffer& seen = mirrored ? bench_.buffers[mirror_buffer] : results();
@@ -189,7 +200,6 @@ private:
             gpu_.commands().copyBuffer(*results().handle, *seen.handle, vk::BufferCopy(0, 0, size));
             gpu_.barrier();
         }
-        seconds += gpu_.finish(doing);
         return seen.bytes;
     }
 

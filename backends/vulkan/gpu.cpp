@@ -40,6 +40,10 @@ Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
         pool_ = device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_});
         commands_ = std::move(device_.allocateCommandBuffers({*pool_, vk::CommandBufferLevel::ePrimary, 1}).front());
         fence_ = device_.createFence({});
+        if (const std::uint32_t bits = family->timestampValidBits; bits > 0) {
+            clock_mask_ = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0};
+            clock_ = device_.createQueryPool({{}, vk::QueryType::eTimestamp, 2});
+        }
     });
 }
 
@@ -77,8 +81,13 @@ Buffer Gpu::make_buffer(vk::DeviceSize size, Place place, const std::string& wha
 
 const vk::raii::CommandBuffer& Gpu::commands()
 {
-    if (!recording_) commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (recording_) return commands_;
     recording_ = true;
+    commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (*clock_) {
+        commands_.resetQueryPool(*clock_, 0, 2);
+        commands_.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *clock_, 0);
+    }
     return commands_;
 }
 
@@ -99,12 +108,24 @@ void Gpu::discard()
     recording_ = false;
 }
 
-double Gpu::finish(const std::string& doing)
+std::optional<double> Gpu::device_seconds() const
 {
-    if (!recording_) return 0;
+    if (!*clock_) return std::nullopt;
+    constexpr auto flags = vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait;
+    const auto notes =
+        clock_.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), flags).second;
+    const std::uint64_t ticks = (notes[1] - notes[0]) & clock_mask_;
+    return 1e-9 * facts_.properties.limits.timestampPeriod * static_cast<double>(ticks);
+}
+
+Took Gpu::finish(const std::string& doing)
+{
+    if (!recording_) return {};
     recording_ = false;
     const auto start = Clock::now();
+    Took took;
     attempt(name(), doing, [&] {
+        if (*clock_) commands_.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *clock_, 1);
         commands_.end();
         device_.resetFences(*fence_);
         queue_.submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
@@ -117,8 +138,10 @@ double Gpu::finish(const std::string& doing)
                 fmt::format("backend vulkan: {}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name(),
                             patience_.count(), doing));
         }
+        took.host = seconds_since(start);
+        took.device = device_seconds().value_or(took.host);
     });
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return took;
 }
 
 }  // namespace mandelmarch::vulkan

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "backends/vulkan/instance.h"
@@ -19,6 +20,12 @@ struct Buffer {
 };
 
 enum class Place { device, host };
+
+// Seconds that work took.
+struct Took {
+    double host = 0;    // from handing it over to knowing that it is done
+    double device = 0;  // by the device's clock; as `host` where it has none
+};
 
 class Gpu {
 public:
@@ -38,14 +45,16 @@ public:
     void barrier();
     // Hands over what was recorded, if anything, and waits until it is done. Throws Error if the device is lost, and
     // DeviceHung if it does not answer in time: its work may still be under way, so that nothing that it uses may be
-    // destroyed, and destroying it might never return. Returns seconds.
-    double finish(const std::string& doing);
+    // destroyed, and destroying it might never return.
+    Took finish(const std::string& doing);
 
     // Forgets what was recorded.
     void discard();
 
 private:
     std::uint32_t memory_type(std::uint32_t allowed, Place place, const std::string& what) const;
+    // Seconds between the two times that the device noted of the work that it has done; nullopt without a clock.
+    std::optional<double> device_seconds() const;
 
     const vk::raii::PhysicalDevice& physical_;
     Facts facts_;
@@ -56,6 +65,8 @@ private:
     vk::raii::CommandPool pool_ = nullptr;
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
+    vk::raii::QueryPool clock_ = nullptr;  // notes when work begins and when it ends; null: the device has no clock
+    std::uint64_t clock_mask_ = 0;         // the bits of a note
     bool recording_ = false;
 };
 

@@ -108,6 +108,13 @@ Facts facts_of(const vk::raii::PhysicalDevice& physical)
         physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
             .get<vk::PhysicalDeviceMaintenance3Properties>()
             .maxMemoryAllocationSize;
+    if (has_extension(physical, VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME)) {
+        const auto held =
+            physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>()
+                .get<vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>();
+        constexpr std::int64_t warp = 32;
+        facts.most_invocations = warp * held.shaderSMCount * held.shaderWarpsPerSM;
+    }
     if (properties.apiVersion >= VK_API_VERSION_1_2 ||
         has_extension(physical, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()

@@ -81,7 +81,7 @@ private:
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        const Limits limits = limits_of(gpu.facts(), sizeof(Real));
+        const Limits limits = limits_of(gpu.facts(), sizeof(Real), options_.band);
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
         RenderReport report{.backend = "vulkan",
@@ -99,7 +99,7 @@ private:
         }
 
         const auto upload = Clock::now();
-        make_buffers<Real>(pixels);
+        bind_buffers<Real>(pixels);
         gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
         gpu.barrier();
         gpu.finish("uploading the scene");
@@ -122,30 +122,36 @@ private:
         loaded_ = fractal;
     }
 
+    // Buffers for bands of so many pixels, on the bench, and the program's. Those of earlier pictures stay if they do.
     template <class Real>
-    void make_buffers(vk::DeviceSize pixels)
+    void bind_buffers(vk::DeviceSize pixels)
     {
-        const Gpu& gpu = session_->gpu;
+        using Bands = BandExecutor<Real>;
         auto& buffers = session_->bench.buffers;
-        const vk::DeviceSize wholes_at = BandExecutor<Real>::wholes_at(pixels);
-        const vk::DeviceSize wholes_size = whole_planes * sizeof(int) * pixels;
-        buffers.clear();
-        buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
-        buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
-        const bool shared = gpu.facts().shares_memory;
-        buffers.push_back(gpu.make_buffer(wholes_at + wholes_size, shared ? Place::host : Place::device, "pixels"));
-        if (!shared) buffers.push_back(gpu.make_buffer(wholes_at + wholes_size, Place::host, "the pixels' way back"));
+        if (held_ < pixels) {
+            const Gpu& gpu = session_->gpu;
+            const bool shared = gpu.facts().shares_memory;
+            const vk::DeviceSize size = Bands::results_size(pixels);
+            held_ = 0;
+            buffers.clear();
+            buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
+            buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
+            buffers.push_back(gpu.make_buffer(size, shared ? Place::host : Place::device, "pixels"));
+            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "the pixels' way back"));
+            held_ = pixels;
+        }
         const Buffer* results = &buffers[result_buffer];
         session_->bench.program->bind(std::array{
             Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
-            Binding{results, reals_at, real_planes * sizeof(Real) * pixels}, Binding{results, wholes_at, wholes_size},
-            Binding{results, 0, flags_size}});
+            Binding{results, reals_at, real_planes * sizeof(Real) * pixels},
+            Binding{results, Bands::wholes_at(pixels), Bands::wholes_size(pixels)}, Binding{results, 0, flags_size}});
     }
 
     RendererOptions options_;
     std::unique_ptr<Session> session_;
     std::string variant_;  // the ending of the modules' names
     std::string loaded_;   // fractal
+    vk::DeviceSize held_ = 0;  // pixels that the buffers on the bench hold
     double context_ = 0;   // seconds
 };
 

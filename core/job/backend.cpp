@@ -23,9 +23,24 @@ constexpr std::align_val_t alignment{64};
 class JobRenderer : public Renderer {
 public:
     JobRenderer(std::shared_ptr<const Model> model, const RendererOptions& options, Opened opened, double context)
-        : model_(std::move(model)), options_(options), opened_(std::move(opened)), context_(context)
+        : model_(std::move(model)),
+          options_(options),
+          opened_(std::move(opened)),
+          context_(context),
+          memory_(std::make_unique<Memory>(*model_))
     {
     }
+    ~JobRenderer() override
+    {
+        try {
+            model_->run(options_, [&] { memory_.reset(); });
+        } catch (const Error&) {
+            // A device that is lost has lost its memory.
+            static_cast<void>(memory_.release());
+        }
+    }
+    JobRenderer(const JobRenderer&) = delete;
+    JobRenderer& operator=(const JobRenderer&) = delete;
 
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
@@ -52,7 +67,7 @@ private:
                 const Limits limits = limits_for(scene, pixel_bytes<Real>);
                 std::optional<BandExecutor<Real>> executor;
                 timed(report.timings.upload, [&] {
-                    executor.emplace(*model_, launch, scene, options_, limits.pixels_per_band,
+                    executor.emplace(*model_, *memory_, launch, scene, options_, limits.pixels_per_band,
                                      bytes_alone(image, options_), report.timings);
                 });
                 run_schedule(scene, options_.mode, limits, *executor, image, progress);
@@ -80,8 +95,9 @@ private:
     Limits limits_for(const Scene& scene, std::size_t bytes) const
     {
         const std::int64_t picture = std::int64_t{scene.width} * scene.height;
-        std::int64_t pixels = opened_.pixels_per_band;
-        if (const auto free = model_->free_memory(options_.device)) {
+        std::int64_t pixels = options_.band > 0 ? options_.band : opened_.pixels_per_band;
+        if (auto free = model_->free_memory(options_.device)) {
+            *free += memory_->held();  // it may be given back for more
             pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
             const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
             if (*free < needed) {
@@ -98,6 +114,7 @@ private:
     Opened opened_;
     double context_;  // seconds
     std::set<Launch> built_;
+    std::unique_ptr<Memory> memory_;
 };
 
 class JobBackend : public Backend {
@@ -105,7 +122,12 @@ public:
     explicit JobBackend(std::unique_ptr<Model> model) : model_(std::move(model)) {}
 
     std::string_view name() const override { return model_->name(); }
-    Facts facts() const override { return model_->facts(); }
+    Facts facts() const override
+    {
+        Facts facts = model_->facts();
+        facts.band = true;
+        return facts;
+    }
     std::optional<std::string> unavailable() const override { return model_->unavailable(); }
 
     std::vector<Device> devices() const override
@@ -129,11 +151,10 @@ public:
         const Chains chains = model_->kernels().chains(options.precision);
         double rate = 0;
         model_->run(options, [&] {
-            const DeviceMemory sums(*model_, static_cast<std::size_t>(threads) * sizeof(double));
+            DeviceMemory memory(*model_);
+            void* sums = memory.of_size(static_cast<std::size_t>(threads) * sizeof(double));
             const PeakRun run = [&](int rounds) {
-                const auto start = Clock::now();
-                chains(sums.address(), threads, peak_factor, peak_addend, rounds);
-                return seconds_since(start);
+                return model_->seconds_of([&] { chains(sums, threads, peak_factor, peak_addend, rounds); });
             };
             rate = highest_rate(run, threads);
         });
@@ -179,6 +200,15 @@ void* Model::allocate(std::size_t bytes) const { return ::operator new(bytes, al
 void Model::release(void* address) const { ::operator delete(address, alignment); }
 void Model::upload(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
 void Model::read_back(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
+void* Model::allocate_staging(std::size_t bytes) const { return ::operator new(bytes, alignment, std::nothrow); }
+void Model::release_staging(void* address) const { ::operator delete(address, alignment); }
+
+double Model::seconds_of(const std::function<void()>& launch) const
+{
+    double seconds = 0;
+    timed(seconds, launch);
+    return seconds;
+}
 
 std::unique_ptr<Backend> backend_of(std::unique_ptr<Model> model)
 {

@@ -27,24 +27,53 @@ void timed(double& seconds, const Call& call)
     seconds += seconds_since(begin);
 }
 
-// Memory of the device that the calling thread uses. Throws Error where there is none left.
-class DeviceMemory {
+// Memory that grows, and is kept from picture to picture. To be used and destroyed in Model::run().
+template <auto take, auto give>
+class Kept {
 public:
-    DeviceMemory(const Model& model, std::size_t bytes) : model_(model), address_(model.allocate(bytes))
+    explicit Kept(const Model& model) : model_(model) {}
+    ~Kept()
     {
-        if (address_ == nullptr) {
-            throw Error(fmt::format("{}: the device has no {} bytes of memory free", model.name(), bytes));
-        }
+        if (address_ != nullptr) (model_.*give)(address_);
     }
-    ~DeviceMemory() { model_.release(address_); }
-    DeviceMemory(const DeviceMemory&) = delete;
-    DeviceMemory& operator=(const DeviceMemory&) = delete;
+    Kept(const Kept&) = delete;
+    Kept& operator=(const Kept&) = delete;
 
-    void* address() const { return address_; }
+    // Throws Error where there is none left.
+    void* of_size(std::size_t bytes)
+    {
+        if (bytes <= size_) return address_;
+        if (address_ != nullptr) (model_.*give)(address_);
+        size_ = 0;
+        address_ = (model_.*take)(bytes);
+        if (address_ == nullptr) {
+            throw Error(fmt::format("{}: the device has no {} bytes of memory free", model_.name(), bytes));
+        }
+        size_ = bytes;
+        return address_;
+    }
+    std::size_t size() const { return size_; }
 
 private:
     const Model& model_;
-    void* address_;
+    void* address_ = nullptr;
+    std::size_t size_ = 0;  // bytes
+};
+
+using DeviceMemory = Kept<&Model::allocate, &Model::release>;
+using Staging = Kept<&Model::allocate_staging, &Model::release_staging>;
+
+// What a renderer has taken.
+struct Memory {
+    DeviceMemory reals, wholes, bytes, camera, job;
+    Staging host_reals, host_wholes;
+
+    explicit Memory(const Model& model)
+        : reals(model), wholes(model), bytes(model), camera(model), job(model), host_reals(model), host_wholes(model)
+    {
+    }
+    // Of the device's, what grows with the picture.
+    std::size_t held() const { return reals.size() + wholes.size() + bytes.size(); }
 };
 
 template <class Real>
@@ -54,16 +83,10 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Model& model, Launch launch, const Scene& scene, const RendererOptions& options,
+    BandExecutor(const Model& model, Memory& memory, Launch launch, const Scene& scene, const RendererOptions& options,
                  std::int64_t pixels, bool bytes_alone, Timings& timings)
-        : model_(model),
-          timings_(timings),
-          launch_(launch),
-          reals_on_device_(model, static_cast<std::size_t>(pixels) * real_planes * sizeof(Real)),
-          wholes_on_device_(model, static_cast<std::size_t>(pixels) * whole_planes * sizeof(int)),
-          job_on_device_(model, sizeof(job_))
+        : model_(model), memory_(memory), timings_(timings), launch_(launch)
     {
-        if (bytes_alone) bytes_on_device_.emplace(model, 3 * static_cast<std::size_t>(pixels));
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (pixels.h), but for normals of a tetrahedron.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
@@ -73,12 +96,15 @@ public:
                 fmt::format("backend {}: its kernels are not made for this scene's hit or normal", model.name()));
         }
         const std::vector<Real> table = camera_table(job_.scene);
-        camera_on_device_.emplace(model, table.size() * sizeof(Real));
-        model_.upload(camera_on_device_->address(), table.data(), table.size() * sizeof(Real));
-        job_.camera = static_cast<const Real*>(camera_on_device_->address());
-        job_.reals = static_cast<Real*>(reals_on_device_.address());
-        job_.wholes = static_cast<int*>(wholes_on_device_.address());
-        job_.bytes = bytes_alone ? static_cast<unsigned char*>(bytes_on_device_->address()) : nullptr;
+        const std::size_t table_size = table.size() * sizeof(Real);
+        void* camera = memory.camera.of_size(table_size);
+        model_.upload(camera, table.data(), table_size);
+        const auto most = static_cast<std::size_t>(pixels);
+        job_.camera = static_cast<const Real*>(camera);
+        job_.reals = static_cast<Real*>(memory.reals.of_size(most * real_planes * sizeof(Real)));
+        job_.wholes = static_cast<int*>(memory.wholes.of_size(most * whole_planes * sizeof(int)));
+        job_.bytes = bytes_alone ? static_cast<unsigned char*>(memory.bytes.of_size(3 * most)) : nullptr;
+        job_on_device_ = memory.job.of_size(sizeof(job_));
     }
 
     // A whole pixel is asked for.
@@ -86,8 +112,10 @@ public:
     {
         job_.first_row = band.first_row;
         job_.rows = band.rows;
-        timed(timings_.upload, [&] { model_.upload(job_on_device_.address(), &job_, sizeof(job_)); });
-        timed(timings_.kernel, [&] { launch_(job_on_device_.address(), job_.scene.width, band.rows); });
+        timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
+        timed(timings_.host, [&] {
+            timings_.kernel += model_.seconds_of([&] { launch_(job_on_device_, job_.scene.width, band.rows); });
+        });
     }
 
     bool marching(const Band&) override { return false; }
@@ -97,16 +125,18 @@ public:
         const auto width = static_cast<std::size_t>(image.width());
         const std::size_t pixels = width * static_cast<std::size_t>(band.rows);
         timed(timings_.readback, [&] {
-            if (bytes_on_device_) {
+            if (job_.bytes != nullptr) {
                 unsigned char* to = image.bytes().data() + 3 * width * static_cast<std::size_t>(band.first_row);
-                model_.read_back(to, bytes_on_device_->address(), 3 * pixels);
+                model_.read_back(to, job_.bytes, 3 * pixels);
                 return;
             }
-            reals_.resize(pixels * real_planes);
-            wholes_.resize(pixels * whole_planes);
-            model_.read_back(reals_.data(), reals_on_device_.address(), reals_.size() * sizeof(Real));
-            model_.read_back(wholes_.data(), wholes_on_device_.address(), wholes_.size() * sizeof(int));
-            const Planes<Real> planes = planes_of(reals_.data(), wholes_.data(), pixels, width);
+            const std::size_t reals_size = pixels * real_planes * sizeof(Real);
+            const std::size_t wholes_size = pixels * whole_planes * sizeof(int);
+            auto* reals = static_cast<Real*>(memory_.host_reals.of_size(reals_size));
+            auto* wholes = static_cast<int*>(memory_.host_wholes.of_size(wholes_size));
+            model_.read_back(reals, job_.reals, reals_size);
+            model_.read_back(wholes, job_.wholes, wholes_size);
+            const Planes<Real> planes = planes_of(reals, wholes, pixels, width);
             image.store(planes, 0, band.first_row, image.width(), band.rows);
             add_work(work_, planes, image.width(), band.rows);
         });
@@ -116,16 +146,11 @@ public:
 
 private:
     const Model& model_;
+    Memory& memory_;
     Timings& timings_;
     Launch launch_;
     Job<KernelScene<Real>, Real> job_{};
-    DeviceMemory reals_on_device_;
-    DeviceMemory wholes_on_device_;
-    DeviceMemory job_on_device_;
-    std::optional<DeviceMemory> bytes_on_device_;
-    std::optional<DeviceMemory> camera_on_device_;
-    std::vector<Real> reals_;
-    std::vector<int> wholes_;
+    void* job_on_device_ = nullptr;
     Work work_;
 };
 

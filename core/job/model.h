@@ -62,6 +62,9 @@ public:
         return opened.threads;
     }
 
+    // Runs a launch to its end, in run(). Returns the seconds that it took, by the device's clock where it has one.
+    virtual double seconds_of(const std::function<void()>& launch) const;
+
     // Makes a kernel ready on the calling thread's device, before its first launch and in Timings::build.
     virtual void build(Launch launch) const { static_cast<void>(launch); }
 
@@ -77,6 +80,10 @@ public:
     virtual void release(void* address) const;
     virtual void upload(void* to, const void* from, std::size_t bytes) const;
     virtual void read_back(void* to, const void* from, std::size_t bytes) const;
+
+    // Memory of the host that the device copies to at full speed; nullptr where there is none left.
+    virtual void* allocate_staging(std::size_t bytes) const;
+    virtual void release_staging(void* address) const;
 };
 
 // The backend of a model.

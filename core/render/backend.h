@@ -56,19 +56,28 @@ struct RendererOptions {
     int threads = 0;     // 0: all that there are; for backends that run on the host's cores
     int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at once; 0: the backend's choice; for openmp
+    int band = 0;        // pixels that a device draws in one go, at most; 0: the backend's choice
     bool counts = true;  // false: RenderReport::work is not asked for, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
 
-// Seconds by the host's clock. `build`, `upload`, `kernel` and `readback` are parts of `wall` and apart from each
-// other; what they leave is the schedule's own.
+// Seconds. `build`, `upload`, `host` and `readback` are parts of `wall`, by the host's clock and apart from each other;
+// what they leave is the schedule's own.
 struct Timings {
     double context = 0;   // finding and opening the device, in create(); no part of wall
     double build = 0;     // making the kernel ready, in the first picture of a fractal; 0 after that
     double upload = 0;    // memory on the device, and the scene on its way there; 0 on the host
-    double kernel = 0;    // launching the kernels and waiting for them
+    double kernel = 0;    // the kernels, by the device's own clock; where it tells none, or is the host, as `host`
+    double host = 0;      // launching the kernels and waiting for them
     double readback = 0;  // from the last kernel to the picture in host memory: copying, converting, counting
     double wall = 0;      // the whole render() call
+
+    // Kernels took this long by the host's clock, which is the only one.
+    void ran(double seconds)
+    {
+        kernel += seconds;
+        host += seconds;
+    }
 };
 
 // Work done for one picture, counted by the kernel itself. 0 where it was not asked for and not counted.
@@ -162,6 +171,7 @@ struct Facts {
     bool threads = false;
     bool pack = false;
     bool chunk = false;
+    bool band = false;
     std::vector<std::string_view> variables = {};  // of the environment, which change how it runs
     BuildFacts build = {};
 };

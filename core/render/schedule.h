@@ -2,6 +2,7 @@
 // The schedule of passes, the same for every backend: bands of rows, and the kernel text's entries over each band.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/render/backend.h"
@@ -23,6 +24,13 @@ struct Limits {
     std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
     std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
 };
+
+// With bands of so many pixels where that is not 0; not more than the device holds.
+inline Limits with_band(Limits limits, int band)
+{
+    if (band > 0) limits.pixels_per_band = limits.pixels_to_fill = std::min<std::int64_t>(limits.pixels_per_band, band);
+    return limits;
+}
 
 // True where nothing but a picture's bytes is asked for: neither the values that they came from nor what they cost.
 inline bool bytes_alone(const Image& image, const RendererOptions& options)

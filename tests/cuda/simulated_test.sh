@@ -58,6 +58,10 @@ ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend cuda --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
+# `kernel` is the GPU's own time: each of three kernels takes a second of the simulated one.
+expect 0 0 '' --output a.png --stats a.json
+grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"kernel"' a.json)"
+
 # Devices.
 export SIMULATED_GPUS=3
 expect 0 0 '' --device 2 --output a.png --stats a.json

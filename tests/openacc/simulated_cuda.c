@@ -5,6 +5,8 @@
 //   SIMULATED_GPUS    how many there are, 1 where unset
 //   SIMULATED_CAPABILITY  their compute capability, 35 where unset
 //   SIMULATED_MEMORY  free bytes, 1 GiB where unset
+//   SIMULATED_CLOCK   0: they have no events to take the time with
+//   SIMULATED_WATCHED 1: a watchdog ends long kernels
 //   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
 #include "kernels.h"
 
@@ -56,7 +58,7 @@ int cuDeviceGetAttribute(int* value, int attribute, int device)
         case 10: *value = 32; break;     // warp size
         case 12: *value = 65536; break;  // registers per block
         case 16: *value = 15; break;     // multiprocessors
-        case 17: *value = 0; break;      // no limit of run time
+        case 17: *value = (int)number("SIMULATED_WATCHED", 0); break;
         case 39: *value = 2048; break;   // threads per multiprocessor
         case 82: *value = 65536; break;  // registers per multiprocessor
         case 75: *value = (int)number("SIMULATED_CAPABILITY", 35) / 10; break;
@@ -108,13 +110,23 @@ int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize();
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
 int cuStreamAddCallback(void) { return NOT_SUPPORTED; }
-int cuEventCreate(void) { return NOT_SUPPORTED; }
-int cuEventDestroy_v2(void) { return NOT_SUPPORTED; }
-int cuEventDestroy(void) { return NOT_SUPPORTED; }
-int cuEventElapsedTime(void) { return NOT_SUPPORTED; }
-int cuEventQuery(void) { return NOT_SUPPORTED; }
-int cuEventRecord(void) { return NOT_SUPPORTED; }
-int cuEventSynchronize(void) { return NOT_SUPPORTED; }
+// The GPU's clock: kernels take a second, and nothing else takes time.
+static int seconds;
+int cuEventCreate(int** event, unsigned flags)
+{
+    if (number("SIMULATED_CLOCK", 1) == 0) return NOT_SUPPORTED;
+    *event = malloc(sizeof **event);
+    return **event = -1, flags == 0 ? SUCCESS : NOT_SUPPORTED;
+}
+int cuEventDestroy_v2(int* event) { return free(event), SUCCESS; }
+int cuEventDestroy(int* event) { return cuEventDestroy_v2(event); }
+int cuEventRecord(int* event, void* stream) { return *event = seconds, stream ? NOT_SUPPORTED : SUCCESS; }
+int cuEventSynchronize(int* event) { return *event >= 0 ? SUCCESS : NOT_FOUND; }
+int cuEventQuery(int* event) { return cuEventSynchronize(event); }
+int cuEventElapsedTime(float* milliseconds, int* first, int* last)
+{
+    return *milliseconds = 1000.0f * (float)(*last - *first), *first < 0 ? NOT_FOUND : SUCCESS;
+}
 
 int cuLinkCreate_v2(unsigned count, int* options, void** values, void** state)
 {
@@ -225,6 +237,7 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
     if (fault && strcmp(fault, "timeout") == 0) return pending = LAUNCH_TIMEOUT, SUCCESS;
     if (fault && strcmp(fault, "lost") == 0) return pending = DEVICE_LOST, SUCCESS;
     void (*run)(uint64_t, uint32_t, uint32_t, uint32_t) = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t))function;
+    ++seconds;
     for (unsigned block = 0; block < grid_x; ++block) {
         for (unsigned thread = 0; thread < block_x; ++thread) run(*(uint64_t*)arguments[0], thread, block, grid_x);
     }

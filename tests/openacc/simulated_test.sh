@@ -70,6 +70,21 @@ expect 77 1 'there is no device 4, only 0 to 3' --backend openacc --device 4 --o
 unset SIMULATED_GPUS
 expect 0 1 '^backend openacc: openacc has the GPU Simulated K40 number 0' --output a.png
 
+# `kernel` is the GPU's own time, `host` the wall clock round it: each of three kernels takes a second of the GPU. The twin:
+# without a clock, both are the host's.
+seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
+expect 0 0 '' --backend openacc --output a.png --stats a.json
+[ "$(seconds kernel)" = 3.0 ] || fail "kernel is $(seconds kernel) s, not the GPU's 3"
+[ "$(seconds host)" != 3.0 ] || fail "host is the GPU's time"
+SIMULATED_CLOCK=0 expect 0 0 '' --backend openacc --output a.png --stats a.json
+[ "$(seconds kernel)" != 3.0 ] || fail "kernel is 3 s without a clock"
+
+# A picture of 2^19 pixels is one launch, and two where a watchdog ends long ones.
+expect 0 0 '' --backend openacc --size 750x700 --mode fast --precision float --output a.png --stats a.json
+[ "$(seconds kernel)" = 6.0 ] || fail "kernel is $(seconds kernel) s, not that of two launches"
+SIMULATED_WATCHED=1 expect 0 0 '' --backend openacc --size 750x700 --mode fast --precision float --output a.png --stats a.json
+[ "$(seconds kernel)" = 9.0 ] || fail "kernel is $(seconds kernel) s, not that of three launches under a watchdog"
+
 # Failures: of these, gcc's run-time library ends the device's process itself, with a line of its own.
 SIMULATED_FAULT=launch expect 1 1 'last words: libgomp: cuLaunchKernel error' --backend openacc --output b.png
 SIMULATED_FAULT=lost expect 1 1 'last words: libgomp: .*unspecified launch failure' --backend openacc --output b.png

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The schedule's bands on a device.
+#pragma once
+
+#include <cstring>
+
+#include "backends/opencl/device.h"
+#include "backends/opencl/session.h"
+#include "core/base/stopwatch.h"
+#include "core/image/tile.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/schedule.h"
+
+namespace mandelmarch::opencl {
+
+// Draws bands through the session's buffers.
+template <class Real>
+class BandExecutor : public Executor {
+public:
+    BandExecutor(Session& session, cl::Program& program, const Build& build, const Scene& scene,
+                 const RendererOptions& options, std::int64_t pixels, bool bytes_alone)
+        : session_(session),
+          kernel_(program, "draw_band"),
+          lanes_(build.lanes),
+          width_(scene.width),
+          pixels_(static_cast<std::size_t>(pixels)),
+          bytes_alone_(bytes_alone),
+          scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques))
+    {
+        const Clock::time_point start = Clock::now();
+        const cl_mem_flags flags = CL_MEM_READ_WRITE | (session.is_cpu ? CL_MEM_ALLOC_HOST_PTR : 0);
+        constants_ = session.constants.of_size(session.context, CL_MEM_READ_ONLY, sizeof(scene_));
+        // What is not asked for is a buffer of one number: every argument is there.
+        const std::size_t planes = bytes_alone ? 1 : pixels_;
+        reals_ = session.reals.of_size(session.context, flags, reals_size(planes));
+        wholes_ = session.wholes.of_size(session.context, flags, wholes_size(planes));
+        bytes_ = session.bytes.of_size(session.context, flags, bytes_alone ? 3 * pixels_ : 1);
+        session.queue.enqueueWriteBuffer(constants_, CL_TRUE, 0, sizeof(scene_), &scene_);
+        timings.upload = seconds_since(start);
+    }
+
+    // Launches the kernel on the largest band without a pixel to draw: some drivers compile at the first launch.
+    void warm_up() { launch({0, 0}, static_cast<int>(pixels_) / width_, "compiling"); }
+
+    void run(Entry, const Band& band, int) override
+    {
+        const Clock::time_point start = Clock::now();
+        const cl::Event done = launch(band, band.rows, "drawing");
+        const double seconds = seconds_since(start);
+        timings.host += seconds;
+        timings.kernel += device_seconds(done).value_or(seconds);
+    }
+
+    bool marching(const Band&) override { return false; }
+
+    void read_back(const Band& band, Image& image) override
+    {
+        const Clock::time_point start = Clock::now();
+        if (bytes_alone_) {
+            const std::size_t row = 3 * static_cast<std::size_t>(width_);
+            const std::size_t size = row * static_cast<std::size_t>(band.rows);
+            std::uint8_t* to = image.bytes().data() + row * static_cast<std::size_t>(band.first_row);
+            if (session_.is_cpu) {
+                void* bytes = mapped(bytes_, size);
+                std::memcpy(to, bytes, size);
+                session_.queue.enqueueUnmapMemObject(bytes_, bytes);
+            } else {
+                session_.queue.enqueueReadBuffer(bytes_, CL_TRUE, 0, size, to);
+            }
+        } else if (session_.is_cpu) {
+            void* reals = mapped(reals_, reals_size(pixels_));
+            void* wholes = mapped(wholes_, wholes_size(pixels_));
+            store(static_cast<const Real*>(reals), static_cast<const int*>(wholes), band, image);
+            session_.queue.enqueueUnmapMemObject(reals_, reals);
+            session_.queue.enqueueUnmapMemObject(wholes_, wholes);
+        } else {
+            void* reals = session_.host_reals.of_size(session_.context, session_.queue, reals_size(pixels_));
+            void* wholes = session_.host_wholes.of_size(session_.context, session_.queue, wholes_size(pixels_));
+            session_.queue.enqueueReadBuffer(reals_, CL_FALSE, 0, reals_size(pixels_), reals);
+            session_.queue.enqueueReadBuffer(wholes_, CL_TRUE, 0, wholes_size(pixels_), wholes);
+            store(static_cast<const Real*>(reals), static_cast<const int*>(wholes), band, image);
+        }
+        timings.readback += seconds_since(start);
+    }
+
+    Timings timings;
+    Work work;
+
+private:
+    static std::size_t reals_size(std::size_t pixels) { return real_planes * sizeof(Real) * pixels; }
+    static std::size_t wholes_size(std::size_t pixels) { return whole_planes * sizeof(int) * pixels; }
+
+    // Returns when it is done.
+    cl::Event launch(const Band& band, int rows_covered, const char* doing)
+    {
+        // The rectangle of a work item, as in kernel.cl.
+        const int wide = lanes_ == 1 ? 1 : lanes_ >= 8 ? 4 : 2;
+        const int high = lanes_ / wide;
+        // A work group is one tile on a CPU, whose cores take groups in turn, and a square on a GPU.
+        const int side_x = session_.is_cpu ? tile_side / wide : 8;
+        const int side_y = session_.is_cpu ? tile_side / high : 8;
+        const auto groups = [](int pixels, int item, int side) {
+            const int count = (pixels + item * side - 1) / (item * side);
+            return static_cast<std::size_t>(count) * static_cast<std::size_t>(side);
+        };
+        kernel_.setArg(0, constants_);
+        kernel_.setArg(1, band.first_row);
+        kernel_.setArg(2, band.rows);
+        kernel_.setArg(3, static_cast<cl_long>(pixels_));
+        kernel_.setArg(4, reals_);
+        kernel_.setArg(5, wholes_);
+        kernel_.setArg(6, bytes_);
+        kernel_.setArg(7, bytes_alone_ ? 1 : 0);
+        cl::Event done;
+        session_.queue.enqueueNDRangeKernel(
+            kernel_, cl::NullRange, cl::NDRange(groups(width_, wide, side_x), groups(rows_covered, high, side_y)),
+            cl::NDRange(static_cast<std::size_t>(side_x), static_cast<std::size_t>(side_y)), nullptr, &done);
+        session_.queue.flush();
+        wait_for(done, doing);
+        return done;
+    }
+
+    // A CPU's buffers are the host's memory: no copy.
+    void* mapped(const cl::Buffer& buffer, std::size_t bytes)
+    {
+        return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
+    }
+
+    void store(const Real* reals, const int* wholes, const Band& band, Image& image)
+    {
+        const auto planes = planes_of(reals, wholes, pixels_, static_cast<std::size_t>(width_));
+        image.store(planes, 0, band.first_row, width_, band.rows);
+        add_work(work, planes, width_, band.rows);
+    }
+
+    Session& session_;
+    cl::Kernel kernel_;
+    int lanes_;
+    int width_;
+    std::size_t pixels_;  // of a plane
+    bool bytes_alone_;
+    KernelScene<Real> scene_;
+    cl::Buffer constants_;
+    cl::Buffer reals_;
+    cl::Buffer wholes_;
+    cl::Buffer bytes_;
+};
+
+}  // namespace mandelmarch::opencl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// An opened device: its programs, its memory, waiting for it and its clock.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string_view>
+
+#include "backends/opencl/api.h"
+
+namespace mandelmarch::opencl {
+
+// A buffer that grows and is kept from picture to picture.
+struct Kept {
+    cl::Buffer buffer;
+    std::size_t size = 0;  // bytes
+
+    const cl::Buffer& of_size(const cl::Context& context, cl_mem_flags flags, std::size_t bytes)
+    {
+        if (bytes <= size) return buffer;
+        size = 0;
+        buffer = {};  // before its successor is taken
+        buffer = cl::Buffer(context, flags, bytes);
+        size = bytes;
+        return buffer;
+    }
+};
+
+// Memory that the device copies to at full speed, as long as the host keeps it mapped.
+class Staging {
+public:
+    ~Staging() { give_back(); }
+    Staging() = default;
+    Staging(const Staging&) = delete;
+    Staging& operator=(const Staging&) = delete;
+
+    void* of_size(const cl::Context& context, const cl::CommandQueue& queue, std::size_t bytes)
+    {
+        if (bytes > pinned_.size) {
+            give_back();
+            queue_ = queue;
+            const cl::Buffer& buffer = pinned_.of_size(context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+            mapped_ = queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ | CL_MAP_WRITE, 0, bytes);
+        }
+        return mapped_;
+    }
+
+private:
+    void give_back()
+    {
+        // The C function: it throws nothing.
+        if (mapped_ != nullptr) clEnqueueUnmapMemObject(queue_(), pinned_.buffer(), mapped_, 0, nullptr, nullptr);
+        mapped_ = nullptr;
+    }
+
+    Kept pinned_;
+    cl::CommandQueue queue_;
+    void* mapped_ = nullptr;
+};
+
+// One device, opened, with the programs it has compiled and the memory it has taken so far.
+struct Session {
+    cl::Device device;
+    cl::Context context;
+    cl::CommandQueue queue;
+    std::map<std::string_view, cl::Program> programs;  // by fractal
+    Kept constants;
+    Kept reals;
+    Kept wholes;
+    Kept bytes;
+    Staging host_reals;
+    Staging host_wholes;
+    bool is_cpu = false;
+    std::int64_t largest_buffer = 0;  // bytes
+};
+
+// Seconds that a kernel took by the device's clock; nullopt where it has none.
+inline std::optional<double> device_seconds(const cl::Event& done)
+{
+    cl_ulong begin = 0;
+    cl_ulong end = 0;
+    // The C function: a device without a clock is no failure.
+    const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
+        return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
+    };
+    if (!ask(CL_PROFILING_COMMAND_START, begin) || !ask(CL_PROFILING_COMMAND_END, end) || end < begin) return {};
+    return 1e-9 * static_cast<double>(end - begin);
+}
+
+// Waits for an event, at most device_timeout().
+inline void wait_for(cl::Event& event, const char* doing)
+{
+    struct Signal {
+        std::mutex mutex;
+        std::condition_variable changed;
+        cl_int status = CL_QUEUED;
+    };
+    // Shared with a callback that may come after this function has given up.
+    auto* signal = new std::shared_ptr<Signal>(std::make_shared<Signal>());
+    const std::shared_ptr<Signal> mine = *signal;
+    event.setCallback(
+        CL_COMPLETE,
+        [](cl_event, cl_int status, void* data) {
+            const std::unique_ptr<std::shared_ptr<Signal>> theirs(static_cast<std::shared_ptr<Signal>*>(data));
+            const std::lock_guard lock((*theirs)->mutex);
+            (*theirs)->status = status;
+            (*theirs)->changed.notify_all();
+        },
+        signal);
+    std::unique_lock lock(mine->mutex);
+    const auto limit = std::chrono::duration<double>(device_timeout());
+    if (!mine->changed.wait_for(lock, limit, [&] { return mine->status != CL_QUEUED; })) {
+        throw DeviceHung(fmt::format("backend opencl: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)",
+                                     limit.count(), doing));
+    }
+    if (mine->status < 0) throw cl::Error(mine->status, "the kernel");
+}
+
+}  // namespace mandelmarch::opencl

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What NVIDIA's driver tells of a GPU and neither OpenACC nor OpenMP has a word for. Its library is opened when first
+// asked for; where there is none, or an old one, the answers are those of a host that knows no better.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace mandelmarch::job {
+
+// Runs `launch` to its end on the calling thread's GPU, whose kernels go to the default stream. Seconds by the GPU's
+// clock, from events round it; by the host's where the driver has no events.
+double seconds_on_gpu(const std::function<void()>& launch);
+
+// Pixels that GPU `index` draws in one go: enough waves of all threads that it holds at once that the last one, which
+// waits for the slowest ray, does not count. Where a watchdog ends kernels after some seconds, no more than end well
+// before it on the slowest GPU.
+std::int64_t pixels_per_launch(int index);
+
+}  // namespace mandelmarch::job

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// core/job: what a renderer of a model asks of its device, told by a model that counts.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/job/model.h"
+#include "core/render/kernel_scene.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double device_seconds = 7;  // that a launch takes by the device's clock
+
+// Every byte of the job's rows becomes 200; planes stay as they are.
+void draw(const void* address, int width, int rows)
+{
+    const auto& job = *static_cast<const job::Job<layout_f32::Scene, float>*>(address);
+    if (job.bytes != nullptr) std::fill_n(job.bytes, 3L * width * rows, static_cast<unsigned char>(200));
+}
+
+struct Asked {
+    int allocations = 0;
+    int launches = 0;
+    int current = 0;  // depth of run()
+    std::set<void*> held;
+    bool outside = false;  // something was asked of a device that was not the thread's
+};
+
+class Counting : public job::Model {
+public:
+    explicit Counting(Asked& asked) : asked_(asked) {}
+
+    std::string_view name() const override { return "counting"; }
+    Facts facts() const override { return {}; }
+    job::Kernels kernels() const override
+    {
+        return {[](std::string_view, Precision, Mode) -> job::Launch { return draw; }, nullptr};
+    }
+    job::Opened open(int) const override { return {.device = {.name = "counting"}, .pixels_per_band = 100}; }
+    void run(const RendererOptions&, const std::function<void()>& f) const override
+    {
+        ++asked_.current;
+        f();
+        --asked_.current;
+    }
+    double seconds_of(const std::function<void()>& launch) const override
+    {
+        ++asked_.launches;
+        launch();
+        return device_seconds;
+    }
+    void* allocate(std::size_t bytes) const override
+    {
+        ++asked_.allocations;
+        asked_.outside |= asked_.current == 0;
+        return *asked_.held.insert(Model::allocate(bytes)).first;
+    }
+    void release(void* address) const override
+    {
+        asked_.outside |= asked_.current == 0;
+        asked_.held.erase(address);
+        Model::release(address);
+    }
+
+private:
+    Asked& asked_;
+};
+
+class Job : public testing::Test {
+protected:
+    Timings drawn(Renderer& renderer, int width, int height)
+    {
+        Image image(width, height, Image::Layers::bytes);
+        const Timings timings = renderer.render(official_scene("bulb", width, height), image).timings;
+        EXPECT_EQ(image.bytes().front(), 200);
+        EXPECT_EQ(image.bytes().back(), 200);
+        return timings;
+    }
+    std::unique_ptr<Renderer> created(int band = 0)
+    {
+        return backend_->create({.precision = Precision::f32, .band = band, .counts = false});
+    }
+
+    Asked asked_;
+    std::unique_ptr<Backend> backend_ = job::backend_of(std::make_unique<Counting>(asked_));
+};
+
+TEST_F(Job, ARendererKeepsItsMemoryFromPictureToPicture)
+{
+    const auto renderer = created();
+    drawn(*renderer, 20, 20);
+    const int taken = asked_.allocations;
+    EXPECT_GT(taken, 0);
+    drawn(*renderer, 20, 20);
+    drawn(*renderer, 10, 10);
+    EXPECT_EQ(asked_.allocations, taken);
+    drawn(*renderer, 200, 20);  // a row is more than a band had
+    EXPECT_GT(asked_.allocations, taken);
+}
+
+TEST_F(Job, ARendererGivesItsMemoryBackToTheDeviceThatItIsOf)
+{
+    drawn(*created(), 20, 20);
+    EXPECT_TRUE(asked_.held.empty());
+    EXPECT_FALSE(asked_.outside);
+}
+
+TEST_F(Job, KernelIsTheDevicesOwnTime)
+{
+    const Timings timings = drawn(*created(), 20, 20);
+    EXPECT_EQ(asked_.launches, 4);
+    EXPECT_EQ(timings.kernel, 4 * device_seconds);
+    EXPECT_LT(timings.host, device_seconds);
+}
+
+TEST_F(Job, BandsAreAsLargeAsAsked)
+{
+    drawn(*created(200), 20, 20);
+    EXPECT_EQ(asked_.launches, 2);
+}
+
+}  // namespace
+}  // namespace mandelmarch
