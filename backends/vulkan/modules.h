@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The SPIR-V modules that the build made. Names: FRACTAL_PRECISION_MODE and probe_PRECISION, the float ones of exact
-// mode also with _pinned (core/kernel/prelude/glsl.h says what that is).
+// mode also with _corrected, by exact residuals, and _pinned, in double (core/kernel/prelude/glsl.h).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words quotient and root by themselves: the host compares them with IEEE's results.
+// What exact mode takes for granted, by itself: the host compares each with IEEE's results. The words quotient and root;
+// and canaries for products that a device fuses with the sums that they go into, which would round once in place of
+// twice.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 
@@ -7,12 +9,28 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Dividends { real dividends[]; };
 layout(std430, binding = 1) readonly buffer Divisors { real divisors[]; };
-layout(std430, binding = 2) writeonly buffer Quotients { real quotients[]; };
-layout(std430, binding = 3) writeonly buffer Roots { real roots[]; };
+layout(std430, binding = 2) readonly buffer Addends { real addends[]; };
+layout(std430, binding = 3) writeonly buffer Quotients { real quotients[]; };
+layout(std430, binding = 4) writeonly buffer Roots { real roots[]; };
+layout(std430, binding = 5) writeonly buffer Sums { real sums[]; };
+
+real multiplied_and_added(real a, real b, real c) { return a * b + c; }
+
+// A chain, as in a norm, and in a called function.
+real norm(vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    quotients[i] = quotient(dividends[i], divisors[i]);
-    roots[i] = root(dividends[i]);
+    real a = dividends[i];
+    real b = divisors[i];
+    real c = addends[i];
+    quotients[i] = quotient(a, b);
+    roots[i] = root(a);
+    uint count = addends.length();
+    sums[i] = a * b + c;
+    sums[count + i] = c - a * b;
+    sums[2 * count + i] = multiplied_and_added(b, a, c);
+    sums[3 * count + i] = norm(vec3(a, b, c));
+    sums[4 * count + i] = ((a * b + c) * a + b) * c + a;
 }

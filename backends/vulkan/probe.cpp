@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -36,45 +36,76 @@ std::vector<Real> tricky_numbers(std::uint64_t seed)
     return numbers;
 }
 
-// True if the words of probe.comp give what the host's give, in every bit.
+// What probe.comp finds otherwise than the host, or nothing.
+enum class Found { nothing, quotients, contraction };
+
 template <class Real>
-bool rounds_correctly(Gpu& gpu, Workbench& bench, const std::string& module)
+Found probed(Gpu& gpu, Workbench& bench, const std::string& module)
 {
+    constexpr int canaries = 5;
+    constexpr std::array<std::size_t, 6> lengths{values, values, values, values, values, canaries* values};
     bench = {};
-    bench.program = std::make_unique<Program>(gpu, module_named(module), 4);
+    bench.program = std::make_unique<Program>(gpu, module_named(module), static_cast<int>(lengths.size()));
     std::vector<Binding> bindings;
-    bench.buffers.reserve(4);
-    for (int i = 0; i < 4; ++i) {
-        bench.buffers.push_back(gpu.make_buffer(values * sizeof(Real), Place::host, "a probe"));
+    bench.buffers.reserve(lengths.size());
+    for (const std::size_t length : lengths) {
+        bench.buffers.push_back(gpu.make_buffer(length * sizeof(Real), Place::host, "a probe"));
         bindings.push_back({&bench.buffers.back(), 0, VK_WHOLE_SIZE});
     }
     const auto dividends = tricky_numbers<Real>(1);
     const auto divisors = tricky_numbers<Real>(2);
-    std::memcpy(bench.buffers[0].bytes, dividends.data(), values * sizeof(Real));
-    std::memcpy(bench.buffers[1].bytes, divisors.data(), values * sizeof(Real));
+    // The products' own opposites, of which a fused sum is what the product lost by rounding.
+    std::vector<Real> addends;
+    for (std::size_t i = 0; i < values; ++i) addends.push_back(-(dividends[i] * divisors[i]));
+    for (const auto& [at, numbers] : {std::pair(0, &dividends), {1, &divisors}, {2, &addends}}) {
+        std::memcpy(bench.buffers[static_cast<std::size_t>(at)].bytes, numbers->data(), values * sizeof(Real));
+    }
     bench.program->bind(bindings);
     bench.program->dispatch(gpu, {}, {}, group_count, 1);
     gpu.barrier();
-    gpu.finish("dividing numbers as a probe");
-    std::vector<Real> quotients(values);
-    std::vector<Real> roots(values);
-    std::memcpy(quotients.data(), bench.buffers[2].bytes, values * sizeof(Real));
-    std::memcpy(roots.data(), bench.buffers[3].bytes, values * sizeof(Real));
+    gpu.finish("computing a probe");
+    const auto answers = [&](std::size_t at) {
+        std::vector<Real> numbers(lengths.at(at));
+        std::memcpy(numbers.data(), bench.buffers[at].bytes, numbers.size() * sizeof(Real));
+        return numbers;
+    };
+    const auto quotients = answers(3);
+    const auto roots = answers(4);
+    const auto sums = answers(5);
+    Found found = Found::nothing;
     for (std::size_t i = 0; i < values; ++i) {
-        if (!(quotients[i] == dividends[i] / divisors[i]) || !(roots[i] == std::sqrt(dividends[i]))) return false;
+        const Real a = dividends[i];
+        const Real b = divisors[i];
+        const Real c = addends[i];
+        const std::array<Real, canaries> expected{a * b + c, c - a * b, b * a + c, a * a + b * b + c * c,
+                                                  ((a * b + c) * a + b) * c + a};
+        for (std::size_t canary = 0; canary < canaries; ++canary) {
+            if (!(sums[canary * values + i] == expected[canary])) return Found::contraction;
+        }
+        if (!(quotients[i] == a / b) || !(roots[i] == std::sqrt(a))) found = Found::quotients;
     }
-    return true;
+    return found;
 }
 
 }  // namespace
 
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision)
 {
-    if (precision == Precision::f64) {
-        if (rounds_correctly<double>(gpu, bench, "probe_double_exact")) return "";
-    } else {
-        if (rounds_correctly<float>(gpu, bench, "probe_float_exact")) return "";
-        if (gpu.facts().has_double && rounds_correctly<float>(gpu, bench, "probe_float_exact_pinned")) return "_pinned";
+    const bool is_float = precision == Precision::f32;
+    std::vector<std::string> endings{""};
+    if (is_float) endings.insert(endings.end(), {"_corrected", "_pinned"});
+    for (const std::string& ending : endings) {
+        if (ending == "_pinned" && !gpu.facts().has_double) continue;
+        const std::string module = fmt::format("probe_{}_exact{}", name_of(precision), ending);
+        switch (is_float ? probed<float>(gpu, bench, module) : probed<double>(gpu, bench, module)) {
+            case Found::nothing: return ending;
+            case Found::quotients: break;
+            case Found::contraction:
+                throw Unavailable(
+                    fmt::format("backend vulkan: {}: it fuses products and sums of {} that are to be rounded one by "
+                                "one, --mode fast may do",
+                                gpu.name(), name_of(precision)));
+        }
     }
     throw Unavailable(
         fmt::format("backend vulkan: {}: its {} division and square root are not exact, --mode fast may do", gpu.name(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a device divides and takes roots as IEEE 754 says: Vulkan lets both be off by 2.5 units in the last place.
+// Whether a device computes as IEEE 754 says: Vulkan lets quotients and roots be off by 2.5 units in the last place, and
+// not every driver heeds NoContraction.
 #pragma once
 
 #include <memory>
@@ -17,8 +18,8 @@ struct Workbench {
     std::vector<Buffer> buffers;
 };
 
-// The ending of the names of the modules that keep exact mode's promise on this device: "" or "_pinned". Throws
-// Unavailable if there are none.
+// The ending of the names of the modules that keep exact mode's promise on this device: "", or for its inexact float
+// quotients "_corrected" or "_pinned" (modules.h). Throws Unavailable if there are none.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 
 }  // namespace mandelmarch::vulkan

@@ -40,8 +40,12 @@ public:
         variant_ = fmt::format("{}_{}", name_of(options.precision), name_of(options.mode));
         guarded([&] {
             if (options.mode == Mode::exact) {
-                variant_ += exact_modules(session_->gpu, session_->bench, options.precision);
+                const std::string ending = exact_modules(session_->gpu, session_->bench, options.precision);
                 session_->bench = {};
+                variant_ += ending;
+                quotients_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
+                             : ending == "_pinned"  ? "SPIR-V, float quotients in double"
+                                                    : "SPIR-V";
             }
         });
         context_ = seconds_since(start);
@@ -88,7 +92,7 @@ private:
                             .device = gpu.facts().device,
                             .precision = options_.precision,
                             .mode = options_.mode,
-                            .instruction_set = {},
+                            .instruction_set = quotients_,
                             .timings = {},
                             .work = {}};
         Timings& timings = report.timings;
@@ -150,6 +154,7 @@ private:
     RendererOptions options_;
     std::unique_ptr<Session> session_;
     std::string variant_;  // the ending of the modules' names
+    std::string quotients_ = "SPIR-V";  // how it computes them, for the user
     std::string loaded_;   // fractal
     vk::DeviceSize held_ = 0;  // pixels that the buffers on the bench hold
     double context_ = 0;   // seconds

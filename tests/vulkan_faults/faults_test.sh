@@ -84,11 +84,17 @@ MANDELMARCH_DEVICE_TIMEOUT=60
 refused 77 'has no double' no_double bulb a.exr
 refused 77 'no double' no_double bulb a.exr --mode fast
 refused 77 'division and square root are not exact' double_division bulb a.exr
-for fault in none no_double float_division double_division discrete_gpu; do
+for fault in none no_double float_units float_division double_division discrete_gpu; do
     for fractal in bulb box; do
         with $fault draw $fractal a.exr --precision float && same a.exr true/$fractal-float.exr
     done
 done
+# How float quotients are computed: as the device does, corrected where it is a unit off, in double where it is far off.
+for fault in none: float_units:,.float.quotients.corrected float_division:,.float.quotients.in.double; do
+    with "${fault%%:*}" draw box a.exr --precision float --stats a.json
+    grep -q "\"instruction_set\": \"SPIR-V${fault#*:}\"" a.json || fail "$fault: $(grep instruction_set a.json)"
+done
+refused 77 'fuses products and sums of float' contraction bulb a.exr --precision float
 for fault in float_division discrete_gpu; do
     with $fault draw box a.exr && same a.exr true/box-double.exr
 done
@@ -97,6 +103,11 @@ with discrete_gpu "$bin/render" --fractal bulb --list-devices | grep -q '^vulkan
 with double_division draw bulb wrong.exr --mode fast
 draw bulb right.exr --mode fast
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
+draw bulb right.exr --mode fast --precision float
+for fault in float_units contraction; do
+    with $fault draw bulb wrong.exr --mode fast --precision float
+    "$bin/imgdiff" wrong.exr right.exr >stdout && fail "$fault: the layer changes nothing"
+done
 
 # Without a driver or a loader.
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null draw bulb none.exr
@@ -223,7 +234,7 @@ else
 fi
 
 # Every floating-point operation of the exact modules carries NoContraction; in the fast ones none does.
-for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv; do
+for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv "$modules"/*_corrected.spv; do
     "$modules/spirv_tool" check "$module" >stdout || fail "$(cat stdout)"
 done
 for module in "$modules"/*_fast.spv; do

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0), and
-// MM_PINNED (1 or 0): with 1 a float quotient or root is computed in double and rounded once, which is the correctly
-// rounded one even where the device's double division is 2.5 units off, as Vulkan allows.
+// MM_QUOTIENTS, how float quotients and roots are computed: 0 as the device does; 1 in double and rounded once, which is
+// the correctly rounded one even where the device's double division is 2.5 units off, as Vulkan allows; 2 in float,
+// corrected by exact residuals.
 
 #define FN
 #define FN_CALLED
@@ -25,7 +26,9 @@
 #define vec3 dvec3
 #endif
 
-#if MM_PINNED
+#if MM_QUOTIENTS == 2
+#include "core/kernel/prelude/glsl_corrected.h"
+#elif MM_QUOTIENTS == 1
 real quotient(real a, real b) { return float(double(a) / double(b)); }
 
 real root(real a) { return float(sqrt(double(a))); }
