@@ -10,14 +10,18 @@ HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/f
 # $(call take,PRESET,PROGRAM...): programs from their build to where people run them.
 take = mkdir -p bin && cp --remove-destination $(addprefix build/$(1)/bin/,$(2)) bin/
 DEMO := demo render imgdiff flythrough
+# All programs of a build of everything.
+define take_all
+$(call take,$(PRESET),$(DEMO) bench) && \
+{ [ ! -e $(BUILD)/bin/explore ] || cp --remove-destination $(BUILD)/bin/explore bin/; } && \
+cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
+endef
 
 .PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)
 
 build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox (7 min)
 	@tools/build $(PRESET) programs
-	@$(call take,$(PRESET),$(DEMO) bench)
-	@[ ! -e $(BUILD)/bin/explore ] || cp --remove-destination $(BUILD)/bin/explore bin/
-	@cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
+	@$(take_all)
 
 help: ## this list; times are some of two cores, beside those of the build
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
@@ -39,7 +43,8 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 test: ## every test, with clang's and sanitizers' builds and a minute of each fuzzer (half an hour from nothing)
 	@tools/setup
 	@tools/build $(PRESET) all
-	@$(MAKE) --no-print-directory build python
+	@$(take_all)
+	@tools/python_packages
 	ctest --preset $(PRESET)
 
 check: ## the quick tests (2 min)
