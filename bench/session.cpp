@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "bench/environment.h"
 #include "bench/figures.h"
@@ -145,6 +146,9 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
+    if (std::getenv("MANDELMARCH_REHEARSAL") != nullptr) {  // packaging/gpu_hour
+        result.warnings.emplace(result.warnings.begin(), "a rehearsal: what is called a GPU may be none");
+    }
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
     result.environment["telemetry"] = told;

@@ -88,6 +88,7 @@ endif()
 file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
 file(COPY ${scenes} DESTINATION ${BUNDLE})
 file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/gpu_hour ${CMAKE_CURRENT_LIST_DIR}/gpu_hour.sha256 DESTINATION ${BUNDLE}/gpu-hour)
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/Containerfile ${CMAKE_CURRENT_LIST_DIR}/mandelmarch.def DESTINATION ${BUNDLE}/container)
 
 write_licences()
