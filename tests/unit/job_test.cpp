@@ -38,7 +38,7 @@ public:
     {
         return {[](std::string_view, Precision, Mode) -> job::Launch { return draw; }, nullptr};
     }
-    job::Opened open(int) const override { return {.device = {.name = "counting"}, .pixels_per_band = 100}; }
+    job::Opened open(int) const override { return {.pixels_per_band = 100}; }
     void run(const RendererOptions&, const std::function<void()>& f) const override
     {
         ++asked_.current;
