@@ -56,9 +56,9 @@ int rows_per_band(const Scene& scene, const Limits& limits)
     const std::int64_t wanted =
         std::clamp(width * scene.height / bands_wanted, std::min(limits.pixels_to_fill, limits.pixels_per_band),
                    limits.pixels_per_band);
-    // Whole tiles where the limits allow it.
+    // Whole tiles where the limits allow it and there is more than one band.
     std::int64_t rows = std::clamp<std::int64_t>(wanted / width, 1, scene.height);
-    if (rows > tile_side) rows = rows / tile_side * tile_side;
+    if (rows > tile_side && rows < scene.height) rows = rows / tile_side * tile_side;
     return static_cast<int>(rows);
 }
 

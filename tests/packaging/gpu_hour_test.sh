@@ -24,7 +24,6 @@ BACKENDS=vulkan gpu-hour/gpu_hour bin results devices >out 2>&1
 
 hour || fail "a step failed: $(cat out)"
 in=$(echo results/rehearsal-*)
-[ "$(grep -c passed "$in"/*.status)" -ge 1 ] || fail "nothing passed"
 for step in machine devices bits fast speed large bands frames; do
     grep -q '^passed' "$in/$step.status" || fail "$step: $(tail -5 "$in/$step.log")"
 done

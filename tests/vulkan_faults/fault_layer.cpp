@@ -314,6 +314,7 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     if (wanted("float_division")) words = without_division(words.data(), words.size(), 32);
     if (wanted("double_division")) words = without_division(words.data(), words.size(), 64);
     if (misconduct("build")) return VK_ERROR_INITIALIZATION_FAILED;
+    changed.codeSize = 4 * words.size();
     changed.pCode = words.data();
     return next.create_shader_module(device, &changed, memory, module);
 }

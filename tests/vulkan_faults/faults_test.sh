@@ -104,10 +104,8 @@ with double_division draw bulb wrong.exr --mode fast
 draw bulb right.exr --mode fast
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
 draw bulb right.exr --mode fast --precision float
-for fault in float_units contraction; do
-    with $fault draw bulb wrong.exr --mode fast --precision float
-    "$bin/imgdiff" wrong.exr right.exr >stdout && fail "$fault: the layer changes nothing"
-done
+with float_units draw bulb wrong.exr --mode fast --precision float
+"$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no float division"
 
 # Without a driver or a loader.
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null draw bulb none.exr
