@@ -49,6 +49,7 @@ def main() -> int:
         return 2
     explore, flythrough, folder = (Path(word) for word in sys.argv[1:])
     runs, rows = [], []
+    folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         paths = {}
         for fractal in FRACTALS:

@@ -114,7 +114,7 @@ private:
         return std::min<std::int64_t>(waves * items * units(), largest_band);
     }
 
-    static constexpr std::int64_t busy_cpu = 1 << 16;  // pixels
+    static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
     static constexpr std::int64_t largest_band = 1 << 22;
 
     RendererOptions options_;

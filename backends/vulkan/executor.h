@@ -51,7 +51,7 @@ inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
 // Pixels that keep a CPU's or a GPU's lanes busy: of a GPU, waves of all invocations that it holds, so that the last
 // one, which waits for the slowest ray, does not count.
-inline constexpr std::int64_t busy_cpu = 1 << 15;
+inline constexpr std::int64_t busy_cpu = 1 << 17;
 inline constexpr std::int64_t busy_gpu = 1 << 18;  // at least, and where a GPU does not tell what it holds
 inline constexpr std::int64_t waves = 16;
 inline constexpr std::int64_t largest_band = 1 << 22;  // pixels
