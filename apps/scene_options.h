@@ -25,6 +25,8 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
                    "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
         ->transform(CLI::Transformer(std::map<std::string, Projection>{
             {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
+        // Of what was given, before: Transformer lets other words through.
+        ->transform(CLI::IsMember({"perspective", "equirectangular"}))
         ->default_str("perspective");
 }
 
