@@ -73,7 +73,7 @@ def main() -> int:
         f"{'fractal':<11}{'flight':<10}{'size':<10}{'frames':>6}{'p50 ms':>8}{'p95 ms':>8}{'p99 ms':>8}{'% in 16.7':>10}"
         f"{'pictures/s':>12}{'latency':>9}{'p99':>5}{'most':>5}{'% pixels':>10}\n" + "\n".join(rows) + "\n"
     )
-    (folder / "explore.json").write_text(json.dumps({"schema": 1, "kind": "explore", "runs": runs}, indent=2) + "\n", encoding="utf-8")
+    (folder / "explore.json").write_text(json.dumps({"schema": "mandelmarch-explore", "version": 1, "runs": runs}, indent=2) + "\n", encoding="utf-8")
     (folder / "explore.txt").write_text(table, encoding="utf-8")
     print(table, end="")
     return 0
