@@ -96,6 +96,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:
         results.films.append(read_film(name, data))
+    elif kind.get("schema") == "mandelmarch-explore":
+        pass  # docs/explore.md's
     elif "promises_kept" in kind:
         results.audits.append(read_audit(name, data))
     else:
