@@ -23,8 +23,8 @@ Launches wall_launches(const Row& row);
 std::vector<double> launch_medians(const Row& row);
 
 struct Figures {
-    Summary kernel, wall;                          // seconds
-    double upload = 0, readback = 0, host = 0;     // seconds, medians
+    Summary kernel, wall;                       // seconds
+    double upload = 0, readback = 0, host = 0;  // seconds, medians
     // The share of the wall time that upload, host and readback leave, the median of the samples; not of rows whose
     // wall time has more parts: those of several pictures from a fresh renderer.
     std::optional<double> unaccounted;

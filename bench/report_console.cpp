@@ -96,8 +96,8 @@ std::string wide_table(const Result& result)
         "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
         "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
         "row", "proof", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
-        "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up",
-        "thr", "pack", "set");
+        "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms",
+        "speed-up", "thr", "pack", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
             text += fmt::format("{:<46} {}\n", row.name(),
@@ -151,8 +151,8 @@ std::string incomplete_parts(const Result& result)
         if (share && *share > little) text += fmt::format("{}{} {}\n", head(result, row), row.point, percent(share));
     }
     if (text.empty()) return {};
-    return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}",
-                       percent(little), text);
+    return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}", percent(little),
+                       text);
 }
 
 // A ratio and its interval in 28 columns.

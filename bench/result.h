@@ -17,8 +17,8 @@ inline constexpr std::string_view standard_study = "standard";
 
 // One picture of the timed rounds. Seconds.
 struct Sample {
-    int launch = 0;  // which process took it
-    int round = 0;   // in which round of that process
+    int launch = 0;                                         // which process took it
+    int round = 0;                                          // in which round of that process
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
     double processor = 0;  // of all threads of the process that drew it; for duels, in no file
@@ -26,14 +26,14 @@ struct Sample {
 
 // What was asked of a row beside fractal, precision, mode, backend and device.
 struct Setting {
-    int width = 0, height = 0;             // pixels
-    int iterations = 0;                    // n
-    double detail = 0;                     // D
-    double power = 0;                      // third value of line 7
+    int width = 0, height = 0;                       // pixels
+    int iterations = 0;                              // n
+    double detail = 0;                               // D
+    double power = 0;                                // third value of line 7
     int threads = 0, pack = 0, chunk = 0, band = 0;  // as in RendererOptions; 0: the backend's choice
-    std::string without{};                 // techniques that are switched off, as in --without of the renderers
-    std::string view = "official";         // which scene: its name
-    int frames = 0;                        // pictures from a fresh renderer in one sample; 0: one, from a warm renderer
+    std::string without{};          // techniques that are switched off, as in --without of the renderers
+    std::string view = "official";  // which scene: its name
+    int frames = 0;                 // pictures from a fresh renderer in one sample; 0: one, from a warm renderer
 };
 
 // How the row's picture compares with the one that it should be.

@@ -147,7 +147,8 @@ Sample draw_sample(Live& row, Image& image)
         const auto renderer = one.backend->create(one.options);
         for (int frame = 0; frame < frames; ++frame) add(renderer->render(one.scene, image).timings);
         sample.wall = seconds_since(start);
-        for (double Sample::*part : {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+        for (double Sample::*part :
+             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
             sample.*part /= frames;
         }
     }

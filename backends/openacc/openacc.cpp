@@ -65,8 +65,8 @@ public:
                     .pixels_per_band = job::pixels_per_launch(index),
                     .peak_threads = gpu_threads};
         }
-        const std::string name =
-            fmt::format("host, one thread: {}", gpus == 0 ? fmt::format("no {} GPU here", gpu_maker) : "instead of a GPU");
+        const std::string name = fmt::format("host, one thread: {}",
+                                             gpus == 0 ? fmt::format("no {} GPU here", gpu_maker) : "instead of a GPU");
         return {.device = {.name = name,
                            .vendor = "OpenACC run-time library",
                            .driver = "compiler " __VERSION__,

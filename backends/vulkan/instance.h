@@ -30,7 +30,7 @@ struct Facts {
     Device device;
     vk::PhysicalDeviceProperties properties;
     vk::DeviceSize largest_allocation = 0;  // bytes
-    std::int64_t most_invocations = 0;  // that it holds at once; 0: it does not tell
+    std::int64_t most_invocations = 0;      // that it holds at once; 0: it does not tell
     bool has_double = false;
     bool shares_memory = false;  // the host's memory is its own
     bool counts_loops = false;   // lavapipe: an invocation ends silently after about 65,535 loop iterations

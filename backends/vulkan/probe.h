@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a device computes as IEEE 754 says: Vulkan lets quotients and roots be off by 2.5 units in the last place, and
-// not every driver heeds NoContraction.
+// Whether a device computes as IEEE 754 says: Vulkan lets quotients and roots be off by 2.5 units in the last place,
+// and not every driver heeds NoContraction.
 #pragma once
 
 #include <memory>

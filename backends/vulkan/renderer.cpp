@@ -153,11 +153,11 @@ private:
 
     RendererOptions options_;
     std::unique_ptr<Session> session_;
-    std::string variant_;  // the ending of the modules' names
+    std::string variant_;               // the ending of the modules' names
     std::string quotients_ = "SPIR-V";  // how it computes them, for the user
-    std::string loaded_;   // fractal
-    vk::DeviceSize held_ = 0;  // pixels that the buffers on the bench hold
-    double context_ = 0;   // seconds
+    std::string loaded_;                // fractal
+    vk::DeviceSize held_ = 0;           // pixels that the buffers on the bench hold
+    double context_ = 0;                // seconds
 };
 
 }  // namespace

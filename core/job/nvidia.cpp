@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "core/base/stopwatch.h"
 

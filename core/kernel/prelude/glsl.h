@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude: the words of the kernel text in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0), and
-// MM_QUOTIENTS, how float quotients and roots are computed: 0 as the device does; 1 in double and rounded once, which is
-// the correctly rounded one even where the device's double division is 2.5 units off, as Vulkan allows; 2 in float,
+// MM_QUOTIENTS, how float quotients and roots are computed: 0 as the device does; 1 in double and rounded once, which
+// is the correctly rounded one even where the device's double division is 2.5 units off, as Vulkan allows; 2 in float,
 // corrected by exact residuals.
 
 #define FN

@@ -2,10 +2,10 @@
 // The words quotient and root in float where the device's own are some units off in the last place: corrected by their
 // exact residuals, with sums and products of floats alone. Needs a device that neither fuses nor reorders them.
 //
-// A first value that is k units off becomes one that is less than one unit off, by a step of Newton's. Its residual is a
-// float (Boldo and Daumas, "Representable correcting terms for possibly underflowing floating point operations", 2003),
-// got from the product's exact low part (Dekker, "A floating-point technique for extending the available precision",
-// 1971). It tells which neighbour is the nearest: no quotient and no root lies in the middle of two floats.
+// A first value that is k units off becomes one that is less than one unit off, by a step of Newton's. Its residual is
+// a float (Boldo and Daumas, "Representable correcting terms for possibly underflowing floating point operations",
+// 2003), got from the product's exact low part (Dekker, "A floating-point technique for extending the available
+// precision", 1971). It tells which neighbour is the nearest: no quotient and no root lies in the middle of two floats.
 // Numbers that are subnormal, 0 or not finite, and results beyond normal ones, are the device's.
 
 // The bits of a positive normal number with the exponent of 1.
