@@ -35,6 +35,9 @@ int abs(int a) { return a < 0 ? -a : a; }
 int floatBitsToInt(Number a) { return std::bit_cast<int>(a.value); }
 Number intBitsToFloat(int bits) { return std::bit_cast<float>(bits); }
 
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wkeyword-macro"
+#endif
 #define float Number
 #define real Number
 #include "core/kernel/prelude/glsl_corrected.h"
