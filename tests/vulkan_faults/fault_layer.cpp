@@ -26,9 +26,12 @@
 #include <vector>
 
 #include "tests/drivers/misconduct.h"
+#include "tests/vulkan_faults/wrong_arithmetic.h"
 
 namespace {
 
+using mandelmarch::Rewritten;
+using mandelmarch::without_division;
 using mandelmarch::drivers::misconduct;
 
 // The next layer's functions, taken from the last instance and the last device: all of a program's have one driver.
@@ -189,121 +192,6 @@ void destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks)
     next.destroy_device(device, callbacks);
 }
 
-// Divisions of numbers of `bits` bits become products. Numbers of opcodes from the SPIR-V specification, section 3.49.
-std::vector<std::uint32_t> without_division(const std::uint32_t* words, std::size_t count, std::uint32_t bits)
-{
-    constexpr std::uint32_t type_float = 22;
-    constexpr std::uint32_t multiply = 133;
-    constexpr std::uint32_t divide = 136;
-    std::vector<std::uint32_t> changed(words, words + count);
-    std::uint32_t type = 0;
-    for (std::size_t at = 5; at < changed.size(); at += changed[at] >> 16) {
-        const std::uint32_t opcode = changed[at] & 0xffff;
-        if (opcode == type_float && changed[at + 2] == bits) type = changed[at + 1];
-        if (opcode == divide && changed[at + 1] == type) changed[at] = (changed[at] & 0xffff0000) | multiply;
-    }
-    return changed;
-}
-
-// A module that is taken apart and put together with other instructions. Numbers of opcodes from the SPIR-V
-// specification, section 3.49.
-class Rewritten {
-public:
-    explicit Rewritten(const std::vector<std::uint32_t>& words) : from_(words) {}
-
-    // Every quotient and root of floats, times 1 + 2^-23.
-    std::vector<std::uint32_t> off_by_a_unit()
-    {
-        if (has_double()) return from_;
-        return rewritten([&](std::size_t at, std::uint32_t opcode) {
-            const bool is_root = opcode == ext_inst && from_[at + 4] == sqrt;
-            if ((opcode != divide && !is_root) || from_[at + 1] != float_type_) return false;
-            std::vector<std::uint32_t> first(from_.begin() + static_cast<std::ptrdiff_t>(at),
-                                             from_.begin() + static_cast<std::ptrdiff_t>(at + (from_[at] >> 16)));
-            const std::uint32_t result = first[2];
-            first[2] = fresh();
-            add(first);
-            add({5U << 16 | multiply, float_type_, result, first[2], unit_more_});
-            return true;
-        });
-    }
-
-    // Every sum of a product of floats, through double.
-    std::vector<std::uint32_t> contracted()
-    {
-        if (has_double()) return from_;
-        return rewritten([&](std::size_t at, std::uint32_t opcode) {
-            if (opcode == multiply && from_[at + 1] == float_type_) {
-                products_[from_[at + 2]] = {from_[at + 3], from_[at + 4]};
-            }
-            if (opcode != sum || from_[at + 1] != float_type_) return false;
-            for (const std::size_t side : {3U, 4U}) {
-                const auto product = products_.find(from_[at + side]);
-                if (product == products_.end()) continue;
-                const std::uint32_t a = widened(product->second.first);
-                const std::uint32_t b = widened(product->second.second);
-                const std::uint32_t c = widened(from_[at + 7 - side]);
-                const std::uint32_t exact = fresh();
-                const std::uint32_t total = fresh();
-                add({5U << 16 | multiply, double_type_, exact, a, b});
-                add({5U << 16 | sum, double_type_, total, exact, c});
-                add({4U << 16 | convert, float_type_, from_[at + 2], total});
-                return true;
-            }
-            return false;
-        });
-    }
-
-private:
-    static constexpr std::uint32_t ext_inst = 12, capability = 17, type_float = 22, constant = 43, convert = 115;
-    static constexpr std::uint32_t sum = 129, multiply = 133, divide = 136;
-    static constexpr std::uint32_t sqrt = 31;     // of GLSL.std.450
-    static constexpr std::uint32_t float64 = 10;  // a capability
-
-    template <class Change>
-    std::vector<std::uint32_t> rewritten(Change change)
-    {
-        to_.assign(from_.begin(), from_.begin() + 5);
-        add({2U << 16 | capability, float64});
-        for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
-            const std::uint32_t opcode = from_[at] & 0xffff;
-            if (change(at, opcode)) continue;
-            add({from_.begin() + static_cast<std::ptrdiff_t>(at),
-                 from_.begin() + static_cast<std::ptrdiff_t>(at + (from_[at] >> 16))});
-            if (opcode != type_float || from_[at + 2] != 32) continue;
-            float_type_ = from_[at + 1];
-            unit_more_ = fresh();
-            double_type_ = fresh();
-            add({4U << 16 | constant, float_type_, unit_more_, 0x3f800001});
-            add({3U << 16 | type_float, double_type_, 64});
-        }
-        return to_;
-    }
-
-    // Modules may not name a type twice; those with a double are not of the kind that is changed.
-    bool has_double() const
-    {
-        for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
-            if ((from_[at] & 0xffff) == type_float && from_[at + 2] == 64) return true;
-        }
-        return false;
-    }
-
-    void add(const std::vector<std::uint32_t>& words) { to_.insert(to_.end(), words.begin(), words.end()); }
-    std::uint32_t fresh() { return to_[3]++; }  // the bound of the module's numbers
-    std::uint32_t widened(std::uint32_t number)
-    {
-        const std::uint32_t wide = fresh();
-        add({4U << 16 | convert, double_type_, wide, number});
-        return wide;
-    }
-
-    const std::vector<std::uint32_t>& from_;
-    std::vector<std::uint32_t> to_;
-    std::uint32_t float_type_ = 0, double_type_ = 0, unit_more_ = 0;
-    std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> products_;  // of floats, and their factors
-};
-
 VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* info,
                               const VkAllocationCallbacks* memory, VkShaderModule* module)
 {
@@ -311,8 +199,8 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     std::vector<std::uint32_t> words(info->pCode, info->pCode + info->codeSize / 4);
     if (wanted("float_units")) words = Rewritten(words).off_by_a_unit();
     if (wanted("contraction")) words = Rewritten(words).contracted();
-    if (wanted("float_division")) words = without_division(words.data(), words.size(), 32);
-    if (wanted("double_division")) words = without_division(words.data(), words.size(), 64);
+    if (wanted("float_division")) words = without_division(words, 32);
+    if (wanted("double_division")) words = without_division(words, 64);
     if (misconduct("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.codeSize = 4 * words.size();
     changed.pCode = words.data();
