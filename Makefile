@@ -158,10 +158,11 @@ report-check: ## the report in a headless browser: errors, the slider, the viewe
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
-# What the first hour on a GPU must find out. STEPS="bands film" does those again; REHEARSAL=1 takes any device for a GPU.
+# What the first hour on a GPU must find out. STEPS="bands film" does those again. With
+# MANDELMARCH_REHEARSAL=1 any device is a GPU, and results go into build.
 STEPS ?=
 gpu-hour: build ## what a GPU must show, in steps that can be stopped: report/results/DEVICE (an hour; docs/gpu-hour.md)
-	@packaging/gpu_hour bin report/results $(STEPS)
+	@packaging/gpu_hour bin $(if $(MANDELMARCH_REHEARSAL),build,report/results) $(STEPS)
 
 SITE_SEEDS ?= 1 2
 site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)

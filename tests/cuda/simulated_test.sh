@@ -5,15 +5,9 @@
 # fails gives a line and the right exit code.
 set -uo pipefail
 bin=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$2/tests/failures.sh"
 cp "$2"/params*.dat "$folder"
 cd "$folder"
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
 # expect CODE LINES PATTERN ARGUMENT...: mandelbulb's exit code and what it says on stderr.
 expect() {
     local code=$1 lines=$2 pattern=$3 got
@@ -78,5 +72,4 @@ SIMULATED_FAULT=timeout expect 1 1 'cuda: running a kernel: the launch timed out
 SIMULATED_MEMORY=40000 expect 1 1 'Simulated K40 number 0 has .* bytes of memory free' --output b.png
 SIMULATED_MEMORY=80000 expect 0 0 '' --output c.png  # in many bands
 [ -e b.png ] && fail "a picture from a GPU that failed"
-[ $failures = 0 ] && echo "all well"
-exit $((failures > 0))
+finish

@@ -6,15 +6,9 @@
 set -uo pipefail
 bin=$1
 here=$2/tests/openacc
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$2/tests/failures.sh"
 cp "$2"/params*.dat "$folder"
 cd "$folder"
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
 # expect CODE LINES PATTERN ARGUMENT...: mandelbulb's exit code and what it says on stderr.
 expect() {
     local code=$1 lines=$2 pattern=$3 got
@@ -93,5 +87,4 @@ SIMULATED_FAULT=timeout expect 1 1 'last words: libgomp: .*launch timed out' --b
 SIMULATED_MEMORY=40000 expect 1 1 'Simulated K40 number 0 has .* bytes of memory free' --backend openacc --output b.png
 SIMULATED_MEMORY=80000 expect 0 0 '' --backend openacc --output c.png  # in many bands
 [ -e b.png ] && fail "a picture from a GPU that failed"
-[ $failures = 0 ] && echo "all well"
-exit $((failures > 0))
+finish

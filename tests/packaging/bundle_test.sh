@@ -5,13 +5,7 @@ set -uo pipefail
 build=$(realpath "$1")
 source=$(realpath "$2")
 command -v patchelf >/dev/null || { echo "no patchelf, which makes bundles"; exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
+. "$source/tests/failures.sh"
 cmake --build "$build" --target bundle_program >"$folder/log" 2>&1 || { tail "$folder/log"; exit 1; }
 ARCHIVE=no "$source/packaging/bundle" "$build" "$folder/made" OFF >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
 # Where it was made it is not.
@@ -66,4 +60,4 @@ in_bundle demo --side 16 >/dev/null 2>&1 || fail "demo"
 # The twin: without one of its libraries it does not start, so that this machine's own were not taken.
 mv "$bundle/lib/libOpenEXR"* "$folder/"
 [ -n "$(outside)" ] || fail "a library that is away is not missed"
-exit $((failures > 0))
+finish
