@@ -46,9 +46,7 @@ public:
     {
         const Clock::time_point start = Clock::now();
         const cl::Event done = launch(band, band.rows, "drawing");
-        const double seconds = seconds_since(start);
-        timings.host += seconds;
-        timings.kernel += device_seconds(done).value_or(seconds);
+        timings.ran(seconds_since(start), device_seconds(done));
     }
 
     bool marching(const Band&) override { return false; }

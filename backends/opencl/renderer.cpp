@@ -52,9 +52,10 @@ private:
         cl::Program& program = compiled(scene.fractal->name);
         // The planes of a band stand in one buffer.
         const std::int64_t most = session_->largest_buffer / static_cast<std::int64_t>(real_planes * sizeof(Real));
-        const Limits limits = with_band({.pixels_per_band = std::min(most, largest_band),
-                                         .pixels_to_fill = session_->is_cpu ? busy_cpu : busy_gpu()},
-                                        options_.band);
+        const Limits limits =
+            with_band({.pixels_per_band = std::min(most, largest_band),
+                       .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
+                      options_.band);
         const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
         // On the heap: a hung device keeps what it works on.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
@@ -105,17 +106,9 @@ private:
         return session_->programs.emplace(fractal, std::move(program)).first->second;
     }
 
-    // Pixels that keep a GPU busy: waves of all work items that it holds, so that the last one, which waits for the
-    // slowest ray, does not count. OpenCL does not tell how many a compute unit holds: these are NVIDIA's.
-    std::int64_t busy_gpu() const
-    {
-        constexpr std::int64_t items = 2048;
-        constexpr std::int64_t waves = 16;
-        return std::min<std::int64_t>(waves * items * units(), largest_band);
-    }
-
     static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
-    static constexpr std::int64_t largest_band = 1 << 22;
+    // OpenCL does not tell how many work items a compute unit holds: these are NVIDIA's.
+    static constexpr std::int64_t items_of_unit = 2048;
 
     RendererOptions options_;
     Build build_;

@@ -49,12 +49,8 @@ static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
-// Pixels that keep a CPU's or a GPU's lanes busy: of a GPU, waves of all invocations that it holds, so that the last
-// one, which waits for the slowest ray, does not count.
+// Pixels that keep a CPU's lanes busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
-inline constexpr std::int64_t busy_gpu = 1 << 18;  // at least, and where a GPU does not tell what it holds
-inline constexpr std::int64_t waves = 16;
-inline constexpr std::int64_t largest_band = 1 << 22;  // pixels
 
 inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
 {
@@ -66,7 +62,7 @@ inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
     limits.loops_per_invocation = facts.counts_loops ? counted_loops
                                   : real == 4        ? watched_loops_float
                                                      : watched_loops_double;
-    limits.pixels_to_fill = !facts.device.is_gpu ? busy_cpu : std::max(busy_gpu, waves * facts.most_invocations);
+    limits.pixels_to_fill = facts.device.is_gpu ? pixels_of_gpu(facts.most_invocations) : busy_cpu;
     return with_band(limits, band);
 }
 
@@ -151,11 +147,7 @@ public:
     static vk::DeviceSize results_size(vk::DeviceSize pixels) { return wholes_at(pixels) + wholes_size(pixels); }
 
 private:
-    void ran(const Took& took)
-    {
-        timings_.kernel += took.device;
-        timings_.host += took.host;
-    }
+    void ran(const Took& took) { timings_.ran(took.host, took.device); }
 
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 

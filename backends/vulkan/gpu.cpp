@@ -139,7 +139,7 @@ Took Gpu::finish(const std::string& doing)
                             patience_.count(), doing));
         }
         took.host = seconds_since(start);
-        took.device = device_seconds().value_or(took.host);
+        took.device = device_seconds();
     });
     return took;
 }

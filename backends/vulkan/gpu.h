@@ -23,8 +23,8 @@ enum class Place { device, host };
 
 // Seconds that work took.
 struct Took {
-    double host = 0;    // from handing it over to knowing that it is done
-    double device = 0;  // by the device's clock; as `host` where it has none
+    double host = 0;                    // from handing it over to knowing that it is done
+    std::optional<double> device = {};  // by the device's clock, if it has one
 };
 
 class Gpu {

@@ -43,7 +43,7 @@ public:
                 const std::string ending = exact_modules(session_->gpu, session_->bench, options.precision);
                 session_->bench = {};
                 variant_ += ending;
-                quotients_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
+                instruction_set_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
                              : ending == "_pinned"  ? "SPIR-V, float quotients in double"
                                                     : "SPIR-V";
             }
@@ -92,7 +92,7 @@ private:
                             .device = gpu.facts().device,
                             .precision = options_.precision,
                             .mode = options_.mode,
-                            .instruction_set = quotients_,
+                            .instruction_set = instruction_set_,
                             .timings = {},
                             .work = {}};
         Timings& timings = report.timings;
@@ -154,7 +154,7 @@ private:
     RendererOptions options_;
     std::unique_ptr<Session> session_;
     std::string variant_;               // the ending of the modules' names
-    std::string quotients_ = "SPIR-V";  // how it computes them, for the user
+    std::string instruction_set_ = "SPIR-V";  // and how it computes float quotients, for the user
     std::string loaded_;                // fractal
     vk::DeviceSize held_ = 0;           // pixels that the buffers on the bench hold
     double context_ = 0;                // seconds

@@ -47,7 +47,7 @@ public:
         size_ = 0;
         address_ = (model_.*take)(bytes);
         if (address_ == nullptr) {
-            throw Error(fmt::format("{}: the device has no {} bytes of memory free", model_.name(), bytes));
+            throw Error(fmt::format("{}: there are no {} bytes of memory free", model_.name(), bytes));
         }
         size_ = bytes;
         return address_;
@@ -113,9 +113,11 @@ public:
         job_.first_row = band.first_row;
         job_.rows = band.rows;
         timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
-        timed(timings_.host, [&] {
-            timings_.kernel += model_.seconds_of([&] { launch_(job_on_device_, job_.scene.width, band.rows); });
-        });
+        double by_device = 0;
+        double by_host = 0;
+        timed(by_host,
+              [&] { by_device = model_.seconds_of([&] { launch_(job_on_device_, job_.scene.width, band.rows); }); });
+        timings_.ran(by_host, by_device);
     }
 
     bool marching(const Band&) override { return false; }

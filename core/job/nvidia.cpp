@@ -3,10 +3,10 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <type_traits>
 
 #include "core/base/stopwatch.h"
+#include "core/render/schedule.h"
 
 namespace mandelmarch::job {
 namespace {
@@ -20,10 +20,6 @@ constexpr CUresult CUDA_SUCCESS = 0;
 constexpr int CU_DEVICE_ATTRIBUTE_MULTIPROCESSOR_COUNT = 16;
 constexpr int CU_DEVICE_ATTRIBUTE_KERNEL_EXEC_TIMEOUT = 17;
 constexpr int CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_MULTIPROCESSOR = 39;
-
-constexpr std::int64_t waves = 16;
-constexpr std::int64_t fewest_pixels = 1 << 18;
-constexpr std::int64_t most_pixels = 1 << 22;
 
 struct Driver {
     CUresult (*cuDeviceGet)(CUdevice*, int) = nullptr;
@@ -112,8 +108,7 @@ std::int64_t pixels_per_launch(int index)
                        ask(CU_DEVICE_ATTRIBUTE_MULTIPROCESSOR_COUNT, multiprocessors) &&
                        ask(CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_MULTIPROCESSOR, threads) &&
                        ask(CU_DEVICE_ATTRIBUTE_KERNEL_EXEC_TIMEOUT, watched);
-    if (!known || watched != 0) return fewest_pixels;
-    return std::clamp(waves * multiprocessors * threads, fewest_pixels, most_pixels);
+    return pixels_of_gpu(known && watched == 0 ? std::int64_t{multiprocessors} * threads : 0);
 }
 
 }  // namespace mandelmarch::job

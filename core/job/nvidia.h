@@ -12,9 +12,8 @@ namespace mandelmarch::job {
 // clock, from events round it; by the host's where the driver has no events.
 double seconds_on_gpu(const std::function<void()>& launch);
 
-// Pixels that GPU `index` draws in one go: enough waves of all threads that it holds at once that the last one, which
-// waits for the slowest ray, does not count. Where a watchdog ends kernels after some seconds, no more than end well
-// before it on the slowest GPU.
+// Pixels that GPU `index` draws in one go: pixels_of_gpu() of the threads that it holds (core/render/schedule.h), and
+// the fewest where a watchdog ends kernels after some seconds.
 std::int64_t pixels_per_launch(int index);
 
 }  // namespace mandelmarch::job

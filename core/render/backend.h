@@ -72,11 +72,11 @@ struct Timings {
     double readback = 0;  // from the last kernel to the picture in host memory: copying, converting, counting
     double wall = 0;      // the whole render() call
 
-    // Kernels took this long by the host's clock, which is the only one.
-    void ran(double seconds)
+    // Kernels took this long by the host's clock, and by the device's if it has one of its own.
+    void ran(double by_host, std::optional<double> by_device = {})
     {
-        kernel += seconds;
-        host += seconds;
+        kernel += by_device.value_or(by_host);
+        host += by_host;
     }
 };
 

@@ -25,6 +25,18 @@ struct Limits {
     std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
 };
 
+// A band's pixels at most; a GPU's at least.
+inline constexpr std::int64_t largest_band = 1 << 22;
+inline constexpr std::int64_t fewest_of_gpu = 1 << 18;
+
+// Pixels that keep a GPU busy that holds so many threads at once, 0: it does not tell. They are enough waves of those
+// threads that the last one, which waits for the slowest ray, does not count.
+inline std::int64_t pixels_of_gpu(std::int64_t threads)
+{
+    constexpr std::int64_t waves = 16;
+    return std::clamp(waves * threads, fewest_of_gpu, largest_band);
+}
+
 // With bands of so many pixels where that is not 0; not more than the device holds.
 inline Limits with_band(Limits limits, int band)
 {

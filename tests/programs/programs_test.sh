@@ -88,6 +88,8 @@ for options in "--trace" "--pixel 3,4" "--pixel 40,3 --trace" "--pixel 3,30 --tr
     expect 2 "$bin/mandelbulb" paramsBulb.dat $small $options
 done
 says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom left to 39,29 at the top right"
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
+says 'projection: fish not in \{perspective,equirectangular\}'
 
 # Statistics.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the wall time: what they leave is a figure, and named where it is more than a little.
+#include <gtest/gtest.h>
+
+#include "bench/figures.h"
+#include "bench/report.h"
+#include "tests/bench/made.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// A row of which this share of the wall time is in no part.
+Row leaving(double share)
+{
+    Row row = made_row("leaves", {0.1, 0.1, 0.1});
+    for (Sample& s : row.samples) s.host = (1 - share) * s.wall - s.readback;
+    return row;
+}
+
+bool is_named(const Row& row)
+{
+    return to_console(made_result({row}), false).find("leave more than 5.0%") != std::string::npos;
+}
+
+TEST(Parts, WhatTheyLeaveIsAFigure)
+{
+    const Row row = leaving(0.25);
+    EXPECT_NEAR(figures_of(made_result({row}), row).unaccounted.value(), 0.25, 1e-12);
+}
+
+TEST(Parts, ARowIsNamedWhereTheyLeaveMoreThanALittle)
+{
+    EXPECT_TRUE(is_named(leaving(0.06)));
+    EXPECT_FALSE(is_named(leaving(0.04)));
+}
+
+// Its wall time has opening and building, which no sample tells apart.
+TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
+{
+    Row row = leaving(0.5);
+    row.setting.frames = 10;
+    EXPECT_FALSE(figures_of(made_result({row}), row).unaccounted.has_value());
+    EXPECT_FALSE(is_named(row));
+}
+
+// Before devices had clocks of their own, a kernel's time was the host's.
+TEST(Parts, OfAnOlderFileTheHostsTimeIsTheKernels)
+{
+    nlohmann::ordered_json json = to_json(made_result({leaving(0.25)}));
+    for (auto& sample : json["rows"][0]["samples"]) sample.erase("host");
+    json["rows"][0]["setting"].erase("band");
+    const Result older = result_from_json(json, "older");
+    for (const Sample& s : older.rows[0].samples) EXPECT_EQ(s.host, s.kernel);
+}
+
+}  // namespace
+}  // namespace mandelmarch::bench
