@@ -44,8 +44,8 @@ public:
                 session_->bench = {};
                 variant_ += ending;
                 instruction_set_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
-                             : ending == "_pinned"  ? "SPIR-V, float quotients in double"
-                                                    : "SPIR-V";
+                                   : ending == "_pinned"  ? "SPIR-V, float quotients in double"
+                                                          : "SPIR-V";
             }
         });
         context_ = seconds_since(start);
@@ -153,11 +153,11 @@ private:
 
     RendererOptions options_;
     std::unique_ptr<Session> session_;
-    std::string variant_;               // the ending of the modules' names
+    std::string variant_;                     // the ending of the modules' names
     std::string instruction_set_ = "SPIR-V";  // and how it computes float quotients, for the user
-    std::string loaded_;                // fractal
-    vk::DeviceSize held_ = 0;           // pixels that the buffers on the bench hold
-    double context_ = 0;                // seconds
+    std::string loaded_;                      // fractal
+    vk::DeviceSize held_ = 0;                 // pixels that the buffers on the bench hold
+    double context_ = 0;                      // seconds
 };
 
 }  // namespace
