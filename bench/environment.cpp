@@ -178,6 +178,7 @@ Json environment(const Registry& registry)
         {"os",
          {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
           {"kernel", fmt::format("{} {}", system.sysname, system.release)},
+          {"boot", or_null(text_of("/proc/sys/kernel/random/boot_id"))},
           {"architecture", system.machine}}},
         {"backends", backends(registry)},
         {"icds", icds(registry)},

@@ -27,6 +27,14 @@ bool is_cpu(const Result& result, const std::string& platform)
     return std::ranges::any_of(result.rows, [&](const Row& row) { return row.platform == platform && !row.is_gpu; });
 }
 
+// Whether both are known to be of one boot of one system.
+bool same_boot(const Result& a, const Result& b)
+{
+    const Json::json_pointer boot("/os/boot");
+    return a.environment.contains(boot) && b.environment.contains(boot) && a.environment.at(boot).is_string() &&
+           a.environment.at(boot) == b.environment.at(boot);
+}
+
 // What only one of them knows is no difference.
 bool same_facts(const Result& a, const Result& b)
 {
@@ -77,7 +85,8 @@ std::vector<Result> told_apart(std::span<const Result> results)
         for (const std::size_t i : indices) {
             const auto same = std::ranges::find_if(machines, [&](std::size_t j) {
                 const bool cpu = is_cpu(results[i], platform) && is_cpu(results[j], platform);
-                return (!cpu || same_facts(results[i], results[j])) && same_peaks(results[i], results[j], platform);
+                if (cpu && !same_facts(results[i], results[j])) return false;
+                return (cpu && same_boot(results[i], results[j])) || same_peaks(results[i], results[j], platform);
             });
             of[i] = static_cast<std::size_t>(same - machines.begin());
             if (same == machines.end()) machines.push_back(i);

@@ -13,8 +13,9 @@ namespace mandelmarch::bench {
 inline constexpr double same_peak = 1.5;
 
 // The results, with platforms renamed where two of one name differ: a CPU in its stepping, flags, caches or usable
-// cores, as far as both results know them, or any device in its measured peak, by more than the factor same_peak. Their
-// names have the number of the machine behind them, from 1: "AMD EPYC (family 26 model 2), machine 2".
+// cores, as far as both results know them, or any device in its measured peak, by more than the factor same_peak. CPUs
+// of one boot of one system are one machine, whatever load did to their peaks. Their names have the number of the
+// machine behind them, from 1: "AMD EPYC (family 26 model 2), machine 2".
 std::vector<Result> told_apart(std::span<const Result> results);
 
 }  // namespace mandelmarch::bench

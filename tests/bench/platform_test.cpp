@@ -100,6 +100,22 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
 }
 
+// Another program's load may halve a peak in one of two runs.
+TEST(Platform, OneBootIsOneMachineWhateverItsPeaks)
+{
+    const auto booted = [](double peak, const char* boot) {
+        Result result = machine({}, peak);
+        result.environment["os"]["boot"] = boot;
+        return result;
+    };
+    EXPECT_EQ(platforms(booted(231e9, "a"), booted(464e9, "a")), 1U);
+    EXPECT_EQ(platforms(booted(231e9, "a"), booted(464e9, "b")), 2U);
+    EXPECT_EQ(platforms(booted(231e9, "a"), machine({}, 464e9)), 2U) << "one boot is not known";
+    Result gpu = booted(231e9, "a");
+    gpu.rows[0].is_gpu = true;
+    EXPECT_EQ(platforms(gpu, booted(464e9, "a")), 2U) << "a system has GPUs of many kinds";
+}
+
 TEST(Platform, FactsThatDifferMakeTwo)
 {
     const nlohmann::ordered_json cpu{{"stepping", 1},
