@@ -39,11 +39,13 @@ struct Around {
         const auto column = hn::Sub(number, hn::Mul(row, wide));
         const auto half = hn::Set(Reals(), MM_REAL(0.5));
         const auto left = hn::Floor(hn::Mul(column, half));
-        const auto below = hn::Mul(hn::Floor(hn::Mul(row, half)), wide);
+        const auto down = hn::Floor(hn::Mul(row, half));
         const auto right = hn::Sub(column, left);  // left, or one more
-        const auto above = hn::Mul(hn::Sub(row, hn::Floor(hn::Mul(row, half))), wide);
+        const auto up = hn::Sub(row, down);
         const auto is_right = hn::Lt(hn::Add(right, right), wide);
-        const auto is_above = hn::Lt(hn::Add(row, row), set(2 * (canvas.end_row - canvas.first_row) - 1));
+        const auto is_above = hn::Lt(hn::Add(up, up), set(canvas.end_row - canvas.first_row));
+        const auto below = hn::Mul(down, wide);
+        const auto above = hn::Mul(up, wide);
         at[0] = hn::ConvertTo(Wholes(), hn::Add(below, left));
         at[1] = hn::ConvertTo(Wholes(), hn::Add(below, right));
         at[2] = hn::ConvertTo(Wholes(), hn::Add(above, left));
