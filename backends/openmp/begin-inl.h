@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays begin: those of some tiles, after the cones of their blocks.
 
-// Guard: once for each pack with pools.
-#if defined(MM_BEGIN_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_BEGIN_INL_H
-#undef MM_BEGIN_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_BEGIN_INL_H
 #define MM_BEGIN_INL_H
-#endif
 
 #include <cstddef>
 
@@ -36,7 +32,7 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
         return;
     }
     begin_cones(d, blocks);
-    march_cones(d);
+    march_cone_pool(d);
     if (!paints) return;
     const PaintedRow row(missed(d.scene, stopped(d.scene, begin_at(d.scene, 0, 0))).colour);
     for (int block = 0; block < blocks.count; ++block) {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks of pixels whose rays begin together.
 
-// Guard: once for each pack with pools.
-#if defined(MM_BLOCKS_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_BLOCKS_INL_H
-#undef MM_BLOCKS_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_BLOCKS_INL_H
 #define MM_BLOCKS_INL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>

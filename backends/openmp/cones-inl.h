@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cones before rays: how far the rays of a block can go together.
 
-// Guard: once for each pack with pools.
-#if defined(MM_CONES_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_CONES_INL_H
-#undef MM_CONES_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_CONES_INL_H
 #define MM_CONES_INL_H
-#endif
 
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/drawing-inl.h"
@@ -62,17 +58,11 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 }
 
 // Marches the cones that have begun.
-HWY_NOINLINE void march_cones(Drawing& d)
+HWY_NOINLINE void march_cone_pool(Drawing& d)
 {
-    const scalar span = d.canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
     while (d.pools.cones.size > 0) {
-        sample_pool<Traveller, roomless, marched>(
-            d, d.pools.cones, steps_at_once,
-            [&](Traveller& a, const Estimate& here, const mask& on) MM_INLINED {
-                a.ray = advanced_cone(d.scene, a.ray, span, here, on);
-                return on && cone_goes(a.ray);
-            },
-            [&](Traveller& a, const mask& stopped) MM_INLINED { end_cones(d, a, stopped); });
+        step_pool<Traveller, roomless>(d, d.pools.cones, StepKind::march_cones,
+                                       [&](Traveller& a, const mask& ended) MM_INLINED { end_cones(d, a, ended); });
     }
 }
 

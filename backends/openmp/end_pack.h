@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends a pack: takes its words away and turns the guards of its parts, so that the parts of another pack can follow. No
-// guard: it acts each time.
+// Ends a pack: takes its words and the guards of its parts away, so that another pack can follow. No guard: it acts
+// each time.
 
-// Pools handle one register at a time.
-#if MM_REGISTERS == 1
-#ifdef MM_POOL_TOGGLE
-#undef MM_POOL_TOGGLE
-#else
-#define MM_POOL_TOGGLE
-#endif
-#endif
-
-#ifdef MM_PACK_TOGGLE
-#undef MM_PACK_TOGGLE
-#else
-#define MM_PACK_TOGGLE
-#endif
+#undef MM_BEGIN_INL_H
+#undef MM_BLOCKS_INL_H
+#undef MM_CONES_INL_H
+#undef MM_DRAWING_INL_H
+#undef MM_PACK_INL_H
+#undef MM_PASSES_INL_H
+#undef MM_PIXELS_INL_H
+#undef MM_POOL_INL_H
+#undef MM_PROFILE_INL_H
+#undef MM_RAYS_INL_H
+#undef MM_SAMPLES_INL_H
+#undef MM_SHADING_INL_H
+#undef MM_SHARING_INL_H
+#undef MM_SQUARES_INL_H
 
 #include "core/kernel/prelude/undefine.h"
 #undef MM_APPEND

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel text in packs: what the parts around it (*-inl.h) are written in. A part is compiled once for each
 // instruction set and for each kind of pack; it opens its namespaces itself, includes what it uses, and can be included
-// alone and in any order. Its guard toggles, as in Highway's -inl.h files: MM_PACK_TOGGLE changes with each pack,
-// MM_POOL_TOGGLE with each pack that has pools (end_pack.h).
+// alone and in any order. end_pack.h takes its guard away when a pack ends.
 //
 // Define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK, its namespace,
-// MM_REGISTERS, the registers of a pack, and MM_COUNTED, 1 or 0: whether work is counted. end_pack.h ends a pack.
+// MM_REGISTERS, the registers of a pack, and MM_COUNTED, 1 or 0: whether work is counted.
 
-// Guard: once for each pack.
-#if defined(MM_PACK_INL_H) == defined(MM_PACK_TOGGLE)
-#ifdef MM_PACK_INL_H
-#undef MM_PACK_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_PACK_INL_H
 #define MM_PACK_INL_H
-#endif
 
 #include "hwy/highway.h"
 

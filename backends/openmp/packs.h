@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of every packs_*.cpp, included once for each instruction set: its variants in packs. Each pack below says
-// what it is, includes its parts and ends: packs of one register with the pools, and wide packs, which take samples for
-// them.
+// what it is, includes its parts and ends: packs of one register with the pools, pairs, which shade hits, and wide packs,
+// which take steps.
 
 #include <cstddef>
 
@@ -16,14 +16,23 @@
 #define MM_COUNTED 1
 #include "backends/openmp/pool-inl.h"
 #include "backends/openmp/profile-inl.h"
+#include "backends/openmp/samples-inl.h"
+#ifdef MANDELMARCH_ONE_WIDTH
+#include "backends/openmp/shading-inl.h"
+#endif
 #include "backends/openmp/end_pack.h"
 
 #ifndef MANDELMARCH_ONE_WIDTH
-// Four registers hide the arithmetic's latency, at the price of some spilled values; a fractal can ask for less in fast
-// mode.
+#define MM_PACK counted::pair
+#define MM_REGISTERS 2
+#define MM_COUNTED 1
+#include "backends/openmp/shading-inl.h"
+#include "backends/openmp/end_pack.h"
+
+// Four registers hide the arithmetic's latency, at the price of some spilled values; a fractal can ask for less.
 #undef MM_WIDE_REGISTERS
-#if MM_FAST && defined(MM_WIDE_REGISTERS_FAST) && HWY_TARGET <= HWY_AVX3
-#define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_FAST
+#if defined(MM_WIDE_REGISTERS_AVX3) && HWY_TARGET <= HWY_AVX3
+#define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_AVX3
 #else
 #define MM_WIDE_REGISTERS 4
 #endif
@@ -41,6 +50,12 @@
 #define MM_COUNTED 0
 #include "backends/openmp/pool-inl.h"
 #include "backends/openmp/profile-inl.h"
+#include "backends/openmp/end_pack.h"
+
+#define MM_PACK uncounted::pair
+#define MM_REGISTERS 2
+#define MM_COUNTED 0
+#include "backends/openmp/shading-inl.h"
 #include "backends/openmp/end_pack.h"
 
 #define MM_PACK uncounted::wide
@@ -63,14 +78,17 @@ HWY_MAYBE_UNUSED VariantList<MM_REAL> list() { return {}; }
 #else
 
 #ifdef MANDELMARCH_ONE_WIDTH
-namespace best_pools = counted::narrow;
-namespace best_samples = counted::narrow;
-#elif MM_FAST
-namespace best_pools = uncounted::narrow;
-namespace best_samples = uncounted::wide;
+namespace best = counted;
+namespace best_samples = best::narrow;
+namespace best_shading = best::narrow;
 #else
-namespace best_pools = counted::narrow;
-namespace best_samples = counted::wide;
+#if MM_FAST
+namespace best = uncounted;
+#else
+namespace best = counted;
+#endif
+namespace best_samples = best::wide;
+namespace best_shading = best::pair;
 #endif
 
 // The best last.
@@ -85,17 +103,19 @@ HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
                                          .draw = draw,
                                          .memory = sizeof(counted::narrow::Pools)};
     };
-    add(counted::narrow::pack_lanes, true, counted::narrow::draw<counted::narrow::width>);
-#ifndef MANDELMARCH_ONE_WIDTH
-    add(counted::wide::pack_lanes, true, counted::narrow::draw<counted::wide::width>);
+#ifdef MANDELMARCH_ONE_WIDTH
+    add(counted::narrow::pack_lanes, true, counted::narrow::draw<counted::narrow::sampling, counted::narrow::shading>);
+#else
+    add(counted::narrow::pack_lanes, true, counted::narrow::draw<counted::narrow::sampling, counted::pair::shading>);
+    add(counted::wide::pack_lanes, true, counted::narrow::draw<counted::wide::sampling, counted::pair::shading>);
 #if MM_FAST
-    add(uncounted::narrow::pack_lanes, false, uncounted::narrow::draw<uncounted::narrow::width>);
-    add(uncounted::wide::pack_lanes, false, uncounted::narrow::draw<uncounted::wide::width>);
+    add(uncounted::wide::pack_lanes, false,
+        uncounted::narrow::draw<uncounted::wide::sampling, uncounted::pair::shading>);
 #endif
 #endif
-    Variant<MM_REAL>& best = variants.of[variants.count - 1];
-    best.profile = best_pools::profile<best_samples::width>;
-    best.profile_memory = sizeof(best_pools::ProfileMemory);
+    Variant<MM_REAL>& best_variant = variants.of[variants.count - 1];
+    best_variant.profile = best::narrow::profile<best_samples::sampling, best_shading::shading>;
+    best_variant.profile_memory = sizeof(best::narrow::ProfileMemory);
     return variants;
 }
 #endif

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finished pixels, from packs to the canvas.
 
-// Guard: once for each pack.
-#if defined(MM_PIXELS_INL_H) == defined(MM_PACK_TOGGLE)
-#ifdef MM_PIXELS_INL_H
-#undef MM_PIXELS_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_PIXELS_INL_H
 #define MM_PIXELS_INL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>

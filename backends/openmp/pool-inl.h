@@ -5,16 +5,12 @@
 // gaps. Rays that hit wait in a second pool until whole packs of them can be refined and shaded. When the first pool
 // runs low it takes the rays of another tile. No lane waits for a slow neighbour but within one call of the estimator.
 //
-// All of it handles one register at a time, which leaves values in registers, but for samples: there the registers of a
-// wide pack hide each other's latency.
+// All of it handles one register at a time, which leaves values in registers, but for samples and shading: there the
+// registers of a wider pack hide each other's latency.
 
-// Guard: once for each pack with pools.
-#if defined(MM_POOL_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_POOL_INL_H
-#undef MM_POOL_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_POOL_INL_H
 #define MM_POOL_INL_H
-#endif
 
 #include "backends/openmp/begin-inl.h"
 #include "backends/openmp/drawing-inl.h"
@@ -56,18 +52,19 @@ HWY_INLINE void draw_with(Drawing& d, Clock clock)
 }
 
 HWY_MAYBE_UNUSED Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory,
-                                  const Width& wide)
+                                  const Sampling& sampling, const Shading& shading)
 {
-    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, *static_cast<Pools*>(memory), wide);
+    Drawing d =
+        drawing(*static_cast<const Scene*>(data), canvas, tiles, *static_cast<Pools*>(memory), sampling, shading);
     draw_with(d, NoClock());
     return d.spent;
 }
 
-// The same with samples in packs of one width.
-template <const Width& wide>
+// The same with samples and shading in packs of some widths.
+template <const Sampling& sampling, const Shading& shading>
 Spent draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
-    return draw_tiles(scene, canvas, tiles, memory, wide);
+    return draw_tiles(scene, canvas, tiles, memory, sampling, shading);
 }
 
 }  // namespace MM_PACK

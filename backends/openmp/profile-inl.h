@@ -2,13 +2,9 @@
 // The profile: tiles as pool-inl.h draws them, with a clock between the stages. Hits are shaded in three passes, so
 // that each can be timed.
 
-// Guard: once for each pack with pools.
-#if defined(MM_PROFILE_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_PROFILE_INL_H
-#undef MM_PROFILE_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_PROFILE_INL_H
 #define MM_PROFILE_INL_H
-#endif
 
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/passes-inl.h"
@@ -109,13 +105,13 @@ private:
     double last_;
 };
 
-// Draws tiles until there are no more, with samples in packs of one width.
-template <const Width& wide>
+// Draws tiles until there are no more, with samples and rare shading in packs of some widths.
+template <const Sampling& sampling, const Shading& shading>
 void profile(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*clock)(),
              double* seconds)
 {
     ProfileMemory& memory = *static_cast<ProfileMemory*>(at);
-    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, memory.pools, wide);
+    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, memory.pools, sampling, shading);
     draw_with(d, StageClock(memory, clock, seconds));
 }
 

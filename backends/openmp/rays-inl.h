@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packs of rays and of hits to and from pools.
 
-// Guard: once for each pack.
-#if defined(MM_RAYS_INL_H) == defined(MM_PACK_TOGGLE)
-#ifdef MM_RAYS_INL_H
-#undef MM_RAYS_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_RAYS_INL_H
 #define MM_RAYS_INL_H
-#endif
 
 #include <cstddef>
 
@@ -67,8 +63,8 @@ constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
 constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // of an Arrival
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
 constexpr Fields probed{direction_bits | t_bit, 0};  // what a sample needs
-// What a step changes: of marching, with the room and without, and of refining.
-constexpr Fields marched_with_room{t_bit | sample_bits | room_bit, steps_bit | work_bits};
+constexpr Fields room_alone{room_bit, 0};
+// What a step changes: of marching, but for the room, and of refining.
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
 constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
@@ -253,6 +249,14 @@ HWY_INLINE whole lane_numbers()
     whole a;
     EACH_REGISTER(a.of[u] = hn::Iota(Wholes(), static_cast<Int>(u * register_lanes));)
     return a;
+}
+
+// The next root of the hits that are on and need one; returns which those are.
+HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
+{
+    const mask coarse = on && refining(scene, hit);
+    hit = aimed(hit, coarse);
+    return coarse && hit.state > settled();
 }
 
 }  // namespace MM_PACK

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pools ask of a pack width: samples, and finished pixels.
+// What pools ask of a pack: steps of rays and of hits, a sample each.
 
-// Guard: once for each pack.
-#if defined(MM_SAMPLES_INL_H) == defined(MM_PACK_TOGGLE)
-#ifdef MM_SAMPLES_INL_H
-#undef MM_SAMPLES_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_SAMPLES_INL_H
 #define MM_SAMPLES_INL_H
-#endif
 
-#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/ray_pool.h"
 #include "backends/openmp/rays-inl.h"
+#include "backends/openmp/variant.h"
 #include "backends/openmp/width-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,80 +16,73 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// The next sample of each ray or hit of a pack that is on; `on` has a mask for each register.
-HWY_NOINLINE void probe_pack(const void* data, const Pool& pool, int from, const hn::Mask<Reals>* on,
-                             MM_REAL* distances, Int* iterations)
-{
-    const Scene& scene = *static_cast<const Scene*>(data);
-    // Of either kind: both have these fields at the same places.
-    const Hit next = load<Arrival, probed>(pool, from).hit;
-    mask lanes;
-    EACH_REGISTER(lanes.of[u] = on[u];)
-    const Estimate here = probe_root(scene, next, lanes);
-    store_lanes(here.distance, distances);
-    store_lanes(here.iterations, iterations);
-}
+// Steps before rays are stored without gaps again, at most.
+constexpr int steps_at_once = 16;
 
-// Leaves a hit's surroundings for the pixels between.
-HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Surroundings& found,
-                                   const mask& on)
+// What follows from the next sample of rays of a pool that are on, for each kind. They return which stay on.
+HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from, const Estimate& here,
+                         const mask& on)
 {
-    Int places[places_room] = {};
-    MM_REAL along_normal[places_room] = {};
-    MM_REAL sunwards[places_room] = {};
-    store_compact(pixels, on, places);
-    store_compact(found.along_normal, on, along_normal);
-    store_compact(found.sunwards, on, sunwards);
-    const int lanes = lanes_on(on);
-    for (int i = 0; i < lanes; ++i) {
-        canvas.along_normal[places[i] / 2] = along_normal[i];
-        canvas.sunwards[places[i] / 2] = sunwards[i];
+    Traveller a = load<Traveller, roomless>(pool, from);
+    if (canvas.lattice.apart > 1) {
+        const real width = MM_REAL(0.5) * static_cast<MM_REAL>(canvas.lattice.apart) * canvas.spacing;
+        a.room = load<Traveller, room_alone>(pool, from).room;
+        a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
+        store<room_alone>(a, pool, from);
     }
+    a.ray = advanced(scene, a.ray, here, on);
+    mask stay = on && marching(scene, a.ray);
+    if (canvas.lattice.before > 0 && any(on && !stay)) {
+        const mask late = on && begun_too_late(scene, a.ray);
+        a.ray = begun_alone(scene, a.ray, late);
+        stay = stay || late;
+    }
+    store<marched>(a, pool, from);
+    return stay;
 }
 
-// Shades `count` hits of a pool in a picture whose pixels share surroundings; `shared`: these have them already.
-template <bool shared>
-HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
-                                   Spent& spent)
+HWY_INLINE mask march_cones_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from,
+                               const Estimate& here, const mask& on)
+{
+    const scalar span = canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
+    Traveller a = load<Traveller, roomless>(pool, from);
+    a.ray = advanced_cone(scene, a.ray, span, here, on);
+    store<marched>(a, pool, from);
+    return on && cone_goes(a.ray);
+}
+
+HWY_INLINE mask refine_on(const Scene& scene, Pool& pool, int from, const Estimate& here, const mask& on)
+{
+    Arrival a = load<Arrival, arrived>(pool, from);
+    a.hit = narrowed(scene, a.hit, here, on);
+    const mask stay = aim(scene, a.hit, on);
+    store<refined>(a, pool, from);
+    return stay;
+}
+
+// One function for all kinds, so that the estimator is compiled once, in its loop.
+HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Pool& pool, StepKind kind, int from,
+                             int rays, hn::Mask<Reals>* going)
 {
     const Scene& scene = *static_cast<const Scene*>(data);
-    for (int from = 0; from < count; from += pack_lanes) {
-        Arrival a = load < Arrival, shared ? arrived_sharing : arrived > (pool, from);
-        const mask on = first_lanes(count - from);
-        a.hit.state = pick(on, a.hit.state, no_hit());
-        const ShadingPoint at = shading_point(scene, a.hit);
-        const Normal normal = normal_at(scene, at.p, at.t, on);
-        Surroundings found;
-        if constexpr (shared) {
-            found.along_normal = a.shared.along_normal;
-            found.sunwards = a.shared.sunwards;
-            found.estimates = 0;
-            found.iterations = 0;
+    mask on = first_lanes(rays);
+    const int enough = (rays < pack_lanes ? rays : pack_lanes) * 3 / 4;
+    int step = 0;
+    do {
+        // Of every kind: they have these fields at the same places.
+        const Estimate here = probe_root(scene, load<Arrival, probed>(pool, from).hit, on);
+        if (kind == StepKind::march) {
+            on = march_on(scene, canvas, pool, from, here, on);
+        } else if (kind == StepKind::march_cones) {
+            on = march_cones_on(scene, canvas, pool, from, here, on);
         } else {
-            const vec3 n = facing(scene, a.hit.direction, normal.direction, at.t);
-            found = surroundings(scene, at.p, n, at.t, on);
-            if (canvas.lattice.apart > 1) leave_surroundings(canvas, a.pixel, found, on);
+            on = refine_on(scene, pool, from, here, on);
         }
-        const Pixel pixel = shade_among(scene, a.hit, missed(scene, a.hit), at, normal, found);
-        store_pixels(pixel, a.pixel, on, canvas, spent);
-    }
+    } while (kind != StepKind::refine && ++step < steps_at_once && lanes_on(on) > enough);
+    EACH_REGISTER(going[u] = on.of[u];)
 }
 
-// Shades `count` hits of a pool.
-HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
-{
-    if (canvas.sunwards != nullptr) return shade_among_rays<false>(data, pool, count, canvas, spent);
-    const Scene& scene = *static_cast<const Scene*>(data);
-    for (int from = 0; from < count; from += pack_lanes) {
-        Arrival a = load<Arrival, arrived>(pool, from);
-        const mask on = first_lanes(count - from);
-        // Lanes beyond the last ray hit nothing.
-        a.hit.state = pick(on, a.hit.state, no_hit());
-        store_pixels(shade(scene, a.hit), a.pixel, on, canvas, spent);
-    }
-}
-
-constexpr Width width{MM_REGISTERS, probe_pack, shade_rays, shade_among_rays<true>};
+constexpr Sampling sampling{MM_REGISTERS, take_steps};
 
 }  // namespace MM_PACK
 }  // namespace

@@ -2,13 +2,9 @@
 // Hits that take over what a look finds around them from the pixels beside them, drawn before, that see the same
 // surface.
 
-// Guard: once for each pack with pools.
-#if defined(MM_SHARING_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_SHARING_INL_H
-#undef MM_SHARING_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_SHARING_INL_H
 #define MM_SHARING_INL_H
-#endif
 
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/rays-inl.h"

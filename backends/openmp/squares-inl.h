@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pixels of a square, some of a lattice, whose rays begin together.
 
-// Guard: once for each pack with pools.
-#if defined(MM_SQUARES_INL_H) == defined(MM_POOL_TOGGLE)
-#ifdef MM_SQUARES_INL_H
-#undef MM_SQUARES_INL_H
-#else
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_SQUARES_INL_H
 #define MM_SQUARES_INL_H
-#endif
 
 #include "backends/openmp/blocks-inl.h"
 #include "backends/openmp/drawing-inl.h"

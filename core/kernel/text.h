@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
 // No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
+#ifndef FN_SAMPLED
+#define FN_SAMPLED FN_CALLED
+#endif
 #include "core/kernel/scene.h"
 #ifdef MM_SCENE_BY_REFERENCE
 #define Scene const Scene&
@@ -8,7 +11,7 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-#undef MM_WIDE_REGISTERS_FAST  // for fractals that define it
+#undef MM_WIDE_REGISTERS_AVX3  // for fractals that define it
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"
@@ -17,3 +20,4 @@
 #include "core/kernel/looks.h"
 #include "core/kernel/shade.h"
 #undef Scene
+#undef FN_SAMPLED

@@ -45,7 +45,7 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
 // Where a ray can meet the surface: its row proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
     real dr = 1;

@@ -103,7 +103,7 @@ FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
     return b;
 }
 
-FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
     BoxOrbit a;

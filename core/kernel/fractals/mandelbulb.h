@@ -2,9 +2,9 @@
 // Kernel text, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
 // the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
 
-// The registers of a wide pack in fast mode: an iteration takes long enough for three, which spill less than four
+// The registers of a wide pack with AVX-512: an iteration takes long enough for three, which spill less than four
 // (docs/notes/experiments.md).
-#define MM_WIDE_REGISTERS_FAST 3
+#define MM_WIDE_REGISTERS_AVX3 3
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
 FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
@@ -132,7 +132,7 @@ FN Estimate bulb_estimate(real r2, real dr, effort iterations)
 }
 
 // For power 8, in a loop of its own: what other powers need would take its registers.
-FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
+FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(eighth_one(), p);
     vec3 z = q;
@@ -158,7 +158,7 @@ FN_CALLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     return bulb_estimate(r2 * R(0.8203353560076380), dr, iterations);
 }
 
-FN_CALLED Estimate estimate_any(Scene scene, vec3 p, mask on)
+FN_SAMPLED Estimate estimate_any(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real dr = 1;

@@ -8,10 +8,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 // A copy of the scene for every call of an estimator is worth avoiding.
 #define MM_SCENE_BY_REFERENCE
 #define FN HWY_API
-#if MM_REGISTERS == 1
 #define FN_CALLED HWY_NOINLINE HWY_MAYBE_UNUSED
+#if MM_REGISTERS == 1
+#define FN_SAMPLED FN_CALLED
 #else
-#define FN_CALLED HWY_API
+#define FN_SAMPLED FN
 #endif
 // Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
 #define MM_IN_REGISTER(number, ...) \
@@ -21,6 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
     }
 #if MM_REGISTERS == 1
 #define EACH_REGISTER(...) MM_IN_REGISTER(0, __VA_ARGS__)
+#elif MM_REGISTERS == 2
+#define EACH_REGISTER(...) MM_IN_REGISTER(0, __VA_ARGS__) MM_IN_REGISTER(1, __VA_ARGS__)
 #elif MM_REGISTERS == 3
 #define EACH_REGISTER(...) MM_IN_REGISTER(0, __VA_ARGS__) MM_IN_REGISTER(1, __VA_ARGS__) MM_IN_REGISTER(2, __VA_ARGS__)
 #elif MM_REGISTERS == 4
@@ -174,7 +177,7 @@ FN bool any(const mask& on)
     const auto any_of = [](__mmask8 a, __mmask8 b) HWY_ATTR { return !_kortestz_mask8_u8(a, b); };
 #endif
     constexpr int last = MM_REGISTERS - 1;
-    return any_of(on.of[0].raw, on.of[1].raw) || any_of(on.of[2].raw, on.of[last].raw);
+    return any_of(on.of[0].raw, on.of[1].raw) || (last > 1 && any_of(on.of[last - 1].raw, on.of[last].raw));
 #else
     hn::Mask<Reals> all = on.of[0];
     EACH_REGISTER(all = hn::Or(all, on.of[u]);)

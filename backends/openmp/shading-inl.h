@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pools ask of a pack: finished pixels of hits.
+
+// Guard: once for each pack (end_pack.h).
+#ifndef MM_SHADING_INL_H
+#define MM_SHADING_INL_H
+
+#include "backends/openmp/pixels-inl.h"
+#include "backends/openmp/rays-inl.h"
+#include "backends/openmp/width-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mandelmarch::openmp {
+namespace HWY_NAMESPACE {
+namespace {
+namespace MM_PACK {
+
+// Leaves a hit's surroundings for the pixels between.
+HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Surroundings& found,
+                                   const mask& on)
+{
+    Int places[places_room] = {};
+    MM_REAL along_normal[places_room] = {};
+    MM_REAL sunwards[places_room] = {};
+    store_compact(pixels, on, places);
+    store_compact(found.along_normal, on, along_normal);
+    store_compact(found.sunwards, on, sunwards);
+    const int lanes = lanes_on(on);
+    for (int i = 0; i < lanes; ++i) {
+        canvas.along_normal[places[i] / 2] = along_normal[i];
+        canvas.sunwards[places[i] / 2] = sunwards[i];
+    }
+}
+
+// Shades `count` hits of a pool in a picture whose pixels share surroundings; `shared`: these have them already.
+template <bool shared>
+HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
+                                   Spent& spent)
+{
+    const Scene& scene = *static_cast<const Scene*>(data);
+    for (int from = 0; from < count; from += pack_lanes) {
+        Arrival a = load < Arrival, shared ? arrived_sharing : arrived > (pool, from);
+        const mask on = first_lanes(count - from);
+        a.hit.state = pick(on, a.hit.state, no_hit());
+        const ShadingPoint at = shading_point(scene, a.hit);
+        const Normal normal = normal_at(scene, at.p, at.t, on);
+        Surroundings found;
+        if constexpr (shared) {
+            found.along_normal = a.shared.along_normal;
+            found.sunwards = a.shared.sunwards;
+            found.estimates = 0;
+            found.iterations = 0;
+        } else {
+            const vec3 n = facing(scene, a.hit.direction, normal.direction, at.t);
+            found = surroundings(scene, at.p, n, at.t, on);
+            if (canvas.lattice.apart > 1) leave_surroundings(canvas, a.pixel, found, on);
+        }
+        const Pixel pixel = shade_among(scene, a.hit, missed(scene, a.hit), at, normal, found);
+        store_pixels(pixel, a.pixel, on, canvas, spent);
+    }
+}
+
+// Shades `count` hits of a pool.
+HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
+{
+    if (canvas.sunwards != nullptr) return shade_among_rays<false>(data, pool, count, canvas, spent);
+    const Scene& scene = *static_cast<const Scene*>(data);
+    for (int from = 0; from < count; from += pack_lanes) {
+        Arrival a = load<Arrival, arrived>(pool, from);
+        const mask on = first_lanes(count - from);
+        // Lanes beyond the last ray hit nothing.
+        a.hit.state = pick(on, a.hit.state, no_hit());
+        store_pixels(shade(scene, a.hit), a.pixel, on, canvas, spent);
+    }
+}
+
+constexpr Shading shading{pack_lanes, shade_rays, shade_among_rays<true>};
+
+}  // namespace MM_PACK
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace mandelmarch::openmp
+HWY_AFTER_NAMESPACE();
+#endif
