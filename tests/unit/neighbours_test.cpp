@@ -180,6 +180,38 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
     }
 }
 
+// A film's picture of an even number of rows, a wall up to the uppermost, whose neighbours in pair `row` of rows and
+// below it lie alike and have found `open` around them before the last lattice. The pair height / 2 is beyond the
+// picture.
+Image with_surroundings(int row, float open)
+{
+    Scene scene = official_scene("bulb", 96, 64);
+    scene.field_of_view *= 0.02;
+    scene.colouring = 2;
+    scene.smooth = true;
+    DrawnLattices drawn(scene);
+    drawn.draw(lattices[0]);
+    drawn.draw(lattices[1]);
+    const auto fill = [&](std::vector<float>& values, const auto& value) {
+        const std::size_t width = 96;
+        const std::size_t at = static_cast<std::size_t>(row) * width;
+        values.resize(std::max(values.size(), at + width));
+        for (std::size_t x = 0; x < width; ++x) values[at + x] = value(values[at - width + x]);
+    };
+    fill(drawn.notes.neighbour_depth, [](float below) { return below; });
+    for (auto* found : {&drawn.notes.along_normal, &drawn.notes.sunwards}) fill(*found, [&](float) { return open; });
+    drawn.draw(lattices[2]);
+    return drawn.image();
+}
+
+TEST(Neighbours, ShareNothingFromBeyondThePicture)
+{
+    if (!has_packs()) GTEST_SKIP() << "no vectors";
+    EXPECT_EQ(compare(with_surroundings(32, 0), with_surroundings(32, 1)).differing, 0U);
+    // The twin: from within.
+    EXPECT_GT(compare(with_surroundings(31, 0), with_surroundings(31, 1)).differing, 50U);
+}
+
 // Random scenes in which pixels are few tolerances apart, as far as they are.
 TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
