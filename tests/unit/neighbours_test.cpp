@@ -180,10 +180,10 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
     }
 }
 
-// A film's picture of an even number of rows, a wall up to the uppermost, whose neighbours in pair `row` of rows and
-// below it lie alike and have found `open` around them before the last lattice. The pair height / 2 is beyond the
-// picture.
-Image with_surroundings(int row, float open)
+// A film's picture of an even number of rows, a wall up to the uppermost. Before the last lattice the neighbours of
+// pair `row` of rows get the depths of those below them, and what these have found around them, changed. The pair
+// height / 2 is beyond the picture.
+Image with_surroundings(std::size_t row, float change)
 {
     Scene scene = official_scene("bulb", 96, 64);
     scene.field_of_view *= 0.02;
@@ -192,14 +192,14 @@ Image with_surroundings(int row, float open)
     DrawnLattices drawn(scene);
     drawn.draw(lattices[0]);
     drawn.draw(lattices[1]);
-    const auto fill = [&](std::vector<float>& values, const auto& value) {
+    const auto copy_row = [&](std::vector<float>& values, float more) {
         const std::size_t width = 96;
-        const std::size_t at = static_cast<std::size_t>(row) * width;
-        values.resize(std::max(values.size(), at + width));
-        for (std::size_t x = 0; x < width; ++x) values[at + x] = value(values[at - width + x]);
+        values.resize(std::max(values.size(), (row + 1) * width));
+        for (std::size_t i = row * width; i < (row + 1) * width; ++i) values[i] = values[i - width] + more;
     };
-    fill(drawn.notes.neighbour_depth, [](float below) { return below; });
-    for (auto* found : {&drawn.notes.along_normal, &drawn.notes.sunwards}) fill(*found, [&](float) { return open; });
+    copy_row(drawn.notes.neighbour_depth, 0);
+    copy_row(drawn.notes.along_normal, change);
+    copy_row(drawn.notes.sunwards, change);
     drawn.draw(lattices[2]);
     return drawn.image();
 }
