@@ -6,13 +6,11 @@ include(Fractals)
 # GCC takes structures of packs apart, into registers, only up to a size that they are beyond by far.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Its value numbering looks for what a load may read among so many stores: fewer than its 1000 leave the same code and
-    # a quarter of the time to compile.
+    # a quarter of the time to compile. Knowing that a function is pure it makes slower loops of the Mandelbox in exact mode
+    # (docs/notes/experiments.md); GCC 12 crashes (in fre, where it compares calls of pure functions) on packs of one
+    # instruction set alone.
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
-        --param=sccvn-max-alias-queries-per-access=100)
-    # GCC 12 crashes (in fre, where it compares calls of pure functions) on packs of one instruction set alone.
-    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND MANDELMARCH_INSTRUCTIONS STREQUAL "native")
-        list(APPEND MANDELMARCH_PACKS -fno-ipa-pure-const)
-    endif()
+        --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
 endif()
 # Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
 set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS})

@@ -20,8 +20,8 @@ namespace {
 
 enum class StepKind { march, march_cones, refine };
 
-// Steps of the pack at `from`, of which `rays` are left in the pool, a sample each: up to sixteen until a quarter of
-// the rays has ended, or one of refinement. `going` has a mask for each register, of the rays that go on.
+// Steps of the pack at `from`, of which `rays` are left in the pool, a sample each: some until a quarter of the rays
+// has ended, or one of refinement. `going` has a mask for each register, of the rays that go on.
 using TakeSteps = void (*)(const void* scene, const Canvas<MM_REAL>& canvas, RayPool<MM_REAL>& pool, StepKind kind,
                            int from, int rays,
                            hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<MM_REAL>>* going);
