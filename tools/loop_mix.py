@@ -31,11 +31,11 @@ PORTS = 2
 
 
 def instructions(path):
-    """(address, text) of what takes samples in packs of AVX-512 registers, as timed pictures do: uncounted."""
+    """(address, text) of what takes steps in packs of AVX-512 registers, as timed pictures do: uncounted."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
-    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*::uncounted::wide::probe_pack\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
+    found = re.search(r"^[0-9a-f]+ <[^\n]*N_AVX3::[^\n]*::uncounted::wide::take_steps\([^\n]*>:\n(.*?)\n\n", done.stdout + "\n\n", re.M | re.S)
     if found is None:
         sys.exit(f"loop_mix: {path}: no samples in AVX-512 packs")
     lines = (re.match(r"\s*([0-9a-f]+):\s+(.*)", line) for line in found[1].splitlines())
