@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of every packs_*.cpp, included once for each instruction set: its variants in packs. Each pack below says
-// what it is, includes its parts and ends: packs of one register with the pools, pairs, which shade hits, and wide packs,
-// which take steps.
+// what it is, includes its parts and ends: packs of one register with the pools, pairs, which shade hits, and wide
+// packs, which take steps.
 
 #include <cstddef>
 

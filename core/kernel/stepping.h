@@ -3,12 +3,13 @@
 // drawn, docs/fast-mode.md the reasons.
 
 // Chosen by how far pictures of random scenes change (docs/notes/experiments.md).
-FN scalar shortest_relaxed() { return R(1.2); }   // of an over-relaxed step, in distance estimates
-FN scalar dip_margin() { return R(1.3); }         // where DE is less than so many tolerances a step is a dip's
-FN scalar dip_stride() { return R(0.4); }         // of such a step, in distance estimates
-FN scalar aimed_tolerance() { return R(0.9); }    // the estimate that a film's step aims at, in tolerances
-FN scalar shortest_aimed() { return R(0.2); }     // of a film's step, in distance estimates
-FN int most_cone_steps() { return 100; }          // then the cone ends, and its rays go on alone
+FN scalar shortest_relaxed() { return R(1.2); }  // of an over-relaxed step, in distance estimates
+FN scalar dip_margin() { return R(1.3); }        // where DE is less than so many tolerances a step is a dip's
+FN scalar dip_stride() { return R(0.4); }        // of such a step, in distance estimates
+FN scalar aimed_tolerance() { return R(0.9); }   // the estimate that a film's step aims at, in tolerances
+FN scalar shortest_aimed() { return R(0.2); }    // of a film's step, in distance estimates
+FN scalar neighbour_margin() { return R(0.1); }  // before the nearest of four neighbours, in the range of their depths
+FN int most_cone_steps() { return 100; }         // then the cone ends, and its rays go on alone
 
 // The step from the last sample, in estimates. Were DE to go on changing as between the last two samples, 2 / (1 -
 // slope) is where the spheres of a step's ends just touch (Ban and Valasek, "Automatic step size relaxation in sphere
@@ -38,10 +39,11 @@ FN scalar unclear_miss() { return R(0.0); }
 // No ray gets there.
 FN scalar beyond_scene(Scene scene) { return 2 * scene.end; }
 
-// Where a ray between four neighbours begins, by the least and the greatest of their depths: a tolerance before all of
-// their hits; beyond the scene where all missed clearly; else at 0, alone.
+// Where a ray between four neighbours begins, by the least and the greatest of their depths: before all of their hits,
+// by a tolerance and a tenth of how far they lie apart; beyond the scene where all missed clearly; else at 0, alone.
 // (Something thin may stand between them: docs/fast-mode.md. For fast mode.)
 FN real neighbour_start(Scene scene, real least, real greatest)
 {
-    return pick(least > 0, least - scene.tolerance * least, pick(greatest < 0, beyond_scene(scene), 0));
+    real start = least - neighbour_margin() * (greatest - least) - scene.tolerance * least;
+    return pick(least > 0, start, pick(greatest < 0, beyond_scene(scene), 0));
 }

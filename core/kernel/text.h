@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
 // No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
-#ifndef FN_SAMPLED
+#ifndef FN_SAMPLED  // for preludes that make no difference between an estimator and other functions
 #define FN_SAMPLED FN_CALLED
 #endif
 #include "core/kernel/scene.h"
