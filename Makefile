@@ -109,7 +109,7 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-gallery: flythrough ## pictures of docs: five frames in each look, and 24 frames of the flights of seed 1 (2 min)
+gallery: flythrough ## pictures of docs: five frames in each look, 24 of the flights of seed 1, eight of those of seeds 1 to 5 (15 min)
 	@tools/gallery bin/flythrough docs/pictures
 
 # Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.
