@@ -11,8 +11,7 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-#undef MM_WIDE_REGISTERS_AVX3  // for fractals that define them
-#undef MM_WIDE_REGISTERS_AVX2
+#undef MM_WIDE_REGISTERS_AVX3  // for fractals that define it
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"

@@ -4,9 +4,6 @@
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
 // Lengths are in units of sqrt(|s|) rFixed: then the sphere fold's factor, |s| included, is 1 / r^2.
 
-// The registers of a wide pack with AVX2, whose 16 hold little of four in double (docs/notes/experiments.md).
-#define MM_WIDE_REGISTERS_AVX2 3
-
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
