@@ -48,6 +48,9 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     explore, flythrough, folder = (Path(word) for word in sys.argv[1:])
+    # It says itself what is missing, a display say.
+    if (code := subprocess.run([explore, "--script", os.devnull], check=False).returncode) != 0:
+        return code
     runs, rows = [], []
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:

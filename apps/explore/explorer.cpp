@@ -117,15 +117,15 @@ void Explorer::move(double seconds)
     panes.look(scene, view_, area_);
 }
 
-// Of a moving picture: what a frame of the screen leaves, or two frames where one has room for less than a quarter of
-// the pixels.
+// Of a moving picture: what a frame of the screen leaves, or two frames where one has room for less than 3/8 of each
+// side.
 double Explorer::budget() const
 {
     const double period = 1 / window.rate();
     const double one = period - showing_ - spare;
     const SDL_Rect place = panes.place(0);
     const double count = static_cast<double>(panes.all().size());
-    const auto small = panes.all().front()->pace.size(place.w, place.h, one / count).first < place.w / 2;
+    const auto small = panes.all().front()->pace.size(place.w, place.h, one / count).first < place.w * 3 / 8;
     return std::max(one + (small ? period : 0), 0.002);
 }
 
