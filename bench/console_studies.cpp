@@ -27,12 +27,34 @@ std::string counts_table(const Result& result)
                         c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
                         ratio(n.work.estimates, n.pixels), ratio(n.march_iterations, n.march_estimates),
                         n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
-                        ratio(all.total(), n.pixels), 100 * n.active_in_steps, 100 * n.active_in_iterations);
+                        ratio(all.total(), n.pixels), 100 * n.lane_use.front().together.in_steps,
+                        100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
                       "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
                       "roots; active: lanes\nthat do something, in packs of {} pixels\n",
-                      result.counts.empty() ? 0 : result.counts.front().count.lanes);
+                      result.counts.empty() ? 0 : result.counts.front().count.lane_use.front().lanes);
+}
+
+// What vectors and warps would gain by lanes that take the next pixel when their ray has ended.
+std::string lanes_table(const Result& result)
+{
+    constexpr const char* line = "{:<11} {:<6} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
+    std::string text = "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n";
+    text += fmt::format(fmt::runtime(line), "fractal", "number", "mode", "scene", "lanes", "together", "", "refilled",
+                        "", "gain");
+    for (const Counted& c : result.counts) {
+        for (const LaneUse& use : c.count.lane_use) {
+            const auto share = [](double active) { return fmt::format("{:.0f}%", 100 * active); };
+            text += fmt::format(fmt::runtime(line), c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
+                                use.lanes, share(use.together.in_steps), share(use.together.in_iterations),
+                                share(use.refilled.in_steps), share(use.refilled.in_iterations),
+                                fmt::format("{:.2f}", use.refilled.in_iterations / use.together.in_iterations));
+        }
+    }
+    return text + "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended "
+                  "takes the next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without "
+                  "what refilling costs\n";
 }
 
 std::string stages_table(const Result& result)
@@ -68,7 +90,7 @@ std::string stages_table(const Result& result)
 std::string study_tables(const Result& result)
 {
     std::string text;
-    if (result.study == "box-vs-bulb") text += counts_table(result);
+    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result);
     if (!result.stages.empty()) text += stages_table(result);
     return text;
 }

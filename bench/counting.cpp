@@ -17,92 +17,102 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Packs of `lanes` neighbouring pixels, spread evenly over the picture where it has more pixels than are asked for.
-class Packs {
+constexpr int block_side = 16;  // pixels
+
+// Blocks of pixels, spread evenly over the picture where it has more pixels than are asked for.
+class Blocks {
 public:
-    Packs(const Scene& scene, int lanes, std::int64_t most_pixels) : scene_(scene)
+    Blocks(const Scene& scene, std::int64_t most_pixels) : scene_(scene)
     {
-        while (width_ * width_ < lanes) width_ *= 2;
-        height_ = std::max(1, lanes / width_);
         const double pixels = static_cast<double>(scene.width) * scene.height;
         const auto every = static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most_pixels))));
-        step_x_ = width_ * std::max(1, every);
-        step_y_ = height_ * std::max(1, every);
-        columns_ = (scene.width + step_x_ - 1) / step_x_;
-        rows_ = (scene.height + step_y_ - 1) / step_y_;
+        step_ = block_side * std::max(1, every);
+        columns_ = (scene.width + step_ - 1) / step_;
+        rows_ = (scene.height + step_ - 1) / step_;
     }
 
     int count() const { return columns_ * rows_; }
 
-    // The pixels inside the picture.
-    std::vector<PixelPlace> pixels(int pack) const
+    // Calls each(i, j) for the block's pixels inside the picture, along Morton's curve: a power of two of them fills a
+    // rectangle of at most twice as many columns as rows.
+    template <class Each>
+    void each_pixel(int block, Each each) const
     {
-        std::vector<PixelPlace> places;
-        const int left = pack % columns_ * step_x_;
-        const int bottom = pack / columns_ * step_y_;
-        for (int j = bottom; j < std::min(bottom + height_, scene_.height); ++j) {
-            for (int i = left; i < std::min(left + width_, scene_.width); ++i) places.push_back({i, j});
+        const int left = block % columns_ * step_;
+        const int bottom = block / columns_ * step_;
+        for (int at = 0; at < block_side * block_side; ++at) {
+            int i = left;
+            int j = bottom;
+            for (int bit = 0; 1 << bit < block_side; ++bit) {
+                i += (at >> 2 * bit & 1) << bit;
+                j += (at >> (2 * bit + 1) & 1) << bit;
+            }
+            if (i < scene_.width && j < scene_.height) each(i, j);
         }
-        return places;
     }
 
 private:
     const Scene& scene_;
-    int width_ = 1, height_ = 1;   // of a pack, pixels
-    int step_x_ = 1, step_y_ = 1;  // from pack to pack
-    int columns_ = 1, rows_ = 1;   // of packs
+    int step_ = 1;                // from block to block
+    int columns_ = 1, rows_ = 1;  // of blocks
 };
 
-void add(PackCount& to, const PackCount& from)
-{
-    for (std::size_t i = 0; i < to.stages.size(); ++i) to.stages[i] = to.stages[i] + from.stages[i];
-    to.work += from.work;
-    to.hits += from.hits;
-    to.step_slots += from.step_slots;
-    to.steps += from.steps;
-    to.iteration_slots += from.iteration_slots;
-    to.iterations += from.iterations;
-}
+// What one thread counts.
+struct Sum {
+    PixelCount pixels;
+    std::vector<LaneCount> lanes;
+    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // steps and iterations of the march
 
-double share(std::uint64_t part, std::uint64_t whole)
-{
-    return whole == 0 ? 1 : static_cast<double>(part) / static_cast<double>(whole);
-}
+    explicit Sum(const CountOptions& options) : lanes(options.lanes.begin(), options.lanes.end()) {}
+
+    void add(const Sum& from)
+    {
+        for (std::size_t i = 0; i < pixels.stages.size(); ++i)
+            pixels.stages[i] = pixels.stages[i] + from.pixels.stages[i];
+        pixels.work += from.pixels.work;
+        pixels.hits += from.pixels.hits;
+        for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i].add(from.lanes[i]);
+        drawn += from.drawn;
+        steps += from.steps;
+        iterations += from.iterations;
+    }
+};
 
 template <class KernelScene>
-Count counted(const Scene& scene, const CountOptions& options, CountPack count_pack)
+Count counted(const Scene& scene, const CountOptions& options, CountPixel count_pixel)
 {
     const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode, options.techniques);
-    const Packs packs(scene, options.lanes, options.most_pixels);
-    const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<PackCount> sums(workers);
+    const Blocks blocks(scene, options.most_pixels);
+    std::vector<Sum> sums(std::max(1U, std::thread::hardware_concurrency()), Sum(options));
     std::atomic<int> next = 0;
-    std::atomic<std::uint64_t> pixels = 0;
     {
         std::vector<std::jthread> threads;
         threads.reserve(sums.size());
-        for (PackCount& sum : sums) {
+        for (Sum& sum : sums) {
             threads.emplace_back([&] {
-                PackCount mine;
-                for (int pack = next++; pack < packs.count(); pack = next++) {
-                    const auto places = packs.pixels(pack);
-                    count_pack(&kernel, places, mine);
-                    pixels += places.size();
+                Sum mine(options);
+                for (int block = next++; block < blocks.count(); block = next++) {
+                    std::vector<RaySteps> rays;
+                    blocks.each_pixel(block, [&](int i, int j) {
+                        count_pixel(&kernel, i, j, mine.pixels, rays.emplace_back());
+                        mine.steps += rays.back().size();
+                        for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
+                    });
+                    for (LaneCount& lanes : mine.lanes) lanes.add(rays);
+                    mine.drawn += rays.size();
                 }
                 sum = mine;
             });
         }
     }
-    PackCount all;
-    for (const PackCount& sum : sums) add(all, sum);
+    Sum all(options);
+    for (const Sum& sum : sums) all.add(sum);
     Count count;
-    count.stages = all.stages;
-    count.work = all.work;
-    count.pixels = pixels;
-    count.hits = all.hits;
-    count.lanes = options.lanes;
-    count.active_in_steps = share(all.steps, all.step_slots);
-    count.active_in_iterations = share(all.iterations, all.iteration_slots);
+    count.stages = all.pixels.stages;
+    count.work = all.pixels.work;
+    count.pixels = all.drawn;
+    count.hits = all.pixels.hits;
+    for (const LaneCount& lanes : all.lanes) count.lane_use.push_back(lanes.use());
     count.march_estimates = all.steps;
     count.march_iterations = all.iterations;
     return count;

@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
+#include "bench/lanes.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::bench {
@@ -30,11 +32,8 @@ struct Count {
     Work work;                 // of the pixels that were counted, by the text's own counters
     std::uint64_t pixels = 0;  // that were counted
     std::uint64_t hits = 0;    // of them
-    // Divergence of the march, for packs of `lanes` pixels in rectangles as square as they come: a pack goes on while
-    // any lane does. The shares of lanes that do something, 0 to 1, of the steps and of the estimator's iterations.
-    int lanes = 0;
-    double active_in_steps = 0;
-    double active_in_iterations = 0;
+    // Of the march, for vectors and warps of neighbouring pixels in rectangles as square as they come.
+    std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // of the march alone
 
     Operations all() const;
@@ -45,7 +44,7 @@ struct CountOptions {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     Techniques techniques = {};
-    int lanes = 16;                     // of the packs whose divergence is asked
+    std::vector<int> lanes = {16, 32};  // of the vectors and warps whose use is asked
     std::int64_t most_pixels = 40'000;  // of larger pictures a regular part is counted
 };
 

@@ -223,9 +223,17 @@ Counted counted_of(const Json& json)
     c.count.work = work_at(json, "work");
     c.count.march_estimates = count_at(json, "march_de_calls");
     c.count.march_iterations = count_at(json, "march_iterations");
-    c.count.lanes = whole_at(json, "lanes");
-    c.count.active_in_steps = number_at(json, "active_in_steps", 0, 1);
-    c.count.active_in_iterations = number_at(json, "active_in_iterations", 0, 1);
+    const auto active = [](const Json& use, const std::string& how) {
+        return ActiveLanes{number_at(use, (how + "active_in_steps").c_str(), 0, 1),
+                           number_at(use, (how + "active_in_iterations").c_str(), 0, 1)};
+    };
+    if (json.contains("lane_use")) {
+        each_at(json, "lane_use", [&](const Json& use) {
+            c.count.lane_use.push_back({whole_at(use, "lanes"), active(use, ""), active(use, "refilled_")});
+        });
+    } else {  // before lanes were refilled
+        c.count.lane_use.push_back({whole_at(json, "lanes"), active(json, ""), {}});
+    }
     return c;
 }
 

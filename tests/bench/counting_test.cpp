@@ -99,17 +99,39 @@ TEST(Counting, StagesAndSampling)
     EXPECT_NEAR(part.per_iteration() / exact.per_iteration(), 1, 0.02);
 }
 
-TEST(Counting, Divergence)
+TEST(Counting, Lanes)
 {
     const Scene scene = official_scene("box", 96, 96);
-    const Count alone = count_operations(scene, {.lanes = 1});
-    EXPECT_EQ(alone.active_in_steps, 1);
-    EXPECT_EQ(alone.active_in_iterations, 1);
-    const Count packed = count_operations(scene, {.lanes = 16});
-    EXPECT_LT(packed.active_in_steps, 1);
-    EXPECT_LT(packed.active_in_iterations, packed.active_in_steps);
-    EXPECT_EQ(packed.all().total(), alone.all().total());
-    EXPECT_LT(count_operations(scene, {.lanes = 64}).active_in_steps, packed.active_in_steps);
+    const Count count = count_operations(scene, {.lanes = {1, 16, 32, 64}});
+    ASSERT_EQ(count.lane_use.size(), 4U);
+    EXPECT_EQ(count.lane_use[0].together.in_steps, 1);
+    EXPECT_EQ(count.lane_use[0].together.in_iterations, 1);
+    for (std::size_t i = 1; i < count.lane_use.size(); ++i) {
+        const LaneUse& use = count.lane_use[i];
+        EXPECT_LT(use.together.in_steps, count.lane_use[i - 1].together.in_steps);
+        EXPECT_LT(use.together.in_iterations, use.together.in_steps);
+        EXPECT_GT(use.refilled.in_steps, use.together.in_steps);
+        EXPECT_GT(use.refilled.in_iterations, use.together.in_iterations);
+    }
+}
+
+// Two lanes, rays of three, one, two and no steps. Together: 3 + 2 steps of both lanes, (9 + 1 + 1) + (5 + 5) iterations
+// of the slowest. Refilled: the second lane takes the third ray after its first step, and 9 + 5 + 5 are the slowest.
+TEST(Counting, LanesByHand)
+{
+    const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
+    LaneCount count(2);
+    count.add(rays);
+    const LaneUse use = count.use();
+    EXPECT_EQ(use.lanes, 2);
+    EXPECT_DOUBLE_EQ(use.together.in_steps, 6.0 / 10);
+    EXPECT_DOUBLE_EQ(use.together.in_iterations, 25.0 / (2 * 21));
+    EXPECT_DOUBLE_EQ(use.refilled.in_steps, 6.0 / 6);
+    EXPECT_DOUBLE_EQ(use.refilled.in_iterations, 25.0 / (2 * 19));
+    LaneCount twice(2);
+    twice.add(count);
+    twice.add(count);
+    EXPECT_DOUBLE_EQ(twice.use().refilled.in_iterations, use.refilled.in_iterations);
 }
 
 // Of a power that is not whole the angles are computed: many more operations for the same iterations.

@@ -112,6 +112,16 @@ def count(fractal: str, iterations: int, view: str = "official") -> dict[str, An
         "lanes": 16,
         "active_in_steps": 0.8,
         "active_in_iterations": 0.7,
+        "lane_use": [
+            {
+                "lanes": lanes,
+                "active_in_steps": 0.8,
+                "active_in_iterations": 0.7,
+                "refilled_active_in_steps": 0.95,
+                "refilled_active_in_iterations": 0.85,
+            }
+            for lanes in (16, 32)
+        ],
     }
 
 

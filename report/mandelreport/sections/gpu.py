@@ -30,14 +30,15 @@ def section(material: Material) -> dict[str, Any]:
     text = next((t for t in material.results.files.values() if isinstance(t, str) and t.startswith("K40 on paper")), None)
     rows = []
     for words in (line.split() for line in (text or "").splitlines()):
-        if len(words) == 9 and words[1] in ("float", "double"):
-            rows.append([*words[:4], *words[5:8], words[8], _host(material, *words[:3])])
-    headers = ["fractal", "number", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak"]
+        if len(words) in (9, 11) and words[1] in ("float", "double"):  # 9: before lanes were refilled
+            refilled = words[10] if len(words) == 11 else "–"
+            rows.append([*words[:4], *words[5:9], refilled, _host(material, *words[:3])])
+    headers = ["fractal", "number", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak", "with lanes that refill, ms"]
     table = Table(
         [*headers, f"{material.backends.host}, measured ms"],
         rows,
         f"Kernel time predicted for a Tesla K40 at {SIZE[0]} x {SIZE[1]} (tools/k40_expected.py), and the host's, measured on two threads of a processor (* in the study of resolutions).",
-        list(range(3, 9)),
+        list(range(3, 10)),
     )
     return {
         "table": table if rows else Missing("The prediction", "make k40"),

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many lanes of a vector, or of a GPU's warp, do something while rays march.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace mandelmarch::bench {
+
+// Shares of lanes that do something, 0 to 1: of the steps, and of the estimator's iterations, each of which takes as
+// many as its slowest lane.
+struct ActiveLanes {
+    double in_steps = 1, in_iterations = 1;
+};
+
+struct LaneUse {
+    int lanes = 0;
+    ActiveLanes together;  // neighbouring pixels go on until the last is done
+    // A lane whose ray has ended takes the next pixel of its block at once: persistent threads (Aila and Laine,
+    // "Understanding the efficiency of ray traversal on GPUs", HPG 2009).
+    ActiveLanes refilled;
+};
+
+// For each of a ray's steps, in order, the iterations of its estimate.
+using RaySteps = std::vector<int>;
+
+// Slots that vectors had, and those in which a lane did something.
+class LaneCount {
+public:
+    explicit LaneCount(int lanes) : lanes_(lanes) {}
+
+    // The rays of a block of neighbouring pixels; consecutive ones lie side by side.
+    void add(std::span<const RaySteps> block);
+    void add(const LaneCount& other);
+    LaneUse use() const;
+
+private:
+    struct Slots {
+        double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
+    };
+
+    static ActiveLanes active(const Slots& slots);
+    // Rays march in a vector; a lane whose ray has ended takes the next of those that wait.
+    void march(std::span<const RaySteps> rays, Slots& slots) const;
+
+    int lanes_;
+    Slots together_, refilled_;
+};
+
+}  // namespace mandelmarch::bench
