@@ -54,7 +54,9 @@ void whole(Explorer& explorer, const char* name, int& value, int low, int high, 
 void vector(Explorer& explorer, const char* name, Vector& value)
 {
     const Scene before = explorer.scene;
-    double numbers[3] = {value.x, value.y, value.z};
+    // Rounding's 4.4e-16 is 0: its exponent would not fit into the field.
+    const auto shown = [](double c) { return std::abs(c) < 1e-12 ? 0 : c; };
+    double numbers[3] = {shown(value.x), shown(value.y), shown(value.z)};
     const bool is_new = ImGui::InputScalarN(name, ImGuiDataType_Double, numbers, 3, nullptr, nullptr, "%.9g");
     if (is_new) value = {numbers[0], numbers[1], numbers[2]};
     try {
