@@ -22,13 +22,12 @@ std::string counts_table(const Result& result)
     for (const Counted& c : result.counts) {
         const Count& n = c.count;
         const Operations all = n.all();
-        text +=
-            fmt::format("{:<11} {:<6} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
-                        c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
-                        ratio(n.work.estimates, n.pixels), ratio(n.march_iterations, n.march_estimates),
-                        n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
-                        ratio(all.total(), n.pixels), 100 * n.lane_use.front().together.in_steps,
-                        100 * n.lane_use.front().together.in_iterations);
+        text += fmt::format(
+            "{:<11} {:<6} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n", c.fractal,
+            name_of(c.precision), name_of(c.mode), c.setting.view, ratio(n.work.estimates, n.pixels),
+            ratio(n.march_iterations, n.march_estimates), n.per_iteration(),
+            ratio(all.quotients + all.roots, n.work.iterations), ratio(all.total(), n.pixels),
+            100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
                       "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
@@ -52,9 +51,10 @@ std::string lanes_table(const Result& result)
                                 fmt::format("{:.2f}", use.refilled.in_iterations / use.together.in_iterations));
         }
     }
-    return text + "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended "
-                  "takes the next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without "
-                  "what refilling costs\n";
+    return text +
+           "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended "
+           "takes the next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without "
+           "what refilling costs\n";
 }
 
 std::string stages_table(const Result& result)

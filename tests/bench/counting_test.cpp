@@ -115,8 +115,9 @@ TEST(Counting, Lanes)
     }
 }
 
-// Two lanes, rays of three, one, two and no steps. Together: 3 + 2 steps of both lanes, (9 + 1 + 1) + (5 + 5) iterations
-// of the slowest. Refilled: the second lane takes the third ray after its first step, and 9 + 5 + 5 are the slowest.
+// Two lanes, rays of three, one, two and no steps. Together: 3 + 2 steps of both lanes, (9 + 1 + 1) + (5 + 5)
+// iterations of the slowest. Refilled: the second lane takes the third ray after its first step, and 9 + 5 + 5 are the
+// slowest.
 TEST(Counting, LanesByHand)
 {
     const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
