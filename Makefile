@@ -69,7 +69,7 @@ SCENES ?= 1000
 SCENES_SEED ?= 1
 # FILES="bench.json packs.json" takes these only. tools/results.txt has the list.
 FILES ?=
-results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (75 minutes)
+results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (1.5 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
 equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit
@@ -109,7 +109,7 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-gallery: flythrough ## pictures of docs: five frames in each look, 24 of the flights of seed 1, eight of those of seeds 1 to 5 (15 min)
+gallery: flythrough ## pictures of docs: five frames in each look, 24 of the flights of seed 1, eight of those of seeds 1 to 5 (9 min)
 	@tools/gallery bin/flythrough docs/pictures
 
 # Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.

@@ -44,11 +44,12 @@ std::string lanes_table(const Result& result)
                         "", "gain");
     for (const Counted& c : result.counts) {
         for (const LaneUse& use : c.count.lane_use) {
+            if (!use.refilled) continue;
             const auto share = [](double active) { return fmt::format("{:.0f}%", 100 * active); };
             text += fmt::format(fmt::runtime(line), c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
                                 use.lanes, share(use.together.in_steps), share(use.together.in_iterations),
-                                share(use.refilled.in_steps), share(use.refilled.in_iterations),
-                                fmt::format("{:.2f}", use.refilled.in_iterations / use.together.in_iterations));
+                                share(use.refilled->in_steps), share(use.refilled->in_iterations),
+                                fmt::format("{:.2f}", use.refilled->in_iterations / use.together.in_iterations));
         }
     }
     return text +

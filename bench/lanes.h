@@ -2,6 +2,7 @@
 // How many lanes of a vector, or of a GPU's warp, do something while rays march.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct LaneUse {
     ActiveLanes together;  // neighbouring pixels go on until the last is done
     // A lane whose ray has ended takes the next pixel of its block at once: persistent threads (Aila and Laine,
     // "Understanding the efficiency of ray traversal on GPUs", HPG 2009).
-    ActiveLanes refilled;
+    // Not known of results of older builds.
+    std::optional<ActiveLanes> refilled;
 };
 
 // For each of a ray's steps, in order, the iterations of its estimate.

@@ -231,8 +231,9 @@ Counted counted_of(const Json& json)
         each_at(json, "lane_use", [&](const Json& use) {
             c.count.lane_use.push_back({whole_at(use, "lanes"), active(use, ""), active(use, "refilled_")});
         });
-    } else {  // before lanes were refilled
-        c.count.lane_use.push_back({whole_at(json, "lanes"), active(json, ""), {}});
+        if (c.count.lane_use.empty()) throw InputError("lane_use: [] given, expected the use of some lanes");
+    } else {  // older builds
+        c.count.lane_use.push_back({whole_at(json, "lanes"), active(json, ""), std::nullopt});
     }
     return c;
 }

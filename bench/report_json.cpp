@@ -124,33 +124,34 @@ Json of(const LaneUse& use)
     return {{"lanes", use.lanes},
             {"active_in_steps", use.together.in_steps},
             {"active_in_iterations", use.together.in_iterations},
-            {"refilled_active_in_steps", use.refilled.in_steps},
-            {"refilled_active_in_iterations", use.refilled.in_iterations}};
+            {"refilled_active_in_steps", use.refilled->in_steps},
+            {"refilled_active_in_iterations", use.refilled->in_iterations}};
 }
 
 Json of(const Counted& c)
 {
-    Json lane_use = Json::array();
-    for (const LaneUse& use : c.count.lane_use) lane_use.push_back(of(use));
     Json stages = Json::object();
     for (int i = 0; i < stage_count; ++i) {
         stages[std::string(name_of(static_cast<Stage>(i)))] = of(c.count.stages.at(static_cast<std::size_t>(i)));
     }
-    return {{"fractal", c.fractal},
-            {"precision", name_of(c.precision)},
-            {"mode", name_of(c.mode)},
-            {"setting", of(c.setting)},
-            {"pixels", c.count.pixels},
-            {"hits", c.count.hits},
-            {"work", of(c.count.work)},
-            {"stages", stages},
-            {"operations_per_iteration", c.count.per_iteration()},
-            {"march_de_calls", c.count.march_estimates},
-            {"march_iterations", c.count.march_iterations},
-            {"lanes", c.count.lane_use.front().lanes},
-            {"active_in_steps", c.count.lane_use.front().together.in_steps},
-            {"active_in_iterations", c.count.lane_use.front().together.in_iterations},
-            {"lane_use", lane_use}};
+    Json json{{"fractal", c.fractal},
+              {"precision", name_of(c.precision)},
+              {"mode", name_of(c.mode)},
+              {"setting", of(c.setting)},
+              {"pixels", c.count.pixels},
+              {"hits", c.count.hits},
+              {"work", of(c.count.work)},
+              {"stages", stages},
+              {"operations_per_iteration", c.count.per_iteration()},
+              {"march_de_calls", c.count.march_estimates},
+              {"march_iterations", c.count.march_iterations},
+              {"lanes", c.count.lane_use.front().lanes},
+              {"active_in_steps", c.count.lane_use.front().together.in_steps},
+              {"active_in_iterations", c.count.lane_use.front().together.in_iterations}};
+    for (const LaneUse& use : c.count.lane_use) {
+        if (use.refilled) json["lane_use"].push_back(of(use));
+    }
+    return json;
 }
 
 Json of(const std::vector<Ratio>& ratios)

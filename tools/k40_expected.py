@@ -94,7 +94,8 @@ def active_lanes(count):
 
 def costs(ptx, counts):
     """Per fractal, precision and mode: instructions an operation, those of the floating-point lanes, and the shares of a
-    warp's lanes that are active: together, and refilled. Divisions and roots come in the shares that bench counted, the others in the loop's mix."""
+    warp's lanes that are active: together, and refilled. Divisions and roots come in the shares that bench counted, the
+    others in the loop's mix."""
     weight = {(o, s): expansion(o, s) for o in ("div", "sqrt") for s in ("f32", "f64")}
     found = {}
     for name, body in k40.kernels(ptx):

@@ -110,8 +110,8 @@ TEST(Counting, Lanes)
         const LaneUse& use = count.lane_use[i];
         EXPECT_LT(use.together.in_steps, count.lane_use[i - 1].together.in_steps);
         EXPECT_LT(use.together.in_iterations, use.together.in_steps);
-        EXPECT_GT(use.refilled.in_steps, use.together.in_steps);
-        EXPECT_GT(use.refilled.in_iterations, use.together.in_iterations);
+        EXPECT_GT(use.refilled->in_steps, use.together.in_steps);
+        EXPECT_GT(use.refilled->in_iterations, use.together.in_iterations);
     }
 }
 
@@ -127,12 +127,12 @@ TEST(Counting, LanesByHand)
     EXPECT_EQ(use.lanes, 2);
     EXPECT_DOUBLE_EQ(use.together.in_steps, 6.0 / 10);
     EXPECT_DOUBLE_EQ(use.together.in_iterations, 25.0 / (2 * 21));
-    EXPECT_DOUBLE_EQ(use.refilled.in_steps, 6.0 / 6);
-    EXPECT_DOUBLE_EQ(use.refilled.in_iterations, 25.0 / (2 * 19));
+    EXPECT_DOUBLE_EQ(use.refilled->in_steps, 6.0 / 6);
+    EXPECT_DOUBLE_EQ(use.refilled->in_iterations, 25.0 / (2 * 19));
     LaneCount twice(2);
     twice.add(count);
     twice.add(count);
-    EXPECT_DOUBLE_EQ(twice.use().refilled.in_iterations, use.refilled.in_iterations);
+    EXPECT_DOUBLE_EQ(twice.use().refilled->in_iterations, use.refilled->in_iterations);
 }
 
 // Of a power that is not whole the angles are computed: many more operations for the same iterations.
