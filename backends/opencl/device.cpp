@@ -89,13 +89,20 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     const cl_uint native = is_float ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
                                     : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
-    constexpr std::array lengths{1, 2, 4, 8, 16};
-    // Two registers hide some of each other's latency.
-    const int suits = is_cpu && native > 1 ? std::min(2 * static_cast<int>(native), lengths.back()) : 1;
+    // PoCL's compiler, clang, has longer vectors than OpenCL, and two to four registers hide some of each other's
+    // latency.
+    constexpr std::array lengths{1, 2, 4, 8, 16, 32};
+    constexpr int longest = 16;
+    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    const bool is_pocl = trimmed(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
+    const bool has_long = is_pocl && native >= (is_float ? 16 : 8);
+    const int suits = !is_cpu || native <= 1 ? 1
+                      : has_long             ? lengths.back()
+                                             : std::min(2 * static_cast<int>(native), longest);
     build.lanes = options.pack != 0 ? options.pack : suits;
     if (std::ranges::find(lengths, build.lanes) == lengths.end()) {
         throw InputError(
-            fmt::format("--pack: {} is no vector length of opencl, expected 1, 2, 4, 8 or 16", build.lanes));
+            fmt::format("--pack: {} is no vector length of opencl, expected 1, 2, 4, 8, 16 or 32", build.lanes));
     }
 
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;

@@ -2,6 +2,7 @@
 // The schedule's bands on a device.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 
 #include "backends/opencl/device.h"
@@ -12,6 +13,9 @@
 #include "core/render/schedule.h"
 
 namespace mandelmarch::opencl {
+
+// As MM_STRIP in strip.cl, in pixels.
+inline constexpr int strip_height = 16;
 
 // Draws bands through the session's buffers.
 template <class Real>
@@ -91,15 +95,14 @@ private:
     // Returns when it is done.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // The rectangle of a work item, as in kernel.cl.
-        const int wide = lanes_ == 1 ? 1 : lanes_ >= 8 ? 4 : 2;
-        const int high = lanes_ / wide;
-        // A work group is one tile on a CPU, whose cores take groups in turn, and a square on a GPU.
-        const int side_x = session_.is_cpu ? tile_side / wide : 8;
-        const int side_y = session_.is_cpu ? tile_side / high : 8;
-        const auto groups = [](int pixels, int item, int side) {
-            const int count = (pixels + item * side - 1) / (item * side);
-            return static_cast<std::size_t>(count) * static_cast<std::size_t>(side);
+        // With vectors a work item draws a strip (strip.cl), on a CPU as a group of its own: cores take groups in turn.
+        // Without them a group draws a square.
+        const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
+        const int item_width = lanes_ > 1 ? strip_width() : 1;
+        const int item_height = lanes_ > 1 ? strip_height : 1;
+        const auto items = [&](int pixels, int of_item) {
+            const int count = (pixels + of_item * side_of_group - 1) / (of_item * side_of_group);
+            return static_cast<std::size_t>(count) * static_cast<std::size_t>(side_of_group);
         };
         kernel_.setArg(0, constants_);
         kernel_.setArg(1, band.first_row);
@@ -109,13 +112,25 @@ private:
         kernel_.setArg(5, wholes_);
         kernel_.setArg(6, bytes_);
         kernel_.setArg(7, bytes_alone_ ? 1 : 0);
+        kernel_.setArg(8, item_width);
         cl::Event done;
         session_.queue.enqueueNDRangeKernel(
-            kernel_, cl::NullRange, cl::NDRange(groups(width_, wide, side_x), groups(rows_covered, high, side_y)),
-            cl::NDRange(static_cast<std::size_t>(side_x), static_cast<std::size_t>(side_y)), nullptr, &done);
+            kernel_, cl::NullRange, cl::NDRange(items(width_, item_width), items(rows_covered, item_height)),
+            cl::NDRange(static_cast<std::size_t>(side_of_group), static_cast<std::size_t>(side_of_group)), nullptr,
+            &done);
         session_.queue.flush();
         wait_for(done, doing);
         return done;
+    }
+
+    // Pixels. In a long strip few lanes wait for its last rays; there are enough strips that few cores wait for the
+    // last one.
+    int strip_width() const
+    {
+        constexpr std::int64_t strips_of_unit = 32;
+        const auto strips = strips_of_unit * session_.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+        const std::int64_t pixels = static_cast<std::int64_t>(pixels_) / (strips * strip_height);
+        return static_cast<int>(std::clamp<std::int64_t>(pixels / 32 * 32, 32, 256));
     }
 
     // A CPU's buffers are the host's memory: no copy.

@@ -1,73 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel of the OpenCL backend: a work item draws MM_LANES pixels, a rectangle of pixels as square as they allow.
+// The kernel of the OpenCL backend: a work item draws a pixel, or with vectors a strip of them.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/text.h"
 #define MM_TRUNCATED(x) ((int)(x))
 #include "core/kernel/bytes.h"
 
-#if MM_LANES == 16
-#define MM_WIDTH 4
-#elif MM_LANES == 8
-#define MM_WIDTH 4
-#elif MM_LANES == 1
-#define MM_WIDTH 1
-#else
-#define MM_WIDTH 2
-#endif
-#define MM_HEIGHT (MM_LANES / MM_WIDTH)
-
-// A vector and its lanes.
-union Reals {
-    real all;
-    scalar of[MM_LANES];
+// Where finished pixels go: three bytes a pixel if `bytes_alone`, else the planes of core/image/image.h, `pixels` values
+// each.
+struct Target {
+    __global scalar* reals;
+    __global int* wholes;
+    __global uchar* bytes;
+    long pixels;
+    int bytes_alone;
 };
 
-union Wholes {
-    whole all;
-    scalar_whole of[MM_LANES];
-};
-
-// Rows [first_row, first_row + rows) of the picture: three bytes a pixel if `bytes_alone`, else the planes of
-// core/image/image.h, `pixels` values each.
-__kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
-                        __global int* wholes, __global uchar* bytes, int bytes_alone)
+FN void put(Target target, long at, scalar red, scalar green, scalar blue, scalar depth, int steps, int estimates,
+            int iterations)
 {
-    int left = (int)get_global_id(0) * MM_WIDTH;
-    int bottom = (int)get_global_id(1) * MM_HEIGHT;
-    int width = scene->width;
-    if (left >= width || bottom >= rows) return;
-    // Lanes beyond the edge draw the last pixel once more, and are not stored.
-    union Reals i;
-    union Reals j;
-    for (int lane = 0; lane < MM_LANES; ++lane) {
-        i.of[lane] = (scalar)min(left + lane % MM_WIDTH, width - 1);
-        j.of[lane] = (scalar)(first_row + min(bottom + lane / MM_WIDTH, rows - 1));
+    if (target.bytes_alone != 0) {
+        uchar3 bytes = (uchar3)((uchar)byte_of(red), (uchar)byte_of(green), (uchar)byte_of(blue));
+        vstore3(bytes, at, target.bytes);
+        return;
     }
-    Pixel pixel = draw(*scene, i.all, j.all);
-    union Reals red = {pixel.colour.x};
-    union Reals green = {pixel.colour.y};
-    union Reals blue = {pixel.colour.z};
-    union Reals depth = {pixel.depth};
-    union Wholes steps = {pixel.steps};
-    union Wholes estimates = {pixel.estimates};
-    union Wholes iterations = {pixel.iterations};
-    for (int lane = 0; lane < MM_LANES; ++lane) {
-        int x = left + lane % MM_WIDTH;
-        int y = bottom + lane / MM_WIDTH;
-        if (x >= width || y >= rows) continue;
-        long at = (long)y * width + x;
-        if (bytes_alone != 0) {
-            vstore3((uchar3)((uchar)byte_of(red.of[lane]), (uchar)byte_of(green.of[lane]),
-                             (uchar)byte_of(blue.of[lane])),
-                    at, bytes);
-            continue;
-        }
-        reals[at] = red.of[lane];
-        reals[pixels + at] = green.of[lane];
-        reals[2 * pixels + at] = blue.of[lane];
-        reals[3 * pixels + at] = depth.of[lane];
-        wholes[at] = (int)steps.of[lane];
-        wholes[pixels + at] = (int)estimates.of[lane];
-        wholes[2 * pixels + at] = (int)iterations.of[lane];
-    }
+    target.reals[at] = red;
+    target.reals[target.pixels + at] = green;
+    target.reals[2 * target.pixels + at] = blue;
+    target.reals[3 * target.pixels + at] = depth;
+    target.wholes[at] = steps;
+    target.wholes[target.pixels + at] = estimates;
+    target.wholes[2 * target.pixels + at] = iterations;
+}
+
+#if MM_LANES > 1
+#include "backends/opencl/strip.cl"
+#ifdef MM_LANES_WAIT
+#include "backends/opencl/refill.cl"
+#endif
+#endif
+
+// Rows [first_row, first_row + rows) of the picture. With vectors an item's strip is `width` pixels wide, a multiple of
+// MM_WIDTH, and MM_STRIP high.
+__kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
+                        __global int* wholes, __global uchar* bytes, int bytes_alone, int width)
+{
+    Target target = {reals, wholes, bytes, pixels, bytes_alone};
+    int x = (int)get_global_id(0);
+    int y = (int)get_global_id(1);
+#if MM_LANES == 1
+    if (x >= scene->width || y >= rows) return;
+    Pixel pixel = draw(*scene, x, first_row + y);
+    put(target, (long)y * scene->width + x, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps,
+        pixel.estimates, pixel.iterations);
+#else
+    Strip strip = {x * width, min(x * width + width, scene->width), y * MM_STRIP, min(y * MM_STRIP + MM_STRIP, rows),
+                   first_row};
+    if (strip.left >= strip.right || strip.bottom >= strip.top) return;
+#ifdef MM_LANES_WAIT
+    draw_refilling(scene, strip, target);
+#else
+    draw_by_blocks(scene, strip, target);
+#endif
+#endif
 }

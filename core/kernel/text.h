@@ -11,7 +11,9 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-#undef MM_WIDE_REGISTERS_AVX3  // for fractals that define it
+// For fractals that define them.
+#undef MM_WIDE_REGISTERS_AVX3
+#undef MM_LANES_WAIT
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"

@@ -4,6 +4,9 @@
 // An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
 // Lengths are in units of sqrt(|s|) rFixed: then the sphere fold's factor, |s| included, is 1 / r^2.
 
+// Rays differ more in their steps than neighbours in their iterations: lanes that refill pay.
+#define MM_LANES_WAIT 1
+
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2

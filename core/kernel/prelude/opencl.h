@@ -14,43 +14,53 @@
 
 #define MM_PASTE_(a, b) a##b
 #define MM_PASTE(a, b) MM_PASTE_(a, b)
-#if MM_LANES == 1
-#define MM_VECTOR(type) type
-#define MM_CONVERT(type) MM_PASTE(convert_, type)
-#else
-#define MM_VECTOR(type) MM_PASTE(type, MM_LANES)
-#define MM_CONVERT(type) MM_PASTE(convert_, MM_VECTOR(type))
-#endif
 
-// Int: as wide as a real, so that comparisons of reals and of whole numbers give the same masks.
+// MM_INT: as wide as a real, so that comparisons of reals and of whole numbers give the same masks.
 #if MM_REAL_IS_FLOAT
-typedef float scalar;
-typedef MM_VECTOR(float) real;
-typedef MM_VECTOR(int) Int;
+#define MM_SCALAR float
+#define MM_INT int
 #define R(x) x##f
 #define BY_PRECISION(in_double, in_float) in_float##f
-#define MM_AS_INT MM_PASTE(as_, MM_VECTOR(int))
-#define MM_AS_REAL MM_PASTE(as_, MM_VECTOR(float))
-#define MM_TO_REAL MM_CONVERT(float)
-#define MM_TO_INT MM_CONVERT(int)
 #define MM_MANTISSA_BITS 23
 #define MM_EXPONENT_MASK 0xff
 #define MM_EXPONENT_BIAS 127
 typedef float4 triple;
 #else
-typedef double scalar;
-typedef MM_VECTOR(double) real;
-typedef MM_VECTOR(long) Int;
+#define MM_SCALAR double
+#define MM_INT long
 #define R(x) x
 #define BY_PRECISION(in_double, in_float) in_double
-#define MM_AS_INT MM_PASTE(as_, MM_VECTOR(long))
-#define MM_AS_REAL MM_PASTE(as_, MM_VECTOR(double))
-#define MM_TO_REAL MM_CONVERT(double)
-#define MM_TO_INT MM_CONVERT(long)
 #define MM_MANTISSA_BITS 52
 #define MM_EXPONENT_MASK 0x7ff
 #define MM_EXPONENT_BIAS 1023
 typedef double4 triple;
+#endif
+
+typedef MM_SCALAR scalar;
+#if MM_LANES > 16
+// Clang's vectors, which may be longer than OpenCL's; both halves are OpenCL's.
+typedef MM_SCALAR real __attribute__((ext_vector_type(MM_LANES)));
+typedef MM_INT Int __attribute__((ext_vector_type(MM_LANES)));
+#define MM_AS_INT(x) __builtin_astype(x, Int)
+#define MM_AS_REAL(x) __builtin_astype(x, real)
+#define MM_TO_INT(x) __builtin_convertvector(x, Int)
+#define MM_TO_REAL(x) __builtin_convertvector(x, real)
+typedef double Double __attribute__((ext_vector_type(MM_LANES)));
+#define MM_TO_DOUBLE(x) __builtin_convertvector(x, Double)
+#else
+#if MM_LANES == 1
+#define MM_VECTOR(type) type
+#else
+#define MM_VECTOR(type) MM_PASTE(type, MM_LANES)
+#endif
+typedef MM_VECTOR(MM_SCALAR) real;
+typedef MM_VECTOR(MM_INT) Int;
+#define MM_AS_INT MM_PASTE(as_, MM_VECTOR(MM_INT))
+#define MM_AS_REAL MM_PASTE(as_, MM_VECTOR(MM_SCALAR))
+#define MM_TO_INT MM_PASTE(convert_, MM_VECTOR(MM_INT))
+#define MM_TO_REAL MM_PASTE(convert_, MM_VECTOR(MM_SCALAR))
+typedef MM_VECTOR(double) Double;
+#define MM_TO_DOUBLE MM_PASTE(convert_, MM_VECTOR(double))
 #endif
 
 #define FN static inline __attribute__((always_inline))
@@ -62,6 +72,7 @@ typedef int whole;
 typedef int effort;
 typedef int scalar_whole;
 typedef bool mask;
+#undef any  // drivers have one
 #define any(on) (on)
 #define pick(on, a, b) ((on) ? (a) : (b))
 #define count(on) ((on) ? 1 : 0)
@@ -69,15 +80,40 @@ typedef bool mask;
 typedef Int whole;
 typedef Int effort;
 typedef Int mask;
-#if MM_REAL_IS_FLOAT
-typedef int scalar_whole;
-#else
-typedef long scalar_whole;
-#endif
+typedef MM_INT scalar_whole;
 
-FN real pick(mask on, real a, real b) { return select(b, a, on); }
+FN real pick(mask on, real a, real b) { return on ? a : b; }
 
 FN whole count(mask on) { return on & 1; }
+
+// Folded by halves: drivers ask the lanes of their own one by one.
+#undef any
+#define any(on) any_lane(on)
+
+FN bool any_lane(mask on)
+{
+#if MM_LANES == 32
+    MM_PASTE(MM_INT, 16) sixteen = on.lo | on.hi;
+#elif MM_LANES == 16
+    mask sixteen = on;
+#endif
+#if MM_LANES >= 16
+    MM_PASTE(MM_INT, 8) eight = sixteen.lo | sixteen.hi;
+#elif MM_LANES == 8
+    mask eight = on;
+#endif
+#if MM_LANES >= 8
+    MM_PASTE(MM_INT, 4) four = eight.lo | eight.hi;
+#elif MM_LANES == 4
+    mask four = on;
+#endif
+#if MM_LANES >= 4
+    MM_PASTE(MM_INT, 2) two = four.lo | four.hi;
+#else
+    mask two = on;
+#endif
+    return (two.x | two.y) != 0;
+}
 #endif
 
 typedef struct Vec3 {
@@ -96,26 +132,35 @@ FN vec3 make_vec3(real x, real y, real z)
 }
 #define vec3(a, b, c) make_vec3(a, b, c)
 
-#if MM_IN_DOUBLE
-#define MM_TO_DOUBLE MM_CONVERT(double)
+// A function of OpenCL's vectors.
+#if MM_LANES > 16
+#define MM_BY_HALVES(type, function, a) ((type)(function((a).lo), function((a).hi)))
+#else
+#define MM_BY_HALVES(type, function, a) function(a)
+#endif
 
+#if MM_IN_DOUBLE
 FN real quotient(real a, real b) { return MM_TO_REAL(MM_TO_DOUBLE(a) / MM_TO_DOUBLE(b)); }
 
-FN real root(real a) { return MM_TO_REAL(sqrt(MM_TO_DOUBLE(a))); }
+FN real root(real a)
+{
+    Double wide = MM_TO_DOUBLE(a);
+    return MM_TO_REAL(MM_BY_HALVES(Double, sqrt, wide));
+}
 #else
 FN real quotient(real a, real b) { return a / b; }
 
-FN real root(real a) { return sqrt(a); }
+FN real root(real a) { return MM_BY_HALVES(real, sqrt, a); }
 #endif
 
 FN real quick_quotient(real a, real b) { return quotient(a, b); }
 
 FN real quick_root(real a) { return root(a); }
 
-FN real magnitude(real a) { return fabs(a); }
+FN real magnitude(real a) { return MM_BY_HALVES(real, fabs, a); }
 
 // The nearest whole number, ties to even.
-FN real nearest(real a) { return rint(a); }
+FN real nearest(real a) { return MM_BY_HALVES(real, rint, a); }
 
 // floor(log2 |a|) of a normal number.
 FN real exponent_of(real a)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A strip of pixels in vectors: one block of pixels after the other.
+
+// Pixels: a strip's height, and a block, which is as square as it can be.
+#define MM_STRIP 16
+#if MM_LANES == 32
+#define MM_WIDTH 8
+#elif MM_LANES >= 8
+#define MM_WIDTH 4
+#else
+#define MM_WIDTH 2
+#endif
+#define MM_HEIGHT (MM_LANES / MM_WIDTH)
+
+// Pixels of the band, whose lowest row is the picture's `first_row`.
+struct Strip {
+    int left;
+    int right;
+    int bottom;
+    int top;
+    int first_row;
+};
+
+// A vector and its lanes.
+union Reals {
+    real all;
+    scalar of[MM_LANES];
+};
+
+union Wholes {
+    whole all;
+    scalar_whole of[MM_LANES];
+};
+
+// The pixels of the first `size` lanes, whose places in a plane are `at`; -1: a lane's is not kept.
+FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
+{
+    union Reals red = {pixel.colour.x};
+    union Reals green = {pixel.colour.y};
+    union Reals blue = {pixel.colour.z};
+    union Reals depth = {pixel.depth};
+    union Wholes steps = {pixel.steps};
+    union Wholes estimates = {pixel.estimates};
+    union Wholes iterations = {pixel.iterations};
+    for (int lane = 0; lane < size; ++lane) {
+        if (at[lane] < 0) continue;
+        put(target, at[lane], red.of[lane], green.of[lane], blue.of[lane], depth.of[lane], (int)steps.of[lane],
+            (int)estimates.of[lane], (int)iterations.of[lane]);
+    }
+}
+
+// The pixels of a block, which has at least one in the strip: where the camera asks for them, and their places in a
+// plane. Those that lie outside are not kept.
+struct Block {
+    union Reals i;
+    union Reals j;
+    int at[MM_LANES];
+};
+
+FN Block block_at(Strip strip, int x, int y, int width)
+{
+    Block block;
+    for (int lane = 0; lane < MM_LANES; ++lane) {
+        int column = x + lane % MM_WIDTH;
+        int row = y + lane / MM_WIDTH;
+        block.i.of[lane] = (scalar)min(column, strip.right - 1);
+        block.j.of[lane] = (scalar)(strip.first_row + min(row, strip.top - 1));
+        block.at[lane] = column < strip.right && row < strip.top ? row * width + column : -1;
+    }
+    return block;
+}
+
+FN void draw_by_blocks(__constant Scene* scene, Strip strip, Target target)
+{
+    for (int x = strip.left; x < strip.right; x += MM_WIDTH) {
+        for (int y = strip.bottom; y < strip.top; y += MM_HEIGHT) {
+            Block block = block_at(strip, x, y, scene->width);
+            put_lanes(target, block.at, MM_LANES, draw(*scene, block.i.all, block.j.all));
+        }
+    }
+}
