@@ -66,12 +66,14 @@ public:
         const std::scoped_lock lock(mutex_);
         contexts_[index] = context;
         capabilities_[index] = capability;
+        const std::int64_t pixels = job::pixels_per_launch(index);
         return {.device = {.name = printable(name.data()),
                            .vendor = "NVIDIA",
                            .driver = fmt::format("CUDA {}.{}", version / 1000, version % 1000 / 10),
                            .is_gpu = true},
                 .instruction_set = fmt::format("PTX for compute_{}", MANDELMARCH_CUDA_LOWEST),
-                .pixels_per_band = job::pixels_per_launch(index),
+                .pixels_per_band = pixels,
+                .lanes_refill = job::knows_threads(pixels),
                 .peak_threads = 1 << 21};
     }
 

@@ -57,12 +57,14 @@ public:
         const int gpus = acc_get_num_devices(gpu);
         if (index < gpus) {
             acc_set_device_num(index, gpu);  // the driver translates the kernels
+            const std::int64_t pixels = job::pixels_per_launch(index);
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
                     .instruction_set = gpu_code,
-                    .pixels_per_band = job::pixels_per_launch(index),
+                    .pixels_per_band = pixels,
+                    .lanes_refill = job::knows_threads(pixels),
                     .peak_threads = gpu_threads};
         }
         const std::string name = fmt::format("host, one thread: {}",
@@ -72,6 +74,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
+                .lanes_refill = true,  // one thread gains nothing by it, but does what a GPU's do
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }

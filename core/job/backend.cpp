@@ -67,7 +67,7 @@ private:
                 const Limits limits = limits_for(scene, pixel_bytes<Real>);
                 std::optional<BandExecutor<Real>> executor;
                 timed(report.timings.upload, [&] {
-                    executor.emplace(*model_, *memory_, launch, scene, options_, limits.pixels_per_band,
+                    executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits.pixels_per_band,
                                      bytes_alone(image, options_), report.timings);
                 });
                 run_schedule(scene, options_.mode, limits, *executor, image, progress);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -83,9 +84,9 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Model& model, Memory& memory, Launch launch, const Scene& scene, const RendererOptions& options,
-                 std::int64_t pixels, bool bytes_alone, Timings& timings)
-        : model_(model), memory_(memory), timings_(timings), launch_(launch)
+    BandExecutor(const Model& model, const Opened& opened, Memory& memory, Launch launch, const Scene& scene,
+                 const RendererOptions& options, std::int64_t pixels, bool bytes_alone, Timings& timings)
+        : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
         // The kernels take these two as fixed (pixels.h), but for normals of a tetrahedron.
@@ -112,6 +113,7 @@ public:
     {
         job_.first_row = band.first_row;
         job_.rows = band.rows;
+        job_.pixels_of_thread = pixels_of_thread(std::int64_t{job_.scene.width} * band.rows);
         timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
         double by_device = 0;
         double by_host = 0;
@@ -147,7 +149,17 @@ public:
     const Work& work() const { return work_; }
 
 private:
+    // So many that the threads still fill the device twice, and that few of a warp's lanes wait for its last rays.
+    int pixels_of_thread(std::int64_t pixels) const
+    {
+        constexpr std::int64_t most = 8;
+        const std::int64_t waves_left = waves_of_band / most;
+        const std::int64_t waves = waves_of_band * pixels / opened_.pixels_per_band;
+        return opened_.lanes_refill ? static_cast<int>(std::clamp<std::int64_t>(waves / waves_left, 1, most)) : 1;
+    }
+
     const Model& model_;
+    const Opened& opened_;
     Memory& memory_;
     Timings& timings_;
     Launch launch_;

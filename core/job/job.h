@@ -15,6 +15,7 @@ struct Job {
     const Real* camera;    // core/job/camera_table.h
     int first_row;
     int rows;
+    int pixels_of_thread;  // that a thread marches one after the other, where lanes refill (pixels.h)
 };
 
 // Draws a job of width x rows pixels, which lies at this address of the device.

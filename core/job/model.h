@@ -22,6 +22,9 @@ struct Opened {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
+    // Threads march several pixels each, of a fractal whose lanes would wait long: where pixels_per_band is known to be
+    // waves_of_band of the threads that the device holds.
+    bool lanes_refill = false;
     int peak_threads = 1 << 7;  // that keep it busy in multiply-adds; a multiple of block_threads
     std::string note = {};      // said where a renderer is made: that it is not what one would expect
 };

@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "core/base/stopwatch.h"
-#include "core/render/schedule.h"
 
 namespace mandelmarch::job {
 namespace {

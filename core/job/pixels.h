@@ -126,14 +126,9 @@ FN Ray begun(const Job* job, Place place)
     return begin_along(scene_of(job), direction);
 }
 
-// Until the ray stops. It waits for shade_pixel() in its own pixel's planes.
-FN void march_pixel(const Job* job, int thread)
+// A ray that has stopped waits for shade_pixel() in its own pixel's planes.
+FN void put_ray(const Job* job, Place place, Ray ray)
 {
-    Place place = place_of(job, thread);
-    if (!place.inside) return;
-    Ray ray = begun(job, place);
-    while (marching(march_scene_of(job), ray)) ray = march(march_scene_of(job), ray, 1);
-    place = place_of(job, thread);
     // The plain schedule asks for t, refinement for the estimate before the hit.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
@@ -143,6 +138,68 @@ FN void march_pixel(const Job* job, int thread)
     job->wholes[place.at + place.pixels] = ray.estimates;
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
+
+#ifdef MM_LANES_WAIT
+// Steps of a warp before lanes whose rays have stopped take new ones, for which all wait.
+constexpr int steps_of_round = 4;
+
+// The places of a launch, of which a warp's threads take 32 at once, as blocks_of() in core/job/job.h counts them.
+FN int places_of(const Job* job)
+{
+    constexpr int warp_width = mandelmarch::job::warp_width;
+    constexpr int warp_height = mandelmarch::job::warp_height;
+    MM_ANEW(job);
+    const int columns = (job->scene.width + warp_width - 1) / warp_width;
+    const int lines = (job->rows + warp_height - 1) / warp_height;
+    return columns * lines * (warp_width * warp_height);
+}
+
+// How far a thread's places lie apart: whole blocks.
+FN int stride_of(const Job* job)
+{
+    constexpr int block_threads = mandelmarch::job::block_threads;
+    const int threads = (places_of(job) + job->pixels_of_thread - 1) / job->pixels_of_thread;
+    return (threads + block_threads - 1) / block_threads * block_threads;
+}
+
+// The thread's first place from `at` on that is inside; places_of() or more if there is none.
+FN int next_inside(const Job* job, int at)
+{
+    while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
+    return at;
+}
+
+// Until the rays of the thread's places have stopped: a lane whose ray has ended takes its next place's (persistent
+// threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Threads beyond the
+// stride have none.
+FN void march_pixel(const Job* job, int thread)
+{
+    if (thread >= stride_of(job)) return;
+    int at = next_inside(job, thread);
+    if (at >= places_of(job)) return;
+    Ray ray = begun(job, place_of(job, at));
+    while (at < places_of(job)) {
+        for (int i = 0; i < steps_of_round && marching(march_scene_of(job), ray); ++i) {
+            ray = march(march_scene_of(job), ray, 1);
+        }
+        if (!marching(march_scene_of(job), ray)) {
+            put_ray(job, place_of(job, at), ray);
+            at = next_inside(job, at + stride_of(job));
+            if (at < places_of(job)) ray = begun(job, place_of(job, at));
+        }
+    }
+}
+#else
+// Until the ray stops.
+FN void march_pixel(const Job* job, int thread)
+{
+    const Place place = place_of(job, thread);
+    if (!place.inside) return;
+    Ray ray = begun(job, place);
+    while (marching(march_scene_of(job), ray)) ray = march(march_scene_of(job), ray, 1);
+    put_ray(job, place_of(job, thread), ray);
+}
+#endif
 
 FN void shade_pixel(const Job* job, int thread)
 {

@@ -28,13 +28,14 @@ struct Limits {
 // A band's pixels at most; a GPU's at least.
 inline constexpr std::int64_t largest_band = 1 << 22;
 inline constexpr std::int64_t fewest_of_gpu = 1 << 18;
+// Of threads that a GPU holds, in a band.
+inline constexpr std::int64_t waves_of_band = 16;
 
 // Pixels that keep a GPU busy that holds so many threads at once, 0: it does not tell. They are enough waves of those
 // threads that the last one, which waits for the slowest ray, does not count.
 inline std::int64_t pixels_of_gpu(std::int64_t threads)
 {
-    constexpr std::int64_t waves = 16;
-    return std::clamp(waves * threads, fewest_of_gpu, largest_band);
+    return std::clamp(waves_of_band * threads, fewest_of_gpu, largest_band);
 }
 
 // With bands of so many pixels where that is not 0; not more than the device holds.

@@ -13,11 +13,13 @@ namespace {
 
 constexpr double device_seconds = 7;  // that a launch takes by the device's clock
 
-// Every byte of the job's rows becomes 200; planes stay as they are.
+// Every byte of the job's rows becomes 200, the first what a thread's pixels are; planes stay as they are.
 void draw(const void* address, int width, int rows)
 {
     const auto& job = *static_cast<const job::Job<layout_f32::Scene, float>*>(address);
-    if (job.bytes != nullptr) std::fill_n(job.bytes, 3L * width * rows, static_cast<unsigned char>(200));
+    if (job.bytes == nullptr) return;
+    std::fill_n(job.bytes, 3L * width * rows, static_cast<unsigned char>(200));
+    job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
 }
 
 struct Asked {
@@ -30,7 +32,7 @@ struct Asked {
 
 class Counting : public job::Model {
 public:
-    explicit Counting(Asked& asked) : asked_(asked) {}
+    explicit Counting(Asked& asked, bool lanes_refill = false) : asked_(asked), lanes_refill_(lanes_refill) {}
 
     std::string_view name() const override { return "counting"; }
     Facts facts() const override { return {}; }
@@ -38,7 +40,7 @@ public:
     {
         return {[](std::string_view, Precision, Mode) -> job::Launch { return draw; }, nullptr};
     }
-    job::Opened open(int) const override { return {.pixels_per_band = 100}; }
+    job::Opened open(int) const override { return {.pixels_per_band = 100, .lanes_refill = lanes_refill_}; }
     void run(const RendererOptions&, const std::function<void()>& f) const override
     {
         ++asked_.current;
@@ -66,6 +68,7 @@ public:
 
 private:
     Asked& asked_;
+    bool lanes_refill_;
 };
 
 class Job : public testing::Test {
@@ -113,6 +116,22 @@ TEST_F(Job, KernelIsTheDevicesOwnTime)
     EXPECT_EQ(asked_.launches, 4);
     EXPECT_EQ(timings.kernel, 4 * device_seconds);
     EXPECT_LT(timings.host, device_seconds);
+}
+
+// Where lanes refill, as many pixels a thread as leave two waves of threads, and eight at most.
+TEST_F(Job, FewPixelsLeaveAThreadForEach)
+{
+    const auto pixels_of_thread = [&](bool refill, int width, int height) {
+        const auto backend = job::backend_of(std::make_unique<Counting>(asked_, refill));
+        Image image(width, height, Image::Layers::bytes);
+        backend->create({.precision = Precision::f32, .counts = false})
+            ->render(official_scene("box", width, height), image);
+        return static_cast<int>(image.bytes()[1]);
+    };
+    EXPECT_EQ(pixels_of_thread(true, 10, 10), 8);
+    EXPECT_EQ(pixels_of_thread(true, 10, 5), 4);
+    EXPECT_EQ(pixels_of_thread(true, 5, 1), 1);
+    EXPECT_EQ(pixels_of_thread(false, 10, 10), 1);
 }
 
 TEST_F(Job, BandsAreAsLargeAsAsked)
