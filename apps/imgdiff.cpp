@@ -26,7 +26,7 @@ std::string trace_command(const Image& image, const Comparison& c)
                        image.height(), c.first % image.width(), c.first / image.width());
 }
 
-nlohmann::ordered_json to_json(const Image& image, const Comparison& c)
+nlohmann::ordered_json json_of(const Image& image, const Comparison& c)
 {
     nlohmann::ordered_json json{
         {"width", image.width()},
@@ -111,7 +111,7 @@ int body(int argc, char** argv)
     const Comparison comparison = compare(a, b);
     if (!map.empty()) write_image(map, *format, difference_map(a, b));
     if (json) {
-        print("{}\n", to_json(a, comparison).dump(2));
+        print("{}\n", json_of(a, comparison).dump(2));
     } else {
         print_text(a, b, comparison);
     }

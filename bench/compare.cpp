@@ -16,9 +16,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::size_t columns = 120;
-constexpr std::size_t longest_note = 1000;  // bytes
-
 const Row* partner(const Result& result, const Row& row)
 {
     const auto found = std::ranges::find_if(result.rows, [&](const Row& other) {
@@ -106,7 +103,7 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
 }
 
 // For messages.
-std::string platforms_of(const Result& result)
+std::string platform_names(const Result& result)
 {
     std::string text;
     for (const Row& row : result.rows) {
@@ -186,8 +183,10 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
         }
     }
     if (paired == 0) {
-        throw InputError(fmt::format("bench compare: the two results have no row in common; they are of {} and of {}",
-                                     platforms_of(old_result), platforms_of(new_result)));
+        std::string why = fmt::format("bench compare: the two results have no row in common; they are of {} and of {}",
+                                      platform_names(old_result), platform_names(new_result));
+        for (const std::string& difference : comparison.differences) why += "; " + difference;
+        throw InputError(printable(why, longest_note));
     }
 
     std::vector<Compared*> tested;
@@ -210,7 +209,7 @@ std::string to_console(const ComparedResults& comparison)
 {
     std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval",
                                    "p, Holm", "units", "verdict");
-    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), columns) + "\n"; };
+    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
     for (const Compared& row : comparison.rows) {
         if (!row.why.empty()) {
             line(fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why));

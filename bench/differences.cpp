@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<const char*, const char*>, 15> facts{{{"revision", "/git/revision"},
+constexpr std::array<std::pair<const char*, const char*>, 18> facts{{{"revision", "/git/revision"},
                                                                      {"changed since the revision", "/git/dirty"},
                                                                      {"version", "/build/version"},
                                                                      {"build type", "/build/type"},
@@ -27,7 +27,10 @@ constexpr std::array<std::pair<const char*, const char*>, 15> facts{{{"revision"
                                                                      {"caches", "/cpu/caches"},
                                                                      {"usable cores", "/cpu/cores_usable"},
                                                                      {"governor", "/cpu/governor"},
+                                                                     {"turbo disabled", "/cpu/turbo_disabled"},
+                                                                     {"memory, bytes", "/memory/total_bytes"},
                                                                      {"microcode", "/cpu/microcode"},
+                                                                     {"system", "/os/name"},
                                                                      {"kernel", "/os/kernel"},
                                                                      {"variables", "/variables"}}};
 

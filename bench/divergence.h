@@ -46,7 +46,7 @@ struct Divergence {
 // where the folder holds no such tree.
 Divergence divergence_of(const std::string& folder);
 
-nlohmann::ordered_json to_json(const Divergence& divergence);
+nlohmann::ordered_json json_of(const Divergence& divergence);
 
 // The columns problem, application, platform and coverage, as p3-analysis-library's divergence() reads them.
 std::string to_csv(const Divergence& divergence);

@@ -15,9 +15,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::size_t columns = 120;
-constexpr std::size_t longest_note = 1000;  // bytes
-
 // The medians of the pairs' ratios, by launch.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
@@ -143,7 +140,7 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
 {
     std::string text = fmt::format("{:<44} {:>7} {:<18} {:>8} {:>8}  {}\n", "row", "new/old", "95 % interval",
                                    "p, Holm", "launches", "verdict");
-    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), columns) + "\n"; };
+    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
     for (const Judged& row : judged) {
         if (!row.why.empty()) {
             line(fmt::format("{:<44} {}: {}", row.name, name_of(row.outcome), row.why));
@@ -165,7 +162,7 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
     return text;
 }
 
-nlohmann::ordered_json to_json(const Duel& duel, const std::vector<Judged>& judged)
+nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged)
 {
     using Json = nlohmann::ordered_json;
     const auto side = [](const DuelSide& s) { return Json{{"program", s.program}, {"environment", s.environment}}; };

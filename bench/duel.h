@@ -78,7 +78,7 @@ bool regression(const std::vector<Judged>& judged);
 
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged);
 
-// As bench/duel.schema.json says.
-nlohmann::ordered_json to_json(const Duel& duel, const std::vector<Judged>& judged);
+// As bench/schemas/duel.schema.json says.
+nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged);
 
 }  // namespace mandelmarch::bench

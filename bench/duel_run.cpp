@@ -40,9 +40,9 @@ std::vector<std::string> arguments_of(const Options& o, bool first)
     return words;
 }
 
-class Running {
+class RunningDuel {
 public:
-    Running(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
+    RunningDuel(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
         : plan_(plan), options_(options), progress_(progress), random_(options.seed)
     {
         duel_.old_side.program = plan.old_program;
@@ -170,7 +170,7 @@ Duel run_duel(const DuelPlan& plan, const Options& options, const std::function<
 {
     check_program(plan.old_program);
     check_program(plan.new_program);
-    return Running(plan, options, progress).run();
+    return RunningDuel(plan, options, progress).run();
 }
 
 }  // namespace mandelmarch::bench

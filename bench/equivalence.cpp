@@ -226,7 +226,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     return result;
 }
 
-nlohmann::ordered_json to_json(const EquivalenceResult& result)
+nlohmann::ordered_json json_of(const EquivalenceResult& result)
 {
     using Json = nlohmann::ordered_json;
     Json subjects = Json::array();

@@ -56,7 +56,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);
 
-nlohmann::ordered_json to_json(const EquivalenceResult& result);
+nlohmann::ordered_json json_of(const EquivalenceResult& result);
 
 // A line for each subject.
 std::string to_console(const EquivalenceResult& result);

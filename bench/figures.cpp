@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
+#include <span>
 
 namespace mandelmarch::bench {
 namespace {
@@ -35,6 +37,18 @@ bool same_text(const Row& a, const Row& b)
 
 bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && a.device == b.device; }
 
+Ratio ratio_of(const Row& numerator, const Row& denominator)
+{
+    std::map<std::pair<int, int>, double> by_round;
+    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
+    Launches pairs;
+    for (const Sample& s : numerator.samples) {
+        const auto pair = by_round.find({s.launch, s.round});
+        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
+    }
+    return {&numerator, &denominator, summary(pairs)};
+}
+
 // Mode and point must be the same for both.
 template <class Same>
 std::vector<Ratio> ratios(const Result& result, Same other_of)
@@ -45,19 +59,23 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
         for (const Row& numerator : result.rows) {
             if (!numerator.timed() || !other_of(numerator, denominator)) continue;
             if (numerator.mode != denominator.mode || numerator.point != denominator.point) continue;
-            std::map<std::pair<int, int>, double> by_round;
-            for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
-            Launches pairs;
-            for (const Sample& s : numerator.samples) {
-                const auto pair = by_round.find({s.launch, s.round});
-                if (pair != by_round.end() && pair->second > 0) {
-                    pairs[s.launch].push_back(s.kernel / pair->second);
-                };
-            }
-            found.push_back({&numerator, &denominator, summary(pairs)});
+            found.push_back(ratio_of(numerator, denominator));
         }
     }
     return found;
+}
+
+std::string_view swept(const Row& row) { return std::string_view(row.point).substr(0, row.point.find('=')); }
+
+bool same_sweep(const Row& a, const Row& b)
+{
+    return same_device(a, b) && a.fractal == b.fractal && a.precision == b.precision && a.mode == b.mode &&
+           !a.point.empty() && swept(a) == swept(b);
+}
+
+bool same_shape(const Row& a, const Row& b)
+{
+    return std::int64_t{a.setting.width} * b.setting.height == std::int64_t{b.setting.width} * a.setting.height;
 }
 
 std::vector<double> unaccounted_shares(const Row& row)
@@ -153,6 +171,30 @@ std::vector<Ratio> others_to_host(const Result& result)
         return own.backend == host && other.backend != host && other.backend != reference &&
                other.fractal == own.fractal && other.precision == own.precision;
     });
+}
+
+std::vector<Ratio> to_first_point(const Result& result)
+{
+    std::vector<Ratio> found;
+    for (const Row& row : result.rows) {
+        const Row& first =
+            *std::ranges::find_if(result.rows, [&](const Row& r) { return &r == &row || same_sweep(r, row); });
+        if (&first != &row && first.timed() && row.timed()) found.push_back(ratio_of(row, first));
+    }
+    return found;
+}
+
+std::vector<Ratio> to_previous_point(const Result& result)
+{
+    std::vector<Ratio> found;
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        const Row& row = result.rows[i];
+        const auto before = std::span(result.rows).first(i) | std::views::reverse;
+        const auto previous = std::ranges::find_if(
+            before, [&](const Row& r) { return same_sweep(r, row) && same_shape(r, row) && r.timed(); });
+        if (previous != before.end() && row.timed()) found.push_back(ratio_of(row, *previous));
+    }
+    return found;
 }
 
 }  // namespace mandelmarch::bench

@@ -68,4 +68,9 @@ std::vector<Ratio> box_to_bulb(const Result& result);
 std::vector<Ratio> double_to_float(const Result& result);
 std::vector<Ratio> others_to_host(const Result& result);
 
+// Of the rows of a sweep, which are alike but for their point: a later point / the first, and / the timed one before it
+// whose picture has the same shape.
+std::vector<Ratio> to_first_point(const Result& result);
+std::vector<Ratio> to_previous_point(const Result& result);
+
 }  // namespace mandelmarch::bench

@@ -53,7 +53,7 @@ struct Portability {
 // and no application, are left out. Where a backend runs on a platform as several devices, the fastest counts.
 std::vector<Portability> portability(std::span<const Result> given);
 
-nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities);
+nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities);
 
 // The columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
 // p3-analysis-library reads them: one line for each application that runs on a platform. It takes a line that is not

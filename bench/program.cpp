@@ -76,7 +76,7 @@ int run(const Registry& registry, const CommandLine& line)
     }
     Result result;
     Outputs outputs;
-    outputs.add("--json", options.json, [&] { return text_of(to_json(result)); });
+    outputs.add("--json", options.json, [&] { return text_of(json_of(result)); });
     outputs.add("--csv", options.csv, [&] { return to_csv(result); });
     outputs.add("--benchmark_out", options.out, [&] { return to_google_benchmark(result, options.out_format); });
     outputs.add("--benchmark_format", options.format.empty() ? "" : "-",
@@ -131,7 +131,7 @@ int portability_of(const CommandLine& line)
 {
     std::vector<Portability> found;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
     outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
     outputs.check(line.files);
     std::vector<Result> results;
@@ -147,7 +147,7 @@ int divergence(const CommandLine& line)
 {
     Divergence found;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
     outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
     outputs.check();
     found = divergence_of(line.folder.empty() ? "." : line.folder);
@@ -161,7 +161,7 @@ int random_scenes(const Registry& registry, const CommandLine& line)
 {
     RandomResult result;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(result)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(result)); });
     outputs.check();
     Display display(line.quiet);
     result = measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
@@ -184,7 +184,7 @@ int duel(const CommandLine& line)
     Duel found;
     std::vector<Judged> judged;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found, judged)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(found, judged)); });
     outputs.check({line.duel.old_program, line.duel.new_program});
     Display display(line.quiet);
     found = run_duel(line.duel, line.options, [&](double share) { display.show("duel", share); });
@@ -206,7 +206,7 @@ int race(const Registry& registry, const CommandLine& line)
 {
     Race found;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(found)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
     std::vector<std::string> read = line.race.programs;
     if (!line.race.scene.empty()) read.push_back(line.race.scene);
     outputs.check(read);
@@ -247,7 +247,7 @@ int equivalence(const Registry& registry, const CommandLine& line)
     };
     EquivalenceResult result;
     Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(to_json(result)); });
+    outputs.add("--json", line.options.json, [&] { return text_of(json_of(result)); });
     outputs.check();
     result =
         compare_backends(registry, line.equivalence, show, [&](double share) { display.show("random scenes", share); });
@@ -274,7 +274,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::race: return race(registry, line);
         case Command::on_demand: return on_demand(registry, line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
-        case Command::json: print(std::string_view(text_of(to_json(read_result(line.files.at(0)))))); return exit_fine;
+        case Command::json: print(std::string_view(text_of(json_of(read_result(line.files.at(0)))))); return exit_fine;
         case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
         default: return run(registry, line);
     }

@@ -13,8 +13,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::size_t columns = 120;
-constexpr std::size_t longest_note = 1000;  // bytes
 constexpr std::size_t name_columns = 28;
 
 std::vector<double> seconds_of(const Racer& racer)
@@ -83,7 +81,7 @@ std::string to_console(const Race& race)
     const double pixels = static_cast<double>(race.width) * race.height;
     std::string text = fmt::format("{:<28} {:<13} {:>9} {:<20} {:>8} {:<16} {:>7} {:>5}\n", "program", "picture",
                                    "wall ms", "95 % interval", "x ours", "95 % interval", "MB", "exit");
-    const auto line = [&](const std::string& whole) { text += clipped(whole, columns) + "\n"; };
+    const auto line = [&](const std::string& whole) { text += clipped(whole, console_columns) + "\n"; };
     for (const Racer& racer : race.racers) {
         const std::string verdict = verdict_in_table(racer, pixels);
         if (!timed(racer)) {
@@ -107,7 +105,7 @@ std::string to_console(const Race& race)
     return text;
 }
 
-nlohmann::ordered_json to_json(const Race& race)
+nlohmann::ordered_json json_of(const Race& race)
 {
     using Json = nlohmann::ordered_json;
     const auto interval = [](const std::optional<Interval>& i) { return i ? Json{i->low, i->high} : Json(); };

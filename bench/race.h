@@ -71,6 +71,6 @@ struct Race {
 std::string to_console(const Race& race);
 
 // As bench/schemas/race.schema.json says.
-nlohmann::ordered_json to_json(const Race& race);
+nlohmann::ordered_json json_of(const Race& race);
 
 }  // namespace mandelmarch::bench

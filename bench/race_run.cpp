@@ -82,9 +82,9 @@ Scene scene_of(const RacePlan& plan, const Options& options)
     return scene;
 }
 
-class Running {
+class RunningRace {
 public:
-    Running(const RacePlan& plan, const Options& options, const std::function<void(double)>& progress)
+    RunningRace(const RacePlan& plan, const Options& options, const std::function<void(double)>& progress)
         : plan_(plan), progress_(progress), scene_(scene_of(plan, options)), random_(options.seed)
     {
         race_.fractal = scene_.fractal->name;
@@ -263,7 +263,7 @@ private:
 Race run_race(const RacePlan& plan, const Options& options, const Registry& registry,
               const std::function<void(double)>& progress)
 {
-    Running running(plan, options, progress);
+    RunningRace running(plan, options, progress);
     Race race = running.run();
     race.environment = environment(registry);
     return race;

@@ -20,29 +20,29 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int width = 61;  // pixels
-constexpr int height = 45;
+constexpr int picture_width = 61;  // pixels
+constexpr int picture_height = 45;
 constexpr Precision precisions[] = {Precision::f64, Precision::f32};
 
-struct Drawn {
+struct DrawnScene {
     unsigned set;
     int number;
     Scene scene;
-    Image canonical{width, height, Image::Layers::all};
+    Image canonical{picture_width, picture_height, Image::Layers::all};
 };
 
 // The same scenes as tests/scenes.cpp draws: one stream of numbers goes through the fractals in their order.
-std::vector<Drawn> scenes_of(const RandomOptions& options)
+std::vector<DrawnScene> scenes_of(const RandomOptions& options)
 {
-    std::vector<Drawn> scenes;
+    std::vector<DrawnScene> scenes;
     for (const unsigned set : options.sets) {
         std::mt19937 random(set);
         for (const std::string& fractal : fractals_of(options.fractal)) {
-            const Scene like = official_scene_of(fractal, width, height);
+            const Scene like = official_scene_of(fractal, picture_width, picture_height);
             for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
         }
     }
-    std::ranges::stable_sort(scenes, {}, [](const Drawn& one) { return one.scene.fractal->rank; });
+    std::ranges::stable_sort(scenes, {}, [](const DrawnScene& one) { return one.scene.fractal->rank; });
     return scenes;
 }
 
@@ -59,7 +59,8 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
 }
 
 // A renderer is one thread here: as many scenes at once as there are cores.
-void draw_canonical(const Registry& registry, std::vector<Drawn>& scenes, const std::function<void(double)>& progress)
+void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
+                    const std::function<void(double)>& progress)
 {
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
@@ -95,7 +96,7 @@ double share(std::uint64_t part, std::uint64_t whole)
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-nlohmann::ordered_json to_json(const RandomSum& sum)
+nlohmann::ordered_json json_of(const RandomSum& sum)
 {
     return {{"scenes", sum.scenes},
             {"pixels", sum.pixels},
@@ -162,7 +163,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
     const Techniques techniques = techniques_without(options.without);
     RandomResult result{.options = options, .environment = environment(registry), .rows = {}};
     result.options.backend = backend->name();
-    std::vector<Drawn> scenes = scenes_of(options);
+    std::vector<DrawnScene> scenes = scenes_of(options);
     draw_canonical(registry, scenes, progress);
     std::unique_ptr<Renderer> renderers[2][2];
     for (const Precision precision : precisions) {
@@ -172,12 +173,12 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
         }
     }
     const auto drawn = [&](const Scene& scene, Precision precision, Mode mode) {
-        Image image(width, height, Image::Layers::all);
+        Image image(picture_width, picture_height, Image::Layers::all);
         renderers[precision == Precision::f32][mode == Mode::fast]->render(scene, image);
         return image;
     };
     for (const Precision precision : precisions) {
-        for (const Drawn& one : scenes) {
+        for (const DrawnScene& one : scenes) {
             const Comparison off = compare(one.canonical, drawn(one.scene, precision, Mode::fast));
             double exact_off = 0;
             if (precision == Precision::f32 && share(off.visibly_differing, off.pixels) > most_off) {
@@ -191,7 +192,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
     return result;
 }
 
-nlohmann::ordered_json to_json(const RandomResult& result)
+nlohmann::ordered_json json_of(const RandomResult& result)
 {
     using Json = nlohmann::ordered_json;
     Json sums = Json::array();
@@ -199,11 +200,11 @@ nlohmann::ordered_json to_json(const RandomResult& result)
         for (const Precision precision : precisions) {
             Json sets = Json::object();
             for (const unsigned& set : result.options.sets) {
-                sets[fmt::format("{}", set)] = to_json(result.sum(fractal, precision, &set));
+                sets[fmt::format("{}", set)] = json_of(result.sum(fractal, precision, &set));
             }
             sums.push_back({{"fractal", fractal},
                             {"precision", name_of(precision)},
-                            {"all", to_json(result.sum(fractal, precision, nullptr))},
+                            {"all", json_of(result.sum(fractal, precision, nullptr))},
                             {"sets", sets}});
         }
     }
@@ -217,9 +218,9 @@ nlohmann::ordered_json to_json(const RandomResult& result)
                         {"hit_or_miss", row.off.hit_or_miss},
                         {"exact_off_percent", 100 * row.exact_off}});
     }
-    return {{"schema", "mandelmarch-bench-random"}, {"version", 1},   {"backend", result.options.backend},
-            {"without", result.options.without},    {"width", width}, {"height", height},
-            {"environment", result.environment},    {"sums", sums},   {"scenes", rows}};
+    return {{"schema", "mandelmarch-bench-random"}, {"version", 1},           {"backend", result.options.backend},
+            {"without", result.options.without},    {"width", picture_width}, {"height", picture_height},
+            {"environment", result.environment},    {"sums", sums},           {"scenes", rows}};
 }
 
 std::string to_console(const RandomResult& result)
@@ -229,7 +230,7 @@ std::string to_console(const RandomResult& result)
         "Fast mode by {}{} against canonical pictures: {} random scenes a fractal in each of {} sets, "
         "{} x {} pixels\n",
         options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
-        options.sets.size(), width, height);
+        options.sets.size(), picture_width, picture_height);
     text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "number",
                         "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
                         "short of digits", "worst");

@@ -63,7 +63,7 @@ struct RandomResult {
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 
-nlohmann::ordered_json to_json(const RandomResult& result);
+nlohmann::ordered_json json_of(const RandomResult& result);
 
 // A line for each fractal and precision.
 std::string to_console(const RandomResult& result);

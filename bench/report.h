@@ -14,9 +14,9 @@ namespace mandelmarch::bench {
 std::string to_console(const Result& result, bool wide);
 
 // As bench/result.schema.json says; raw samples and derived figures both.
-nlohmann::ordered_json to_json(const Result& result);
+nlohmann::ordered_json json_of(const Result& result);
 
-// Reads what to_json wrote; derived figures are left out, as they follow from the samples. `name` is what messages call
+// Reads what json_of wrote; derived figures are left out, as they follow from the samples. `name` is what messages call
 // the file. Throws InputError where it is no result, one of another version, or holds values that no study has.
 Result result_from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result parse_result(const std::string& text, const std::string& name);

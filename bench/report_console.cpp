@@ -13,8 +13,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::size_t columns = 120;
-
 std::string nickname(const std::string& fractal)
 {
     return fractal == "all" ? fractal : std::string(fractal_named(fractal).nickname);
@@ -58,7 +56,7 @@ std::string main_table(const Result& result, bool sweep)
     const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
                           const std::string& end) {
         const std::string whole = sweep ? fmt::format("{}{:<15} {}", start, point, rest) : start + rest + end;
-        return fmt::format("{}\n", clipped(whole, columns));
+        return fmt::format("{}\n", clipped(whole, console_columns));
     };
     std::string text =
         line(fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", "scene", "number", "mode", "backend", "dev"), "point",
@@ -126,7 +124,8 @@ std::string devices(const Result& result)
     std::string text;
     for (const Row& row : result.rows) {
         if (row.device_name.empty() || !told.insert(fmt::format("{} {}", row.backend, row.device)).second) continue;
-        text += clipped(fmt::format("{} {}: {} ({})", row.backend, row.device, row.device_name, row.driver), columns) +
+        text += clipped(fmt::format("{} {}: {} ({})", row.backend, row.device, row.device_name, row.driver),
+                        console_columns) +
                 "\n";
     }
     for (const Peak& peak : result.peaks) {
@@ -134,7 +133,7 @@ std::string devices(const Result& result)
         text +=
             clipped(fmt::format("peak, {}, {} {}: {} GFLOP/s of multiply-adds{}", name_of(peak.precision), peak.backend,
                                 peak.device, digits(1e-9 * peak.rate), &peak == best ? ", the device's peak" : ""),
-                    columns) +
+                    console_columns) +
             "\n";
     }
     return text;
@@ -238,7 +237,7 @@ std::string to_console(const Result& result, bool wide)
     text += ratio_table(double_to_float(result), "Double against float: kernel time of the one over the other's", true);
     text += study_tables(result);
     for (const std::string& warning : result.warnings)
-        text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), columns));
+        text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), console_columns));
     if (!result.warnings.empty()) text += "\n";
     return text;
 }

@@ -21,7 +21,7 @@ std::string coverage_text(const Coverage& coverage)
 
 }  // namespace
 
-Json to_json(const Divergence& divergence)
+Json json_of(const Divergence& divergence)
 {
     Json models = Json::array();
     for (const ModelLines& one : divergence.models) {

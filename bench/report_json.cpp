@@ -167,7 +167,7 @@ Json of(const std::vector<Ratio>& ratios)
 
 }  // namespace
 
-Json to_json(const Result& result)
+Json json_of(const Result& result)
 {
     Json json{{"schema", "mandelmarch-bench"}, {"version", schema_version},   {"study", result.study},
               {"seed", result.seed},           {"launches", result.launches}, {"environment", result.environment},
@@ -194,8 +194,10 @@ Json to_json(const Result& result)
     for (const Row& row : result.rows) json["rows"].push_back(of(result, row));
     json["questions"] = {{fmt::format("{}_to_{}", box, bulb), of(box_to_bulb(result))},
                          {"double_to_float", of(double_to_float(result))},
-                         {"others_to_host", of(others_to_host(result))}};
-    json["portability"] = to_json(portability({&result, 1}));
+                         {"others_to_host", of(others_to_host(result))},
+                         {"to_first_point", of(to_first_point(result))},
+                         {"to_previous_point", of(to_previous_point(result))}};
+    json["portability"] = json_of(portability({&result, 1}));
     return json;
 }
 

@@ -7,7 +7,7 @@
 
 namespace mandelmarch::bench {
 
-nlohmann::ordered_json to_json(const std::vector<Portability>& portabilities)
+nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
 {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();

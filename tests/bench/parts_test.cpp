@@ -46,7 +46,7 @@ TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
 // Before devices had clocks of their own, a kernel's time was the host's.
 TEST(Parts, OfAnOlderFileTheHostsTimeIsTheKernels)
 {
-    nlohmann::ordered_json json = to_json(made_result({leaving(0.25)}));
+    nlohmann::ordered_json json = json_of(made_result({leaving(0.25)}));
     for (auto& sample : json["rows"][0]["samples"]) sample.erase("host");
     json["rows"][0]["setting"].erase("band");
     const Result older = result_from_json(json, "older");

@@ -205,7 +205,7 @@ TEST(BenchProgram, AResultIsReadAsItWasWritten)
 {
     const Ran ran = run(Defect::upside_down, small("exact"));
     const Result result = result_from_json(ran.json, "file");
-    EXPECT_EQ(to_json(result), ran.json);
+    EXPECT_EQ(json_of(result), ran.json);
     auto other = ran.json;
     other["version"] = schema_version + 1;
     EXPECT_THROW(result_from_json(other, "file"), InputError);

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<double> seven{0.010, 0.013, 0.011, 0.019, 0.012, 0.017, 0.016};
 
-Json whole() { return to_json(made_result({made_row("openmp", seven)})); }
+Json whole() { return json_of(made_result({made_row("openmp", seven)})); }
 
 std::string refusal_of(const std::string& text)
 {
@@ -30,18 +30,37 @@ std::string refusal_of(const std::string& text)
     return {};
 }
 
-TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(to_json(parse_result(text_of(whole()), "file.json")), whole()); }
+TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(json_of(parse_result(text_of(whole()), "file.json")), whole()); }
 
 // Ratios are taken round by round: a slow round, the third, cancels. The reference is no backend of the text.
 TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
                                        made_row("vulkan", {3, 3, 27, 3, 3, 3, 3}), made_row("reference", seven)});
-    const Json ratios = to_json(result)["questions"]["others_to_host"];
+    const Json ratios = json_of(result)["questions"]["others_to_host"];
     ASSERT_EQ(ratios.size(), 1);
     EXPECT_EQ(ratios[0]["numerator"], "mandelbox/float/exact/vulkan/0");
     EXPECT_EQ(ratios[0]["denominator"], "mandelbox/float/exact/openmp/0");
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
+}
+
+// Rounds that are slow as a whole cancel. The sweep has two shapes; a row without a point is part of none.
+TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
+{
+    std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
+                          made_row("openmp", {5, 5, 45, 5, 5, 5, 5}), made_row("openmp", {12, 12, 108, 12, 12, 12, 12}),
+                          made_row("openmp", seven)};
+    for (std::size_t i = 0; i < 4; ++i) rows[i].point = "size=" + std::to_string(i);
+    rows[2].setting.width = 177;
+    const Json questions = json_of(made_result(std::move(rows)))["questions"];
+    const Json& first = questions["to_first_point"];
+    ASSERT_EQ(first.size(), 3);
+    EXPECT_DOUBLE_EQ(first[0]["ratio"]["most"], 3);
+    EXPECT_DOUBLE_EQ(first[2]["ratio"]["most"], 12);
+    const Json& previous = questions["to_previous_point"];
+    ASSERT_EQ(previous.size(), 2);
+    EXPECT_DOUBLE_EQ(previous[0]["ratio"]["most"], 3);
+    EXPECT_DOUBLE_EQ(previous[1]["ratio"]["most"], 4);
 }
 
 // Each is one line that names the file, the place and what was given.
@@ -105,11 +124,46 @@ TEST(ResultFile, ALongTextIsCutInTheMessage)
     EXPECT_LT(refusal_of(text_of(json)).size(), 300U);
 }
 
+Json with_counts()
+{
+    Result result = made_result({made_row("openmp", seven)});
+    Counted counted;
+    counted.fractal = "mandelbox";
+    counted.setting.width = counted.setting.height = 100;
+    counted.count.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}}};
+    result.counts.push_back(counted);
+    return json_of(result);
+}
+
+TEST(ResultFile, LanesAreReadAsTheyWereWritten)
+{
+    const Json json = with_counts();
+    EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
+}
+
+// Builds before lane_use counted one length of vectors, and nothing that refills.
+TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
+{
+    Json json = with_counts();
+    json["counts"][0].erase("lane_use");
+    const Result result = parse_result(text_of(json), "file.json");
+    ASSERT_EQ(result.counts[0].count.lane_use.size(), 1U);
+    EXPECT_EQ(result.counts[0].count.lane_use[0].together.in_iterations, 0.25);
+    EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
+}
+
+TEST(ResultFile, AnEmptyListOfLanesIsRefused)
+{
+    Json json = with_counts();
+    json["counts"][0]["lane_use"] = Json::array();
+    EXPECT_NE(refusal_of(text_of(json)).find("lane_use: [] given"), std::string::npos);
+}
+
 TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
 {
     Result result = made_result({made_row("openmp", seven)});
     result.rows[0].driver = "driver \xff 1";
-    EXPECT_EQ(parse_result(text_of(to_json(result)), "file.json").rows[0].samples.size(), seven.size());
+    EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
 // The times of the rows that Google Benchmark prints, medians apart.

@@ -19,7 +19,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int side = 90;  // of fewer pixels the share that is off says little; the reference takes seconds for a close-up
+constexpr int side =
+    90;  // of fewer pixels the share that is off says little; the reference takes seconds for a close-up
 
 double percent_off(const Scene& scene, Precision precision)
 {

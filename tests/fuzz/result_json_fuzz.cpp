@@ -62,8 +62,8 @@ constexpr const char* odd[] = {"null",
 
 void use(const Result& result)
 {
-    const std::string text = text_of(to_json(result));
-    demand(text_of(to_json(parse_result(text, "x"))) == text);
+    const std::string text = text_of(json_of(result));
+    demand(text_of(json_of(parse_result(text, "x"))) == text);
     demand(to_csv(result).find('\n') != std::string::npos);
     const Result twice = merged({result, result});
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
@@ -74,7 +74,7 @@ void use(const Result& result)
         demand(share(p.application_portability) && share(p.application_interval.low));
         for (const OnPlatform& on : p.platforms) demand(share(on.application) && std::isfinite(on.seconds));
     }
-    demand(!to_csv(found).empty() && !to_console(found).empty() && !text_of(to_json(found)).empty());
+    demand(!to_csv(found).empty() && !to_console(found).empty() && !text_of(json_of(found)).empty());
     const ComparedResults compared = compare_results(result, result);
     for (const Compared& row : compared.rows) demand(share(row.p));
     demand(!compared.regression() && !to_console(compared).empty());
