@@ -23,11 +23,11 @@ build: ## all programs, with packs for every instruction set: bin/, mandelbulb, 
 	@tools/build $(PRESET) programs
 	@$(take_all)
 
-help: ## this list; times are some of two cores, beside those of the build
+help: ## this list; times are some of two cores, beside those of the build (at once)
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
 mandelbulb: ## the program that draws paramsBulb.dat (3 min with set-up and build)
-mandelbox: ## the same of paramsBox.dat
+mandelbox: ## the same of paramsBox.dat (3 min with set-up and build)
 mandelbulb mandelbox:
 	@tools/setup build || true
 	@tools/build $(HERE) $@
@@ -72,14 +72,14 @@ FILES ?=
 results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (1.5 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
-equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit
+equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit (5 min, estimated)
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
-flythrough: ## the program that makes films
+flythrough: ## the program that makes films (as long as it builds)
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
 
-explore: ## the program that flies live, in a window: bin/explore
+explore: ## the program that flies live, in a window: bin/explore (as long as it builds)
 	@tools/build $(HERE) explore
 	@$(call take,$(HERE),explore)
 
@@ -94,7 +94,7 @@ SIZE ?= 1080p
 OPTIONS ?=
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo
+video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
@@ -103,23 +103,29 @@ video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
-contact-sheet: ## frames of video.mp4, and what its making said, for the report
+contact-sheet: ## frames of video.mp4, and what its making said, for the report (10 s, estimated)
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
 	    -frames:v 1 report/results/contact.jpg
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-gallery: flythrough ## pictures of docs: five frames in each look, 24 of the flights of seed 1, eight of those of seeds 1 to 5 (9 min)
-	@tools/gallery bin/flythrough docs/pictures
+gallery: build ## the pictures of docs/gallery.md (9 min)
+	@tools/gallery bin docs/pictures
+
+# How often bench duel is right on this machine, with LOAD busy processes beside it; programs are the tests'.
+LOAD ?= 0
+duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md
+	@tools/build $(PRESET) bench_slowed
+	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 
 # Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.
 SEEDS ?= 10
-flight-study: build ## SEEDS=10 flights through both fractals planned and audited, for docs/flight.md
+flight-study: build ## SEEDS=10 flights through both fractals planned and audited, for docs/flight.md (an hour, estimated)
 	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
 	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
 	@python3 tools/flight_overhead.py bin/flythrough report/results
 
-kill-test: flythrough ## a film killed at twenty random moments is the same film
+kill-test: flythrough ## a film killed at twenty random moments is the same film (10 min, estimated)
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 SECONDS ?= 600
@@ -128,7 +134,7 @@ fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers (half an 
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
 
-intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large)
+intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large; 10 min, estimated)
 	@tools/intel_opencl $(BUILD)
 
 compilers: build ## the same bits from every other g++-N and clang++-N that is installed (2 min each)
@@ -137,10 +143,12 @@ compilers: build ## the same bits from every other g++-N and clang++-N that is i
 lint: ## clang-format and clang-tidy on every source (over 10 min)
 	@tools/lint
 
-k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected
+k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected there and on an H200
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
 	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
 	    --table report/results/k40_expected.txt
+	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json --gpu H200 \
+	    --table report/results/h200_expected.txt
 
 loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
@@ -168,14 +176,14 @@ SITE_SEEDS ?= 1 2
 site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
 	@tools/site bin build/site $(SITE_SEEDS)
 
-install: build ## programs, libraries and headers into PREFIX=/usr/local
+install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s)
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
-clean: ## removes what was built
+clean: ## removes what was built (at once)
 	rm -rf build bin demo mandelbulb mandelbox video*.mp4.parts
 
-setup: ## installs what building and testing need
+setup: ## installs what building and testing need (2 min)
 	@tools/setup
 
-python: ## the report's pinned Python packages, into build/venv
+python: ## the report's pinned Python packages, into build/venv (1 min)
 	@tools/python_packages

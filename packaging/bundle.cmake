@@ -84,15 +84,22 @@ if(FFMPEG)
         WORLD_EXECUTE)
 endif()
 
-# The scenes, Slurm's scripts, what makes containers of this folder.
+# The scenes, Slurm's scripts.
 file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
 file(COPY ${scenes} DESTINATION ${BUNDLE})
 file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/gpu_hour ${CMAKE_CURRENT_LIST_DIR}/gpu_hour.sha256 DESTINATION ${BUNDLE}/gpu-hour)
-file(COPY ${CMAKE_CURRENT_LIST_DIR}/Containerfile ${CMAKE_CURRENT_LIST_DIR}/mandelmarch.def DESTINATION ${BUNDLE}/container)
 
 write_licences()
 needed_glibc(glibc)
+# The oldest Debian that has that glibc.
+set(debian bookworm)
+if(glibc VERSION_GREATER 2.36)
+    set(debian trixie)
+endif()
+foreach(recipe Containerfile mandelmarch.def)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/${recipe}.in ${BUNDLE}/container/${recipe} @ONLY)
+endforeach()
 execute_process(COMMAND ${program} render --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
     COMMAND_ERROR_IS_FATAL ANY)
 set(drivers_carried "no driver for CPUs is carried: `openmp` and `reference` run everywhere, `opencl` and `vulkan` where the

@@ -3,12 +3,12 @@
 # four seconds on two cores, and begin first where several run at a time. Tests of gtest are known only when ctest runs, so a
 # file that ctest reads labels them.
 set(slow_tests
-    "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer fuzz report "report\\.viewer"
+    "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz report "report\\.viewer"
     flight "flight\\.films" "flight\\.files" "explore\\.window" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"
-    "programs\\.readme" "programs\\.demo" "packaging\\..*" "bench\\.program" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
+    "programs\\.readme" "programs\\.demo" "packaging\\..*" "bench\\.program" "bench\\.schemas" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
     "bench\\.BenchProgram\\.LinesAreAtMost120Characters" "Equivalence\\.EveryBackendDrawsTheSamePicture"
-    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*"
+    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*" ".*Opencl\\.EveryVectorDrawsTheBits.*"
     "Hull\\.ChangesNoBitOfRandomScenes" "ExtremeScene\\.GoesFarAndShowsSomething"
     "Neighbours\\.ChangeLittleAndSaveEstimates")
 list(JOIN slow_tests "|" slow_tests)

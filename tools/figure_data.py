@@ -10,6 +10,11 @@ class FigureError(Exception):
     """What is wrong with a place or a result file, in one line."""
 
 
+def with_interval(value, interval, form=".2f"):
+    """1.23 [1.20, 1.26]; without an interval the number alone."""
+    return format(value, form) + ("" if interval is None else " [" + ", ".join(format(end, form) for end in interval) + "]")
+
+
 class Row:
     """A timed row of bench."""
 
@@ -23,6 +28,12 @@ class Row:
     @property
     def kernel_ms(self):
         return 1e3 * self.figures["kernel_seconds"]["median"]
+
+    @property
+    def interval_ms(self):
+        """Of the kernel time; None where there is none."""
+        interval = self.figures["kernel_seconds"]["interval"]
+        return interval and [1e3 * end for end in interval]
 
     @property
     def wall_ms(self):
@@ -71,6 +82,13 @@ class Results:
             words = " ".join(filter(None, (fractal, precision, mode, backend, point)))
             raise FigureError(f"{name}.json has no timed row {words}")
         return found[0]
+
+    def ratio(self, name, question, row):
+        """A row's ratio of kernel times, paired by round, with its interval: (median, interval or None)."""
+        for entry in self.json(name)["questions"].get(question, []):
+            if entry["numerator"] == row["name"] and entry["ratio"]["count"]:
+                return entry["ratio"]["median"], entry["ratio"]["interval"]
+        raise FigureError(f"{name}.json says nothing of {row['name']} in {question}")
 
     def peak(self, name, precision):
         """The machine's measured multiply-add peak, in operations a second."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Single numbers of the documents, by name. Each takes the results and the words of its place."""
-from figure_data import FRACTALS, FigureError
+from figure_data import FRACTALS, FigureError, with_interval
 
 
 def ms(results, study, *row):
@@ -13,19 +13,10 @@ def frames(results, study, *row):
     return f"{1e3 / results.row(study, *row).wall_ms:.0f}"
 
 
-def ratio(results, study, fractal, precision, mode, point, other):
-    points = [results.row(study, fractal, precision, mode, p).kernel_ms for p in (point, other)]
-    return points[0] / points[1]
-
-
-def times(results, study, fractal, precision, mode, point, other):
-    """Kernel time of openmp's row at `point` over that at `other`."""
-    return f"{ratio(results, study, fractal, precision, mode, point, other):.2f}"
-
-
 def worth(results, technique, fractal, precision):
-    """Kernel time of a fast picture without a technique over the time with all."""
-    return times(results, "ablation", fractal, precision, "fast", f"without={technique}", "without=none")
+    """Kernel time of a fast picture without a technique over the time with all, with the interval."""
+    row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
+    return with_interval(*results.ratio("ablation", "to_first_point", row))
 
 
 def convergence(results, key="convergence"):
@@ -35,7 +26,10 @@ def convergence(results, key="convergence"):
 
 def cost(results, technique, fractal, precision):
     """What a technique adds to the kernel time of a fast picture, in percent."""
-    return f"{100 * (ratio(results, 'ablation', fractal, precision, 'fast', 'without=none', f'without={technique}') - 1):.0f}"
+    row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
+    without, interval = results.ratio("ablation", "to_first_point", row)
+    low, high = interval or (without, without)
+    return with_interval(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, ".0f")
 
 
 def off(results, study, *row):
@@ -44,8 +38,9 @@ def off(results, study, *row):
 
 
 def speed_up(results, study, *row):
-    """Over the reference in exact mode: wall times."""
-    return f"{results.row(study, *row).figures['speed_up']:.0f}"
+    """Over the reference in exact mode, with the interval: wall times."""
+    figures = results.row(study, *row).figures
+    return with_interval(figures["speed_up"], figures["speed_up_interval"], ".0f")
 
 
 def over_scalar(results, packs, fractal, precision, mode):
@@ -55,8 +50,7 @@ def over_scalar(results, packs, fractal, precision, mode):
     if not rows:
         raise FigureError(f"{packs}.json has no row {fractal} {precision} {mode} beside the scalar text")
     figures = min(rows, key=lambda row: row.kernel_ms).figures
-    low, high = figures["over_scalar_interval"]
-    return f"{figures['over_scalar']:.1f} [{low:.1f}, {high:.1f}]"
+    return with_interval(figures["over_scalar"], figures["over_scalar_interval"], ".1f")
 
 
 def share(results, study, *row):
@@ -79,9 +73,7 @@ def over_openmp(results, study, backend):
     found = [row for row in results.rows(study) if row["backend"] == backend]
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
-    other = [results.row(study, row["fractal"], row["precision"], row["mode"], *filter(None, [row["point"]]))
-             for row in found]
-    return range_of([a.kernel_ms / b.kernel_ms for a, b in zip(found, other)])
+    return range_of([results.ratio(study, "others_to_host", row)[0] for row in found])
 
 
 def one_register(results):
@@ -89,7 +81,8 @@ def one_register(results):
     ratios = []
     for fractal in FRACTALS:
         for precision, pack, widest in (("float", 16, 64), ("double", 8, 32)):
-            ratios.append(ratio(results, "packs", fractal, precision, "exact", f"pack={pack}", f"pack={widest}"))
+            one, most = (results.row("packs", fractal, precision, "exact", f"pack={p}") for p in (pack, widest))
+            ratios.append(one.kernel_ms / most.kernel_ms)
     return range_of(ratios)
 
 
@@ -133,12 +126,15 @@ def film(results, key):
     return f"{results.json('film')[key]:.0f}"
 
 
+K40_MILLISECONDS = 7  # of a line's words: fractal, number, mode, operations, at the peak, instructions, lanes, expected
+
+
 def k40(results, fractal, precision, mode):
     """Milliseconds of a frame of 1920 x 1080 on a Tesla K40, reckoned."""
     for line in results.text("k40_expected.txt").splitlines():
         words = line.split()
         if words[:3] == [FRACTALS[fractal], precision, mode]:
-            return words[-2]
+            return words[K40_MILLISECONDS]
     raise FigureError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
 
 
@@ -161,6 +157,5 @@ NUMBERS = {
     "rows-proven": rows_proven,
     "share": share,
     "speed-up": speed_up,
-    "times": times,
     "worth": worth,
 }

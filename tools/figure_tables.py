@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of the documents, by name. Each takes the results and the words of its place."""
-from figure_data import FRACTALS, FigureError
+import re
+
+from figure_data import FRACTALS, FigureError, with_interval
 from figure_numbers import random_off
 
 # What openmp is to reach in the standard study at 1080 x 1080, as a speed-up over the reference in exact mode.
@@ -16,6 +18,7 @@ TECHNIQUES = {  # points of the ablation study
     "trial": "trials", "tail": "tails", "root": "the root refined", "normal": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
+NAME_WIDTH = 46  # characters of a row's name in tools/flight_seeds.py's table
 
 
 def table(head, rows):
@@ -39,23 +42,25 @@ def lines_of_code(results):
     return table(["backend", "lines of its own", "of core/job", "of core/kernel"], rows)
 
 
-def ratio(results, study, key, backend):
+def beside_openmp(results, study, key, backend):
+    """Kernel times of a backend over openmp's; "-" where it was not timed."""
     try:
-        return f"{results.row(study, *key, backend).kernel_ms / results.row(study, *key).kernel_ms:.1f}"
+        return with_interval(*results.ratio(study, "others_to_host", results.row(study, *key, backend)))
     except FigureError:
         return "-"
 
 
 def targets(results, study):
-    """openmp beside the reference, its aims and the other backends."""
-    head = ["fractal", "number", "mode", "kernel ms", "over serial", "aim", "share of peak", "opencl / openmp", "vulkan / openmp"]
+    """openmp beside the reference, its aims, the scalar text and the other backends."""
+    head = ["fractal", "number", "mode", "kernel ms", "over serial", "aim", "over scalar", "share of peak", "opencl / openmp",
+            "vulkan / openmp"]
     rows = []
     for (fractal, precision, mode), aim in AIMS.items():
         key = (fractal, precision, mode)
         row = results.row(study, *key)
-        rows.append([FRACTALS[fractal], precision, mode, f"{row.kernel_ms:.1f}", f"{row.figures['speed_up']:.1f}", str(aim),
-                     f"{100 * row.figures['share_of_peak']:.0f} %", ratio(results, study, key, "opencl"),
-                     ratio(results, study, key, "vulkan")])
+        rows.append([FRACTALS[fractal], precision, mode, f"{row.kernel_ms:.1f}", quotient(row, "speed_up"), str(aim),
+                     quotient(row, "over_scalar"), f"{100 * row.figures['share_of_peak']:.0f} %",
+                     *(beside_openmp(results, study, key, backend) for backend in ("opencl", "vulkan"))])
     return table(head, rows)
 
 
@@ -65,8 +70,8 @@ def instruction_sets(results, *studies):
     head = ["fractal", "number", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway's word
     rows = []
     for fractal, precision, mode in AIMS:
-        found = [results.row(study, fractal, precision, mode).figures["speed_up"] for study in studies]
-        rows.append([FRACTALS[fractal], precision, mode, *(f"{value:.1f}" for value in found)])
+        found = [results.row(study, fractal, precision, mode) for study in studies]
+        rows.append([FRACTALS[fractal], precision, mode, *(quotient(row, "speed_up") for row in found)])
     return table(head, rows)
 
 
@@ -81,8 +86,8 @@ def ablation(results):
                 cells.append("-")
                 continue
             row = results.row("ablation", fractal, precision, "fast", f"without={point}")
-            whole = results.row("ablation", fractal, precision, "fast", "without=none")
-            cells.append(f"{row.kernel_ms / whole.kernel_ms:.2f}" + (f" ({row.off_percent:.1f} % off)" if point == "root" else ""))
+            cells.append(with_interval(*results.ratio("ablation", "to_first_point", row)) +
+                         (f" ({row.off_percent:.1f} % off)" if point == "root" else ""))
         rows.append([name, *cells])
     bounds = [results.row("ablation", *column, "fast", "without=none") for column in columns]
     rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
@@ -96,10 +101,12 @@ def growth(results):
     rows = []
     for fractal in FRACTALS:
         for precision in ("double", "float"):
-            times = [results.row("resolution_fast", fractal, precision, "fast", f"size={s}x{s}").kernel_ms for s in SIDES]
-            steps = [b / a for a, b in zip(times, times[1:])]
-            mean = (times[-1] / times[0]) ** (1 / len(steps))
-            rows.append([f"{FRACTALS[fractal]}, {precision}", *(f"{step:.2f}" for step in [*steps, mean])])
+            later = [results.row("resolution_fast", fractal, precision, "fast", f"size={s}x{s}") for s in SIDES[1:]]
+            steps = [results.ratio("resolution_fast", "to_previous_point", row) for row in later]
+            sweep, interval = results.ratio("resolution_fast", "to_first_point", later[-1])
+            root = 1 / len(later)
+            mean = (sweep ** root, [end ** root for end in interval] if interval else None)
+            rows.append([f"{FRACTALS[fractal]}, {precision}", *(with_interval(*step) for step in [*steps, mean])])
     return table(head, rows)
 
 
@@ -111,7 +118,8 @@ def closeups(results):
         cells = []
         for study, precision, mode in columns:
             pair = [results.row(study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
-            cells.append(f"{pair[0].kernel_ms:.1f} ({pair[1].kernel_ms:.1f})")
+            close, official = (with_interval(row.kernel_ms, row.interval_ms, ".1f") for row in pair)
+            cells.append(f"{close} ({official})")
         close = results.row("closeup_fast", fractal, "float", "fast", "scene=close")
         rows.append([FRACTALS[fractal], *cells, f"{close.off_percent:.1f} %"])
     head = ["kernel ms (the official scene)", *(f"{mode}, {precision}" for _, precision, mode in columns), "fast float is off"]
@@ -190,13 +198,38 @@ def aloud(results, name):
         "with 95 %",
         f"confidence. Of the pixels {row.off_percent:.1f} % differ visibly from the reference's canonical picture. The counted operations",
         f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference "
-        f"takes {row.figures['speed_up']:.0f} times as long.",
+        f"takes {with_interval(row.figures['speed_up'], row.figures['speed_up_interval'], '.0f')} times as long.",
     ])
 
 
 def first_lines(results, file, count):
     """The beginning of a text that a program printed."""
     return "```text\n" + "\n".join(results.text(file).splitlines()[: int(count)]) + "\n```"
+
+
+def samples(results):
+    """What samples a pixel are worth, from make flight-study."""
+    found = {}
+    for words in (line.split() for line in results.text("flight_samples.txt").splitlines()):
+        if len(words) == 6 and words[0] in FRACTALS.values() and words[4] == "%":
+            found.setdefault(words[1], {})[words[0]] = (words[2], words[3] + " %")
+    head = ["samples a pixel", *(f"{name}, {what}" for name in FRACTALS for what in ("rms", "off"))]
+    return table(head, [[count, *(cell for name in FRACTALS.values() for cell in of[name])] for count, of in found.items()])
+
+
+def missed(results):
+    """The rows of flights' audits that not every seed keeps, from make flight-study."""
+    rows, fractal = [], ""
+    for line in results.text("flight_seeds.txt").splitlines():
+        kept = re.search(r"(\d+)/(\d+)$", line)
+        if kept and kept[1] != kept[2]:
+            sign, bar, *values = line[NAME_WIDTH:kept.start()].split()
+            worst = (max if sign == "<=" else min)(values, key=float)
+            kind = "promise" if line[0] == "!" else "quality"
+            rows.append([fractal, line[2:NAME_WIDTH].strip(), kind, f"{sign} {bar}", worst, f"{kept[1]} of {kept[2]}"])
+        elif " seeds, " in line and line.split(":")[0] in FRACTALS.values():
+            fractal = line.split(":")[0]
+    return table(["fractal", "row", "kind", "bar", "worst", "seeds that keep it"], rows)
 
 
 TABLES = {
@@ -209,7 +242,9 @@ TABLES = {
     "growth": growth,
     "instruction-sets": instruction_sets,
     "measured": measured,
+    "missed": missed,
     "random": random,
+    "samples": samples,
     "study": study,
     "targets": targets,
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""k40_expected.py PROGRAM ROWS.json LANES.json [--table FILE]: the time that a frame of 1920 x 1080 should take on a Tesla K40,
-from its data sheet, the operations that bench counted for that size (ROWS), the lanes it found active (LANES, of the study
-box-vs-bulb) and the code that NVIDIA's assembler makes of the built program for sm_35."""
+"""k40_expected.py PROGRAM ROWS.json LANES.json [--gpu K40|H200] [--table FILE]: the time that a frame of 1920 x 1080 should take
+on a GPU, from its data sheet, the operations that bench counted for that size (ROWS), the lanes it found active (LANES, of the
+study box-vs-bulb) and the code that NVIDIA's assembler makes of the built program for sm_35, a newer GPU's, too."""
 import argparse
 import json
 import os
@@ -16,11 +16,17 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import k40
 from table_file import put
 
-# NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013: 15 multiprocessors at 745 MHz; 4.29 and 1.43
-# TFLOP/s. A multiprocessor of Kepler has four schedulers, each a warp of 32 an instruction a clock, and 64 lanes for
-# double ("NVIDIA Kepler GK110", white paper, 2012; a second instruction a clock is not counted on).
-PEAK = {"float": 4.29e12, "double": 1.43e12}
-CLOCKS = 15 * 745e6
+# Peaks in operations a second, and clocks of all multiprocessors.
+GPUS = {
+    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013: 15 multiprocessors at 745 MHz; 4.29 and 1.43
+    # TFLOP/s.
+    "K40": ({"float": 4.29e12, "double": 1.43e12}, 15 * 745e6),
+    # NVIDIA, "H200 Tensor Core GPU", data sheet, 2024: 67 and 34 TFLOP/s; "NVIDIA H100 Tensor Core GPU Architecture", white
+    # paper, 2022: 132 multiprocessors, and the 1.98 GHz that make these peaks.
+    "H200": ({"float": 67e12, "double": 34e12}, 132 * 1.98e9),
+}
+# A multiprocessor has four schedulers, each a warp of 32 an instruction a clock, and 64 lanes for double: of Kepler
+# ("NVIDIA Kepler GK110", white paper, 2012; a second instruction a clock is not counted on) and of Hopper (as above).
 ISSUE_LANES = 4 * 32
 DOUBLE_LANES = 64
 ARITHMETIC = {"add": 1, "sub": 1, "mul": 1, "fma": 2, "div": 1, "sqrt": 1}  # operations as bench counts them
@@ -128,6 +134,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("rows")
     parser.add_argument("lanes")
+    parser.add_argument("--gpu", choices=GPUS, default="K40")
     parser.add_argument("--table")
     arguments = parser.parse_args()
     ptx = k40.extract(arguments.program)
@@ -138,7 +145,8 @@ def main():
         kernels, weight = costs(ptx[0], counts)
     except k40.Unavailable as error:
         sys.exit(f"k40_expected: {error}")
-    lines = ["K40 on paper, 1920 x 1080, kernel time; "
+    peak, clocks_a_second = GPUS[arguments.gpu]
+    lines = [f"{arguments.gpu} on paper, 1920 x 1080, kernel time; "
              + ", ".join(f"{o}.{s}: {w:.1f} instructions" for (o, s), w in weight.items()),
              f"{'fractal':<12}{'number':<8}{'mode':<7}{'operations':>11}{'at the':>9}{'instructions':>14}{'lanes':>8}{'expected':>10}"
              f"{'share of':>10}{'refilled':>10}{'expected':>10}",
@@ -150,11 +158,11 @@ def main():
             continue
         instructions, arithmetic, lanes, refilled = kernels[key]
         clocks = instructions / ISSUE_LANES if key[1] == "float" else max(instructions / ISSUE_LANES, arithmetic / DOUBLE_LANES)
-        bound = row["operations"] / PEAK[key[1]]
-        seconds = row["operations"] * clocks / CLOCKS / lanes
-        lines.append(f"{key[0]:<12}{key[1]:<8}{key[2]:<7}{row['operations'] / (1920 * 1080):>11.0f}{1e3 * bound:>9.2f}"
-                     f"{instructions:>14.2f}{lanes:>8.0%}{1e3 * seconds:>10.1f}{bound / seconds:>10.1%}"
-                     + (f"{'-':>10}{'-':>10}" if refilled is None else f"{refilled:>10.0%}{1e3 * seconds * lanes / refilled:>10.1f}"))
+        bound = row["operations"] / peak[key[1]]
+        seconds = row["operations"] * clocks / clocks_a_second / lanes
+        lines.append(f"{key[0]:<12}{key[1]:<8}{key[2]:<7}{row['operations'] / (1920 * 1080):>11.0f}{1e3 * bound:>9.3g}"
+                     f"{instructions:>14.2f}{lanes:>8.0%}{1e3 * seconds:>10.3g}{bound / seconds:>10.1%}"
+                     + (f"{'-':>10}{'-':>10}" if refilled is None else f"{refilled:>10.0%}{1e3 * seconds * lanes / refilled:>10.3g}"))
     if len(lines) == 3:
         sys.exit(f"k40_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
     put("\n".join(lines) + "\n", arguments.table)

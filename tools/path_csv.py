@@ -3,9 +3,10 @@
 """path_csv.py export PATH.json FILE.csv
 path_csv.py import PATH.json FILE.csv NEW.json
 
-export writes a path file's cameras as a table, one line a frame: frame, x, y, z of location, look_at and up, field_of_view.
-import makes NEW.json of PATH.json with the table's cameras; what else its frames have stays. Frames may be fewer or more:
-what PATH.json has no frame for takes the last one's. Exit code 2: a file that cannot be read, or is none."""
+export writes a path file's cameras as a table, one line a frame: frame, x, y, z of location, look_at and up, field_of_view, and,
+where a frame has one, the three numbers of its shape (line 7 of a parameter file). import makes NEW.json of PATH.json with
+the table's cameras and shapes; what else its frames have stays. Frames may be fewer or more: what PATH.json has no frame for
+takes the last one's. Exit code 2: a file that cannot be read, or is none."""
 import csv
 import json
 import math
@@ -15,6 +16,7 @@ import tempfile
 
 VECTORS = ("location", "look_at", "up")
 COLUMNS = ["frame"] + [f"{name}_{axis}" for name in VECTORS for axis in "xyz"] + ["field_of_view"]
+SHAPE = ["shape_1", "shape_2", "shape_3"]
 
 
 def stop(text):
@@ -53,9 +55,12 @@ def put(name, text):
 
 
 def table_of(path):
-    lines = [",".join(COLUMNS)]
+    changes = any("shape" in frame for frame in path["frames"])
+    lines = [",".join(COLUMNS + SHAPE * changes)]
     for number, frame in enumerate(path["frames"]):
         numbers = [value for name in VECTORS for value in frame[name]] + [frame["field_of_view"]]
+        if changes:
+            numbers += frame.get("shape", path["scene"]["shape"])
         lines.append(",".join([str(number)] + [repr(value) for value in numbers]))
     return "\n".join(lines) + "\n"
 
@@ -66,20 +71,22 @@ def with_table(path, name):
             rows = list(csv.reader(file))
     except (OSError, UnicodeDecodeError) as error:
         stop(f"{name}: {error}")
-    if not rows or rows[0] != COLUMNS:
-        stop(f"{name}:1: expected the columns {','.join(COLUMNS)}")
+    if not rows or rows[0] not in (COLUMNS, COLUMNS + SHAPE):
+        stop(f"{name}:1: expected the columns {','.join(COLUMNS)}, with or without {','.join(SHAPE)}")
     frames = []
     for number, row in enumerate(rows[1:], start=2):
         try:
             values = [float(text) for text in row[1:]]
         except ValueError as error:
             stop(f"{name}:{number}: {error}")
-        if len(row) != len(COLUMNS) or not all(map(math.isfinite, values)):
-            stop(f"{name}:{number}: expected {len(COLUMNS)} finite numbers")
+        if len(row) != len(rows[0]) or not all(map(math.isfinite, values)):
+            stop(f"{name}:{number}: expected {len(rows[0])} finite numbers")
         frame = dict(path["frames"][min(len(frames), len(path["frames"]) - 1)])
         for index, vector in enumerate(VECTORS):
             frame[vector] = values[3 * index:3 * index + 3]
-        frame["field_of_view"] = values[-1]
+        frame["field_of_view"] = values[9]
+        if rows[0] != COLUMNS:
+            frame["shape"] = values[10:]
         frames.append(frame)
     if not frames:
         stop(f"{name}: no frames")

@@ -10,6 +10,7 @@ import json
 import os
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -38,7 +39,7 @@ class Entry:
         command = [os.path.join(programs, self.command[0]), *(part if word == "{}" else
                    word.replace("{folder}", os.path.dirname(target)) for word in self.command[1:])]
         with open(part if "{}" not in self.command else os.devnull, "w", encoding="utf-8") as output:
-            code = subprocess.run(command, stdout=output, env=os.environ | self.variables, check=False).returncode
+            code = code_of(command, output, self.variables)
         if code == 0 and not os.path.exists(part):
             code = 1
         elif code == 0 and of_uncommitted_sources(part):
@@ -48,6 +49,16 @@ class Entry:
         elif os.path.exists(part):
             os.remove(part)
         return code
+
+
+def code_of(command, output, variables):
+    """Where this program is stopped, the other one is, too, with what it has started."""
+    with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True) as process:
+        try:
+            return process.wait()
+        except KeyboardInterrupt:
+            os.killpg(process.pid, signal.SIGTERM)
+            raise
 
 
 def of_uncommitted_sources(path):
@@ -128,6 +139,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         sys.exit(main())
     except KeyboardInterrupt:

@@ -17,13 +17,20 @@ ENVIRONMENT = {"date": "2026-01-02T03:04:05Z", "git": {"revision": "0123456789ab
 def row(point, seconds):
     figures = {"kernel_seconds": {"median": seconds, "count": 9, "interval": [seconds, 2 * seconds]},
                "wall_seconds": {"median": seconds}, "share_of_peak": 0.25, "speed_up": 12.5, "over_scalar": 4.0, "over_scalar_interval": [3.0, 5.0]}
-    return {"fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0, "point": point,
+    return {"name": point, "fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0, "point": point,
             "proof": {"level": "perceptual", "fine": True, "yardstick": False, "text": "0.500 % off", "pixels": 200,
                       "visibly_differing": 1}, "figures": figures}
 
 
-ABLATION = {"environment": ENVIRONMENT, "rows": [row("without=none", 0.02), row("without=hull", 0.03)]}
-WORTH = "It takes <!-- figures: worth hull bulb float -->1.50<!-- end --> times as long.\n"
+RATIO = {"numerator": "without=hull", "denominator": "without=none", "ratio": {"count": 9, "median": 1.5, "interval": [1.25, 1.75]}}
+ABLATION = {"environment": ENVIRONMENT, "rows": [row("without=none", 0.02), row("without=hull", 0.03)],
+            "questions": {"to_first_point": [RATIO]}}
+WORTH = "It takes <!-- figures: worth hull bulb float -->1.50 [1.25, 1.75]<!-- end --> times as long.\n"
+K40 = """K40 on paper
+fractal     number  mode    operations   at the  instructions   lanes  expected  share of  refilled  expected
+                               a pixel peak, ms  an operation  active        ms      peak     lanes        ms
+mandelbulb  float   fast          1393     0.67          1.75     43%       8.1     8.3%       62%       5.6
+"""
 TABLE = """<!-- figures: study ablation -->
 | fractal | number | mode | backend | proof | kernel ms | 95 % interval | share of peak | over serial | over scalar |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
@@ -69,17 +76,39 @@ class FiguresTest(unittest.TestCase):
         code, said, text = self.figures(stale, "--check")
         self.assertEqual((code, text), (1, stale))
         self.assertEqual(said.count("\n"), 1)
-        self.assertRegex(said, r"page.md:3: 'worth hull bulb float' is stale: '1.51' stands there, the results say '1.50'")
+        self.assertRegex(said, r"page.md:3: 'worth hull bulb float' is stale: '1.51 .*' stands there, the results say '1.50 .*'")
 
     def test_a_changed_result_is_found(self):
         changed = copy.deepcopy(ABLATION)
         changed["rows"][1]["figures"]["kernel_seconds"]["median"] = 0.04
+        changed["questions"]["to_first_point"][0]["ratio"]["median"] = 2.0
         self.results(changed)
         code, said, _ = self.figures(WORTH + TABLE, "--check")
         self.assertEqual(code, 1)
         self.assertEqual(said.count("\n"), 2)  # the number and the table
-        self.assertIn("the results say '2.00'", said)
+        self.assertIn("the results say '2.00 [1.25, 1.75]'", said)
         self.assertIn("40.00", said)
+
+    def test_the_k40_is_expected_to_take_what_lanes_that_go_on_together_take(self):
+        with open(os.path.join(self.folder, "k40_expected.txt"), "w", encoding="utf-8") as file:
+            file.write(K40)
+        place = "It takes <!-- figures: k40 bulb float fast -->8.1<!-- end --> ms.\n"
+        self.assertEqual(self.figures(place, "--check"), (0, "", place))
+
+    def test_rows_that_some_seed_misses_are_listed(self):
+        with open(os.path.join(self.folder, "flight_seeds.txt"), "w", encoding="utf-8") as file:
+            file.write("flight study: 2 seeds of both fractals\n\nmandelbox: 9 frames, 2 seeds, 2 of them\n" +
+                       f"{'':46} {'bar':>9}{1:>8}{2:>8}    kept\n{'! steps':46} {'<= 0.2':>9}{0.1:>8}{0.2:>8}    2/2\n" +
+                       f"{'  frames inside the hull, %':46} {'>= 90':>9}{95.1:>8}{88.2:>8}    1/2\n")
+        code, said, text = self.figures("<!-- figures: missed --><!-- end -->\n")
+        self.assertEqual((code, said), (0, ""))
+        self.assertEqual(text.splitlines()[3:], ["| mandelbox | frames inside the hull, % | quality | >= 90 | 88.2 | 1 of 2 |", "<!-- end -->"])
+
+    def test_a_file_without_the_question_is_one_line(self):
+        self.results({**ABLATION, "questions": {}})
+        code, said, _ = self.figures(WORTH)
+        self.assertEqual((code, said.count("\n")), (2, 1))
+        self.assertIn("ablation.json says nothing of without=hull in to_first_point", said)
 
     def test_wrong_places_are_one_line(self):
         for text, message in (

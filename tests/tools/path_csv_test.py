@@ -61,6 +61,16 @@ class TableTest(unittest.TestCase):
         self.assertEqual([n for n in range(4) if new["frames"][n] != PATH["frames"][n]], [2])
         self.assertEqual(new["frames"][2]["location"][0], 9.5)
 
+    def test_a_shape_that_changes_is_in_the_table(self):
+        frames = [{**frame(n), "shape": [0, 4, 8 - n]} for n in range(3)]
+        self.write("path.json", json.dumps({**PATH, "frames": frames}))
+        self.run_tool("export", "path.json", "path.csv")
+        table = self.read("path.csv")
+        self.assertTrue(table.splitlines()[0].endswith(",field_of_view,shape_1,shape_2,shape_3"))
+        self.write("path.csv", table.replace(",0,4,7\n", ",0,4,7.5\n"))
+        self.run_tool("import", "path.json", "path.csv", "new.json")
+        self.assertEqual([f["shape"] for f in json.loads(self.read("new.json"))["frames"]], [[0, 4, 8], [0, 4, 7.5], [0, 4, 6]])
+
     def test_bad_tables_are_one_line(self):
         self.run_tool("export", "path.json", "path.csv")
         good = self.read("path.csv")

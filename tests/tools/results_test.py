@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 TOOL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "results.py")
@@ -20,6 +21,15 @@ for last; do :; done
 if [ "$1" = print ]; then echo printed; else cat {folder}/json > "$last"; fi
 """
 CLEAN, DIRTY = ('{"environment": {"git": {"dirty": %s}}}' % dirty for dirty in ("false", "true"))
+
+
+def running(pid):
+    """A process that has ended and nobody has asked for its code runs no more."""
+    try:
+        with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
+            return file.read().rpartition(") ")[2][0] != "Z"
+    except FileNotFoundError:
+        return False
 
 
 class ResultsTest(unittest.TestCase):
@@ -53,11 +63,15 @@ class ResultsTest(unittest.TestCase):
     def git(self, *arguments):
         return subprocess.run(["git", "-C", self.path("sources"), *arguments], capture_output=True, text=True, check=True).stdout
 
-    def results(self, *files):
+    def started(self, *files):
         command = [sys.executable, TOOL, "--list", self.path("list"), "--programs", self.path("bin"), "--work",
                    self.path("work"), "--output", self.path("output"), "--sources", self.path("sources"), *files]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        return run.returncode, run.stderr
+        return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+    def results(self, *files):
+        with self.started(*files) as process:
+            said = process.communicate()[1]
+        return process.returncode, said
 
     def test_all_are_measured_and_handed_over(self):
         code, said = self.results()
@@ -81,6 +95,22 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertIn("2 of them are there", said)
         self.assertEqual(len(self.text("calls").splitlines()), 4)  # a, b, c and c again
+
+    def test_what_is_stopped_leaves_nothing_running(self):
+        self.write("bin/bench", BENCH.replace("{folder}", self.folder).replace("for last", "sleep 600 & echo $! > "
+                                                                               f"{self.path('sleeper')}; wait\nfor last"))
+        with self.started() as process:
+            while not os.path.exists(self.path("sleeper")) or not self.text("sleeper"):
+                time.sleep(0.01)
+            process.terminate()
+            said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(said.splitlines()[-1], "results: stopped; the same command goes on")
+        for _ in range(1000):  # whoever takes orphans may need a moment
+            if not running(int(self.text("sleeper"))):
+                return
+            time.sleep(0.01)
+        self.fail("what it had started goes on")
 
     def test_another_revision_begins_anew(self):
         self.results("a.json")

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tools/setup on a made system, whose apt-get and dpkg-query note that they were called."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+SETUP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "setup")
+STUB = """#!/bin/sh
+echo "$0 $*" >>{folder}/calls
+exit {code}
+"""
+
+
+class SetupTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = scratch.name
+        # dpkg-query finds nothing; apt-get has nothing, either.
+        for name in ("apt-get", "dpkg-query", "apt-cache", "sudo"):
+            path = os.path.join(self.folder, name)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(STUB.format(folder=self.folder, code=1))
+            os.chmod(path, 0o755)
+
+    def run_on(self, system, *arguments):
+        """Exit code, what it says, and what it called."""
+        release = os.path.join(self.folder, "os-release")
+        with open(release, "w", encoding="utf-8") as file:
+            file.write(system)
+        environment = os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}", "MANDELMARCH_OS_RELEASE": release}
+        done = subprocess.run(["bash", SETUP, *arguments], capture_output=True, text=True, env=environment, check=False)
+        try:
+            with open(os.path.join(self.folder, "calls"), encoding="utf-8") as file:
+                return done.returncode, done.stderr, file.read()
+        except FileNotFoundError:
+            return done.returncode, done.stderr, ""
+
+    def test_another_system_is_told_what_is_needed_and_left_alone(self):
+        for system in ("NAME=Ubuntu\nID=ubuntu\nID_LIKE=debian\n", "ID=fedora\n", ""):
+            code, said, calls = self.run_on(system)
+            self.assertEqual((code, said.count("\n"), calls), (0, 1, ""), system)
+            self.assertIn(" ninja-build ", said)
+            self.assertIn("kokkos", said)
+
+    def test_on_debian_packages_are_asked_for(self):
+        for system in ("ID=debian\n", 'PRETTY_NAME="x"\nID="debian"\n'):
+            code, said, calls = self.run_on(system)
+            self.assertEqual(code, 1)
+            self.assertIn("apt-get failed", said)
+            self.assertIn("apt-get update", calls)
+
+    def test_what_is_missing_is_said_without_installing(self):
+        code, said, calls = self.run_on("ID=debian\n", "--check", "build")
+        self.assertEqual((code, said.count("\n")), (1, 1))
+        self.assertNotIn("apt-get", calls)
+
+
+if __name__ == "__main__":
+    unittest.main()

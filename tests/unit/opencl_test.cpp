@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vectors of every length draw the bits of the scalar text and count its work, in blocks and in lanes that refill, at
+// the edges of strips too. Skipped where there is no OpenCL device.
+#include <gtest/gtest.h>
+
+#include "backends/all.h"
+#include "core/image/compare.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+class Opencl : public testing::TestWithParam<Precision> {
+protected:
+    void SetUp() override
+    {
+        if (const auto why = opencl.unavailable()) GTEST_SKIP() << *why;
+    }
+
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    const Backend& opencl = *registry.find("opencl");
+    // The box's lanes refill. No size is a multiple of a block's, a strip's or a group's.
+    const std::vector<NamedScene> scenes{{"bulb", official_scene("bulb", 301, 37)},
+                                         {"box", official_scene("box", 301, 37)},
+                                         {"a row of the box", official_scene("box", 1030, 1)},
+                                         {"one pixel of the box", official_scene("box", 1, 1)}};
+};
+
+TEST_P(Opencl, EveryVectorDrawsTheBitsOfTheScalarText)
+{
+    const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
+    for (const int pack : {0, 1, 4}) {  // 0: the longest that suits the device
+        const auto renderer = opencl.create({.precision = GetParam(), .pack = pack});
+        for (const auto& [name, scene] : scenes) {
+            Image image(scene.width, scene.height, Image::Layers::all);
+            Image expected(scene.width, scene.height, Image::Layers::all);
+            const Work work = renderer->render(scene, image).work;
+            const Work expected_work = yardstick->render(scene, expected).work;
+            const Comparison difference = compare(expected, image);
+            EXPECT_TRUE(difference.same())
+                << name << ", pack " << pack << ": "
+                << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
+            EXPECT_EQ(work.steps, expected_work.steps) << name << ", pack " << pack;
+            EXPECT_EQ(work.estimates, expected_work.estimates) << name << ", pack " << pack;
+            EXPECT_EQ(work.iterations, expected_work.iterations) << name << ", pack " << pack;
+        }
+    }
+}
+
+TEST_P(Opencl, BytesAloneAreThoseOfWholePictures)
+{
+    for (const auto& [name, scene] : scenes) {
+        const auto renderer = opencl.create({.precision = GetParam(), .counts = false});
+        Image all(scene.width, scene.height, Image::Layers::all);
+        Image bytes(scene.width, scene.height, Image::Layers::bytes);
+        renderer->render(scene, all);
+        renderer->render(scene, bytes);
+        EXPECT_EQ(bytes.bytes(), all.bytes()) << name;
+    }
+}
+
+// The twin: another detail moves hits.
+TEST_P(Opencl, AnotherSceneHasOtherBits)
+{
+    Scene other = official_scene("box", 301, 37);
+    other.detail -= 0.01;
+    const Image official = render(opencl, official_scene("box", 301, 37), {.precision = GetParam()});
+    EXPECT_FALSE(compare(official, render(opencl, other, {.precision = GetParam()})).same());
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, Opencl, testing::Values(Precision::f64, Precision::f32),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+}  // namespace
+}  // namespace mandelmarch
