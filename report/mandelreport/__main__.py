@@ -15,7 +15,7 @@ from .pictures import Cache, Studio
 from .results import read_results
 from .sections import Material
 
-LARGEST = 15 * 2**20  # bytes of the page
+LARGEST = 15 * 10**6  # bytes of the page
 
 
 def main() -> int:

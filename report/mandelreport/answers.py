@@ -20,6 +20,16 @@ def _names(items: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(items))
 
 
+def counted(file: str, fractal: str, precision: str, what: str, view: str = "official") -> Place:
+    """What was counted of a scene in exact mode."""
+    return Place((file,), f"counts:fractal={fractal}&precision={precision}&mode=exact&setting.view={view}:{what}")
+
+
+def named(text: str) -> Markup:
+    """A name, whose digits are no result."""
+    return Markup('<span class="name">{}</span>').format(text)
+
+
 class Answers:
     """`primary`: the standard study with the most backends and, of these, launches."""
 
@@ -116,11 +126,7 @@ class Answers:
         name = self.primary.name
 
         def factor(what: str) -> Markup:
-            box, bulb = (
-                Place((name,), f"counts:fractal={f}&precision=double&mode=exact&setting.view=official:{what}")
-                for f in ("mandelbox", "mandelbulb")
-            )
-            return self.trace.number(box, over=bulb)
+            return self.trace.number(counted(name, "mandelbox", "double", what), over=counted(name, "mandelbulb", "double", what))
 
         box, bulb = (Place((name,), f"rows:name={f}/double/exact/{self.backends.host}/0:operations") for f in FRACTALS[::-1])
         return {

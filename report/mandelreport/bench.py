@@ -15,12 +15,13 @@ from .errors import InputError
 
 SCHEMA = "mandelmarch-bench"
 VERSION = 1
+SAME_PEAK = 1.5  # as same_peak in bench/platforms.h
 SCHEMA_FILE = Path(__file__).parents[2] / "bench" / "result.schema.json"
 
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds: a median and the ends of its 95 % interval, which is None below six samples."""
+    """Seconds, or a ratio of them: a median and the ends of its 95 % interval, which is None below six samples."""
 
     median: float
     low: float | None
@@ -31,6 +32,11 @@ class Times:
     def of(summary: dict[str, Any]) -> Times:
         low, high = summary["interval"] or (None, None)
         return Times(summary["median"], low, high, summary["count"])
+
+    def inverse(self) -> Times:
+        """Of a ratio: the other way round."""
+        low, high = (None if end is None else 1 / end for end in (self.high, self.low))
+        return Times(1 / self.median, low, high, self.count)
 
     def errors(self) -> tuple[float, float]:
         """Lengths of an error bar down and up; 0 where there is no interval."""
@@ -80,6 +86,7 @@ class Bench:
     name: str
     path: Path
     data: dict[str, Any]
+    number: int = 0  # of its machine, from 1, where several of one name are not the same
 
     @property
     def study(self) -> str:
@@ -104,7 +111,24 @@ class Bench:
         """The processor, its usable cores, and the GPUs that rows ran on. Old results name no family and model."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
-        return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus])
+        which = [f"machine {self.number}"] if self.number else []
+        return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus, *which])
+
+    def same_machine(self, other: Bench) -> bool:
+        """Of two results whose machine has one name, by the rule of bench/platforms.h."""
+        mine, others = (bench.environment["cpu"] for bench in (self, other))
+        known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
+        if any(mine[key] != others[key] for key in known):
+            return False
+        boots = [bench.environment["os"].get("boot") for bench in (self, other)]
+        return (boots[0] is not None and boots[0] == boots[1]) or self._same_peaks(other)
+
+    def _same_peaks(self, other: Bench) -> bool:
+        def peak(bench: Bench, precision: str) -> float:
+            return max((p["operations_per_second"] for p in bench.data["peaks"] if p["precision"] == precision), default=0)
+
+        pairs = [sorted([peak(self, precision), peak(other, precision)]) for precision in ("double", "float")]
+        return all(low == 0 or high <= SAME_PEAK * low for low, high in pairs)
 
     @property
     def size(self) -> str:
@@ -115,6 +139,21 @@ class Bench:
     def rank(self) -> tuple[int, int]:
         """Backends that were timed, and launches."""
         return len(self.values("backend")), self.data["launches"]
+
+    def ratio(self, question: str, numerator: Row) -> Times | None:
+        """A row's ratio of kernel times, paired by round; None where the file does not have it."""
+        for entry in self.data["questions"].get(question, []):
+            if entry["numerator"] == numerator.name and entry["ratio"]["count"]:
+                return Times.of(entry["ratio"])
+        return None
+
+    def to_first_point(self, row: Row) -> Times | None:
+        """A row of a sweep over the sweep's first; older builds of bench state no such ratios."""
+        if (found := self.ratio("to_first_point", row)) is not None:
+            return found
+        alike = ("fractal", "precision", "mode", "backend", "device")
+        first = next((r for r in self.rows if all(r.data[key] == row.data[key] for key in alike)), row)
+        return Times(row.kernel.median / first.kernel.median, None, None, 1) if first.timed and first is not row else None
 
     def others_to_host(self) -> list[dict[str, Any]]:
         """Other backends' kernel times over the host's, where the rows share rounds; older builds of bench state none."""

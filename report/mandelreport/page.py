@@ -61,6 +61,12 @@ def front_page(material: Material) -> str:
     return environment().get_template("front.html.j2").render(s=front.section(material))
 
 
+def sections_of(material: Material, names: list[str]) -> str:
+    """These sections of the main part alone."""
+    contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
+    return "".join(environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
+
+
 def render(material: Material) -> str:
     """The whole page. The same results and programs give the same text."""
     return environment().get_template("page.html.j2").render(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import sys
 from collections.abc import Iterable
@@ -47,10 +48,13 @@ class Results:
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
     def whole(self) -> list[Bench]:
-        """The standard studies that timed as many backends as any."""
+        """The standard studies that compare backends: three of the text at least, or as many as any has. A file need not
+        have every backend that another has: some take too long for large pictures."""
         standard = self.study("standard")
-        most = max((bench.rank()[0] for bench in standard), default=0)
-        return [bench for bench in standard if bench.rank()[0] == most]
+        reference = self.backends().reference
+        compared = {id(bench): len({*bench.values("backend")} - {reference}) for bench in standard}
+        enough = min(3, max(compared.values(), default=0))
+        return [bench for bench in standard if compared[id(bench)] >= enough]
 
     def machines(self) -> list[Bench]:
         """One of those a machine, all of one size: that which most machines share. Else machines would be compared by
@@ -96,8 +100,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:
         results.films.append(read_film(name, data))
-    elif kind.get("schema") == "mandelmarch-explore":
-        pass  # docs/explore.md's
+    elif kind.get("schema") in ("mandelmarch-explore", "mandelmarch-duel"):
+        pass  # docs/explore.md's, and the log's
     elif "promises_kept" in kind:
         results.audits.append(read_audit(name, data))
     else:
@@ -114,6 +118,20 @@ def _add_text(results: Results, name: str, text: str) -> None:
         results.flight_studies.append(text)
     elif film := film_of_log(name, text):
         results.films.append(film)
+
+
+def _told_apart(benches: list[Bench]) -> list[Bench]:
+    """Machines of one name that are not the same get numbers."""
+    machines: dict[str, list[Bench]] = {}  # the first result of each, by name
+    numbers = []
+    for bench in benches:
+        known = machines.setdefault(bench.machine, [])
+        index = next((i for i, first in enumerate(known) if first.same_machine(bench)), len(known))
+        if index == len(known):
+            known.append(bench)
+        numbers.append(index + 1)
+    several = {name for name, known in machines.items() if len(known) > 1}
+    return [dataclasses.replace(b, number=n) if b.machine in several else b for b, n in zip(benches, numbers, strict=True)]
 
 
 def read_results(folder: Path) -> Results:
@@ -133,4 +151,5 @@ def read_results(folder: Path) -> Results:
                 results.contact_sheets.append(path)
         except (OSError, UnicodeDecodeError) as error:
             raise InputError(f"{name}: it cannot be read: {error}") from None
+    results.benches = _told_apart(results.benches)
     return results

@@ -18,7 +18,7 @@ from typing import Any
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report")]
 
-from mandelreport.page import front_page  # noqa: E402
+from mandelreport.page import front_page, sections_of  # noqa: E402
 from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import Results, read_results  # noqa: E402
 from mandelreport.sections import Material  # noqa: E402
@@ -230,6 +230,31 @@ class FrontTest(unittest.TestCase):
         self.assertNotIn("No GPU was measured.", page)
         self.assertIn('Measured on <span class="name">Card 9</span>', page)
         self.assertEqual(faults(page, results.files), [])
+
+
+class MainTest(unittest.TestCase):
+    """The sentences of the main part that say what was measured: answers, and what to see in figures."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.results = read_results(RESULTS)
+        none = Path("/nonexistent")
+        cls.page = sections_of(Material(cls.results, Studio(none, Cache(none)), none), ["speed", "why", "parallel"])
+
+    def test_every_number_is_that_of_its_file(self) -> None:
+        self.assertGreater(len(Sentences(self.page).traced), 25)
+        self.assertEqual(faults(self.page, self.results.files), [])
+
+    def test_another_file_is_seen(self) -> None:
+        files = copy.deepcopy(self.results.files)
+        for data in files.values():
+            for count in data.get("counts", []) if isinstance(data, dict) else []:
+                count["operations_per_iteration"] *= 1.05 if count["fractal"] == "mandelbox" else 1
+        self.assertTrue(any("operations_per_iteration" in fault for fault in faults(self.page, files)))
+
+    def test_a_number_without_a_place_is_seen(self) -> None:
+        loose = self.page.replace('<span class="traced">', '<span class="traced">7.5 times ', 1)
+        self.assertEqual(len(faults(loose, self.results.files)), 1)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import unittest
 import unittest.mock
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 ROOT = Path(__file__).parents[2]
@@ -26,6 +27,7 @@ from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.bench import read_bench  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
+from mandelreport.sections import gpu  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
@@ -266,6 +268,51 @@ class ReportTest(unittest.TestCase):
         found = read_results(made.write(self.folder / "results", files))
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
         self.assertEqual(found.primary().name, "c.json")
+
+    def test_machines_of_one_name_with_other_peaks_are_two(self) -> None:
+        def of(factor: float, boot: str) -> dict[str, object]:
+            data = made.bench()
+            data["environment"]["os"]["boot"] = boot
+            for peak in data["peaks"]:
+                peak["operations_per_second"] *= factor
+            return data
+
+        def machines(*files: dict[str, object]) -> list[str]:
+            folder = made.write(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
+            return [bench.machine.rpartition(", ")[2] for bench in read_results(folder).benches]
+
+        self.assertEqual(machines(of(1, "a"), of(2, "b"), of(1.1, "c")), ["machine 1", "machine 2", "machine 1"])
+        self.assertEqual(len(set(machines(of(1, "a"), of(2, "a"), of(1.1, "a")))), 1, "one boot is one machine")
+
+    def test_a_machine_without_some_backends_is_compared(self) -> None:
+        def of(machine: str, side: int, *more: str) -> dict[str, object]:
+            data = made.bench()
+            data["environment"]["cpu"]["model"] = machine
+            rows = data["rows"]
+            data["rows"] = [row | {"backend": backend} for backend in ("openmp", "opencl", "vulkan", *more) for row in rows[:4]]
+            for row in data["rows"]:
+                row["setting"] = row["setting"] | {"width": side, "height": side}
+            return data
+
+        files = {"a.json": of("one", 540, "kokkos", "stdpar"), "b.json": of("one", 1080), "c.json": of("two", 1080, "openacc")}
+        found = read_results(made.write(self.folder / "results", files))
+        self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
+        self.assertEqual(found.primary().name, "a.json")
+
+    def test_a_gpu_that_was_measured_stands_beside_its_prediction(self) -> None:
+        line = "mandelbulb  float   fast          1393     0.04          1.75     43%       0.4     10%       62%       0.3\n"
+        files: dict[str, object] = {"h.txt": f"H200 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
+        data = made.bench()
+        row = next(r for r in data["rows"] if (r["fractal"], r["precision"], r["mode"]) == ("mandelbulb", "float", "fast"))
+        row |= {"is_gpu": True, "device_name": "NVIDIA H200"}
+        row["setting"] |= {"width": 1920, "height": 1080}
+        row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
+        files["bench.json"] = data
+        results = read_results(made.write(self.folder / "results", files))
+        found = gpu.section(SimpleNamespace(results=results, backends=results.backends()))["tables"]
+        self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H200"])
+        self.assertNotIn("measured ms", found[0].headers)
+        self.assertEqual(found[1].rows[0][9:12], [row["backend"], "0.8", "2.00"])
 
     def test_both_tables_of_the_k40(self) -> None:
         folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})

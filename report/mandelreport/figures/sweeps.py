@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ..bench import Bench, Row
+from ..bench import Bench, Row, Times
 from ..blocks import Figure
 from ..text import digits, plain, where
 from . import style
@@ -42,13 +42,16 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
         of_fractal = [(name, rows) for (of, name), rows in lines.items() if of == fractal]
         for number, (name, rows) in enumerate(of_fractal):
             points = sorted(((_x(bench, row), row) for row in rows), key=lambda point: point[0])
-            base = points[0][1].kernel.median if y == "speed-up" else 1.0
             times = [(row.wall if bench.study == "frames" else row.kernel) for _, row in points]
             if y == "ms":
                 values = [1e3 * t.median for t in times]
                 errors = [[1e3 * t.errors()[side] for t in times] for side in (0, 1)]
+            elif y == "speed-up":
+                gains = [(found.inverse() if (found := bench.to_first_point(row)) else Times(1, None, None, 1)) for _, row in points]
+                values = [gain.median for gain in gains]
+                errors = [[gain.errors()[side] for gain in gains] for side in (0, 1)]
             else:
-                scale = [row.pixels / 1e6 if y == "rate" else base for _, row in points]
+                scale = [row.pixels / 1e6 for _, row in points]
                 values = [s / t.median for s, t in zip(scale, times)]
                 errors = [
                     [v - s / (t.high or t.median) for v, s, t in zip(values, scale, times)],
@@ -85,23 +88,20 @@ def ablation(bench: Bench) -> Figure | None:
         points = list(dict.fromkeys(row.value for _, rows in of_fractal for row in rows if row.value != "none"))
         width = 0.8 / len(of_fractal)
         for number, (name, rows) in enumerate(of_fractal):
-            base = next((row.kernel.median for row in rows if row.value == "none"), None)
-            if base is None:
-                continue
             for row in rows:
-                if row.value == "none":
+                found = bench.to_first_point(row)
+                if found is None:
                     continue
                 x = points.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width
-                low, high = row.kernel.errors()
                 axis.bar(
                     x,
-                    row.kernel.median / base,
+                    found.median,
                     width,
-                    yerr=[[low / base], [high / base]],
+                    yerr=[[error] for error in found.errors()],
                     label=name if row.value == points[0] else None,
                     **style.look(number),
                 )
-                said.append(f"{fractal}, {name}, without {row.value}: {digits(row.kernel.median / base)}")
+                said.append(f"{fractal}, {name}, without {row.value}: {digits(found.median)}")
         axis.axhline(1, color="black", linewidth=0.8)
         axis.set_xticks(range(len(points)), points, rotation=30, ha="right", fontsize=7)
         axis.grid(axis="x", visible=False)
@@ -112,6 +112,6 @@ def ablation(bench: Bench) -> Figure | None:
     return style.block(
         figure,
         "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
-        "Ablation: kernel time without a technique, as a multiple of the time with all of them, with the 95 % "
-        "interval of the former. 1: it is worth nothing there. Without root the picture is another one.",
+        "Ablation: kernel time without a technique, as a multiple of the time with all of them, taken round by round, with "
+        "its 95 % interval. 1: it is worth nothing there. Without root the picture is another one.",
     )

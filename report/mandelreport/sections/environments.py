@@ -3,12 +3,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from ..bench import Bench
 from ..blocks import Missing, Table
 from . import Material
 from .method import instructions
+
+
+def _told(what: Any, words: Callable[[Any], str]) -> str:
+    """What the machine told of itself, or why it did not. Older builds of bench did not ask."""
+    if what is None:
+        return "not asked"
+    return f"not told: {what['missing']}" if "missing" in what else words(what)
+
+
+def _gpu(gpu: dict[str, Any]) -> str:
+    parts = [f"{gpu[key]:.0f} {unit}" for key, unit in (("joules", "J"), ("watts", "W"), ("sm_megahertz", "MHz")) if gpu[key] is not None]
+    return f"{gpu['name']}: {', '.join(parts)}, throttled: {gpu['throttled']}"
+
+
+def _telemetry(environment: dict[str, Any]) -> dict[str, str]:
+    told = environment.get("telemetry", {})
+    counted = ("cycles", "instructions", "cache_misses", "branch_misses")
+    return {
+        "energy": _told(told.get("energy"), lambda e: ", ".join(f"{d['name']} {d['joules']:.0f} J" for d in e["domains"]) + f" in {e['seconds']:.0f} s"),
+        "counters": _told(told.get("counters"), lambda c: ", ".join(f"{k} {c[k]:.3g}" for k in counted if c[k] is not None)),
+        "GPUs": _told(told.get("gpus"), lambda gpus: "; ".join(_gpu(gpu) for gpu in gpus) if isinstance(gpus, list) else "–"),
+    }
 
 
 def _facts(bench: Bench, host: str) -> dict[str, str]:
@@ -31,6 +54,7 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
         "load meanwhile": f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
         "others' share": f"{100 * during['others_share']:.1f} %",
         "stolen": f"{100 * during['stolen_share']:.2f} %",
+        **_telemetry(e),
         "warnings": str(len(bench.data["warnings"])),
     }
 

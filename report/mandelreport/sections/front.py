@@ -7,12 +7,27 @@ from typing import Any
 
 from ..blocks import Missing
 from ..figures.front import times
+from ..text import join
 from . import Material
+
+# As their makers write them.
+MODELS = {
+    "openmp": "OpenMP",
+    "stdpar": "C++ standard parallelism",
+    "kokkos": "Kokkos",
+    "openacc": "OpenACC",
+    "omptarget": "OpenMP target directives",
+    "cuda": "CUDA",
+    "opencl": "OpenCL",
+    "vulkan": "Vulkan",
+}
 
 
 def section(material: Material) -> dict[str, Any]:
     answers = material.answers
+    timed = answers.primary.values("backend") if answers.primary else []
     return {
+        "models": join([MODELS.get(name, name) for name in timed if name != material.backends.reference] or ["several models"]),
         "same": answers.same(),
         "fastest": answers.fastest(),
         "speed_ups": answers.speed_ups(),

@@ -6,54 +6,65 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from markupsafe import Markup
+
+from ..bench import Bench, Row
 from ..blocks import Block, Missing
 from ..figures import sweeps
 from ..figures.profile import STAGES, profile, stage_medians
-from ..text import digits, percent
 from . import Material
 from .sweeps import THREADS, sweep
 
 
+FIRST = "to_first_point"
+
+
 def _march(material: Material) -> str:
-    """The march's share of the time, least to most, as words; empty without a profile."""
+    """That marching takes most of the time, where every profile says so."""
     shares = [
         stages["march"] / sum(stages.get(stage, 0) for stage in STAGES)
         for bench in material.results.study("profile")
         for stages in stage_medians(bench).values()
         if "march" in stages
     ]
-    return f"marching takes {percent(min(shares), 0)} to {percent(max(shares), 0)} of the time" if shares else ""
+    return "marching takes most of the time" if shares and min(shares) > 0.5 else ""
+
+
+def _traced(material: Material, bench: Bench, row: Row) -> Markup:
+    """A point of a sweep over the first, with its interval."""
+    return material.answers.trace.times(bench.name, f"questions:{FIRST}:numerator={row.name}:ratio")
 
 
 def _scaling(material: Material) -> str:
-    """Speed-up at as many threads as the processor has."""
-    ratios = []
+    """The time with as many threads as the processor has, over that of one."""
+    found = []
     for bench in material.results.study("threads"):
         cores = str(bench.environment["cpu"]["cores_usable"])
-        for row in (row for row in bench.timed() if row.value == cores):
-            alone = [r for r in bench.timed(fractal=row.fractal, precision=row.precision, mode=row.mode) if r.value == "1"]
-            ratios += [one.kernel.median / row.kernel.median for one in alone]
-    if not ratios:
+        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.ratio(FIRST, row))]
+    if not found:
         return ""
-    return f"as many threads as cores are worth {digits(min(ratios))} to {digits(max(ratios))}; more threads than cores are worth nothing more."
+    least, most = (_traced(material, *pick(found, key=lambda one: one[2].median)[:2]) for pick in (min, max))
+    return Markup("as many threads as cores take {} to {} of one thread's time; more threads than cores are worth nothing more.").format(least, most)
 
 
 def _worth(material: Material) -> str:
     """The technique that is worth most and that which is worth least, of those that leave the picture what it is."""
-    found: dict[str, list[float]] = {}
+    longest: dict[str, tuple[float, Markup]] = {}
     for bench in material.results.study("ablation"):
         for row in (row for row in bench.timed() if row.value not in ("none", "root")):
-            of = [r for r in bench.timed(fractal=row.fractal, precision=row.precision, backend=row.backend) if r.value == "none"]
-            found.setdefault(row.value, []).extend(row.kernel.median / base.kernel.median for base in of)
-    found = {name: ratios for name, ratios in found.items() if ratios}
-    if not found:
+            found = bench.ratio(FIRST, row)
+            if found and found.median > longest.get(row.value, (0,))[0]:
+                longest[row.value] = (found.median, _traced(material, bench, row))
+    together = longest.pop("all-four", None)
+    if not longest:
         return ""
-    together = found.pop("all-four", [])
-    most, least = (pick(found, key=lambda name: max(found[name])) for pick in (max, min))
-    return (
-        f"without {most} a picture takes up to {digits(max(found[most]))} times as long, without {least} at most {digits(max(found[least]))} times"
-        + (f"; without the four that find empty space together up to {digits(max(together))} times." if together else ".")
+    most, least = (pick(longest, key=lambda name: longest[name][0]) for pick in (max, min))
+    text = Markup("without {} a picture takes up to {} times as long, without {} at most {} times").format(
+        most, longest[most][1], least, longest[least][1]
     )
+    if together is None:
+        return text + "."
+    return text + Markup("; without the four that find empty space together up to {} times.").format(together[1])
 
 
 def _with(blocks: list[Block], see: str) -> list[Block]:
@@ -67,7 +78,7 @@ def section(material: Material) -> dict[str, Any]:
     march = _march(material)
     return {
         "march": march,
-        "profiles": _with(profiles, f"{march}, in every fractal, number and mode.")
+        "profiles": _with(profiles, f"{march}, in every fractal, number and mode." if march else "")
         or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
         "threads": _with(sweep(material, *THREADS), _scaling(material)),
         "ablation": _with(ablations, _worth(material))

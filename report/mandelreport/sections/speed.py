@@ -6,10 +6,14 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from markupsafe import Markup
+
+from ..answers import named
 from ..bench import Bench
 from ..blocks import Block, Figure, Missing, Table
 from ..figures import timings
-from ..text import join, ms, percent, where
+from ..text import join, where
+from ..trace import Place
 from . import Material
 from .tables import quotient_cell, time_cell
 
@@ -53,23 +57,29 @@ def fastest(bench: Bench) -> str:
     return join(list(best))
 
 
-def _peak_see(bench: Bench) -> str:
+def _peak_see(material: Material, bench: Bench) -> str:
     best = max((r for r in bench.rows if r.timed and r.figures["share_of_peak"]), key=lambda r: r.figures["share_of_peak"], default=None)
     if best is None:
         return ""
-    return (
-        f"the highest bar is {percent(best.figures['share_of_peak'], 0)} ({where(best)}, {best.fractal}, {best.precision}, {best.mode}). The rest is work "
-        "that is no multiply-add and lanes that wait; Appendix B counts the loops' instructions."
-    )
+    share = material.answers.trace.one(bench.name, f"rows:name={best.name}:figures.share_of_peak", "plain", 100)
+    return Markup(
+        "the highest bar is {} % ({}, {}, {}, {}). The rest is work that is no multiply-add and lanes that wait; Appendix B counts the loops' instructions."
+    ).format(share, where(best), best.fractal, best.precision, best.mode)
 
 
 def _bars_see(material: Material, bench: Bench) -> str:
-    rows = [row for row in bench.timed() if row.backend == material.backends.host]
-    least, most = (pick(rows, key=lambda row: row.kernel.median) for pick in (min, max))
-    return (
-        f"{material.backends.host} takes {ms(least.kernel.median)} to {ms(most.kernel.median)} ms. {fastest(bench)} has the lowest bars. Where "
-        "intervals of two bars overlap, their ratio may still be sure, as it is taken round by round."
-    )
+    path = f"rows:backend={material.backends.host}&point=&figures!=null:figures.kernel_seconds.median"
+    least, most = (material.answers.trace.number(Place((bench.name,), path, rule), scale=1e3) for rule in ("least", "most"))
+    return Markup(
+        "{} takes {} to {} ms. {} has the lowest bars. Where intervals of two bars overlap, their ratio may still be sure, as it is taken round by round."
+    ).format(material.backends.host, least, most, fastest(bench))
+
+
+def _machines_see(machines: list[Bench]) -> str:
+    if not machines:
+        return ""
+    each = [Markup("{}: {} is the fastest").format(named(bench.machine), fastest(bench)) for bench in machines]
+    return Markup("; ").join(each) + Markup("; {} pixels on each.").format(named(machines[0].size))
 
 
 def section(material: Material) -> dict[str, Any]:
@@ -81,10 +91,7 @@ def section(material: Material) -> dict[str, Any]:
     blocks: list[Block | None] = [
         _table(material, bench),
         _see(timings.kernel_bars(bench, backends), _bars_see(material, bench)),
-        _see(timings.share_of_peak(bench, backends), _peak_see(bench)),
-        _see(
-            timings.machines(machines),
-            "; ".join(f"{b.machine}: {fastest(b)} is the fastest" for b in machines) + f"; {machines[0].size} pixels on each." if machines else "",
-        ),
+        _see(timings.share_of_peak(bench, backends), _peak_see(material, bench)),
+        _see(timings.machines(machines), _machines_see(machines)),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

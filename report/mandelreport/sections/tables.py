@@ -125,7 +125,7 @@ def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
         ["fractal", "number", "mode", "backend", "platforms", "PP by application", "PP by share of peak"],
         rows,
         "Pennycook's performance portability: by application efficiency (the best backend's time on the platform over "
-        "this one's) and by architectural efficiency (share of the measured peak), with bootstrap intervals.",
+        "this one's) and by architectural efficiency (share of the measured peak), with intervals by generalized pivots (Weerahandi).",
         [4, 5, 6],
     )
 

@@ -6,11 +6,15 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from markupsafe import Markup
+
+from ..answers import counted
 from ..bench import Bench
 from ..blocks import Missing, Table
 from ..figures import timings
 from ..figures.why import Factors, comparison, factors
 from ..text import digits, ms, percent
+from ..trace import Place
 from . import Material
 
 FRACTALS = ("mandelbox", "mandelbulb")
@@ -60,43 +64,66 @@ def factor_table(material: Material) -> Table | None:
     )
 
 
-def _answer(bench: Bench, found: list[Factors], precision: str, host: str) -> dict[str, Any] | None:
-    """The official scenes' factors in words' numbers."""
+def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
+    """The official scenes' factors, each with its place."""
+    trace, host, file = material.answers.trace, material.backends.host, bench.name
     of = {f.fractal: f for f in found if f.view == "official" and f.precision == precision}
     if set(of) != set(FRACTALS):
         return None
     box, bulb = of["mandelbox"], of["mandelbulb"]
     if box.kernel is None or bulb.kernel is None:
         return None
-    ratio = box.kernel / bulb.kernel
+    rows = {(row.fractal, row.setting["view"]): row.name for row in bench.timed(backend=host, precision=precision, mode="exact")}
+    box_row, bulb_row = (rows[fractal, "official"] for fractal in FRACTALS)
+
+    def kernel(name: str) -> Place:
+        return Place((file,), f"rows:name={name}:figures:kernel_seconds:median")
+
+    def ratio(question: str, numerator: str, denominator: str) -> Markup:
+        """Paired by round where the file has it."""
+        if any(entry["numerator"] == numerator for entry in bench.data["questions"].get(question, [])):
+            return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
+        return trace.number(kernel(numerator), over=kernel(denominator))
+
+    def factor(what: str, above: str = "mandelbox", below: str = "mandelbulb") -> Markup:
+        return trace.number(counted(file, above, precision, what), over=counted(file, below, precision, what))
+
+    def lanes(fractal: str) -> Markup:
+        return trace.number(counted(file, fractal, precision, "active_in_iterations"), "plain", 100)
+
+    def peak(name: str) -> Markup:
+        return trace.one(file, f"rows:name={name}:figures.share_of_peak", "plain", 100)
+
+    times = box.kernel / bulb.kernel
     angles = next((f for f in found if f.view == "angles" and f.precision == precision), None)
     answer: dict[str, Any] = {
         "precision": precision,
         "machine": bench.machine,
         "backend": host,
-        "ratio": digits(ratio),
-        "slower": ratio > 1,
-        "close": 0.95 < ratio < 1.05,
-        "calls": digits(box.calls / bulb.calls),
-        "iterations": digits(box.iterations / bulb.iterations),
-        "operations": digits(bulb.operations / box.operations),
-        "work": digits(box.per_pixel / bulb.per_pixel),
-        "box_lanes": percent(box.active, 0),
-        "bulb_lanes": percent(bulb.active, 0),
-        "box_peak": percent(box.share_of_peak, 0),
-        "bulb_peak": percent(bulb.share_of_peak, 0),
-        "more_work": box.per_pixel > bulb.per_pixel,
+        "ratio": ratio("mandelbox_to_mandelbulb", box_row, bulb_row),
+        "slower": times > 1,
+        "close": 0.95 < times < 1.05,
+        "calls": factor("work.de_calls/pixels"),
+        "iterations": factor("work.iterations/work.de_calls"),
+        "operations": factor("operations_per_iteration", "mandelbulb", "mandelbox"),
+        "work": trace.number(Place((file,), f"rows:name={box_row}:operations"), over=Place((file,), f"rows:name={bulb_row}:operations")),
+        "box_lanes": lanes("mandelbox"),
+        "bulb_lanes": lanes("mandelbulb"),
+        "box_peak": peak(box_row),
+        "bulb_peak": peak(bulb_row),
     }
     if angles is not None and angles.kernel is not None:
-        answer["angles"] = digits(angles.kernel / bulb.kernel)
-        answer["angle_operations"] = digits(angles.operations / bulb.operations)
-        answer["against_angles"] = digits(box.kernel / angles.kernel)
+        angles_row = rows["mandelbulb", "angles"]
+        answer["angles"] = ratio("to_first_point", angles_row, bulb_row)
+        of = [counted(file, "mandelbulb", precision, "operations_per_iteration", view) for view in ("angles", "official")]
+        answer["angle_operations"] = trace.number(of[0], over=of[1])
+        answer["against_angles"] = trace.number(kernel(box_row), over=kernel(angles_row))
         answer["box_beats_angles"] = box.kernel < angles.kernel
     return answer
 
 
-def _study(bench: Bench, host: str) -> dict[str, Any]:
-    found = factors(bench, host)
+def _study(material: Material, bench: Bench) -> dict[str, Any]:
+    found = factors(bench, material.backends.host)
     views: dict[str, dict[str, Factors]] = {}
     for f in found:
         if f.precision == "double":
@@ -104,25 +131,25 @@ def _study(bench: Bench, host: str) -> dict[str, Any]:
     pairs = [(of["mandelbox"], of["mandelbulb"]) for of in views.values() if set(FRACTALS) <= set(of)]
     figure = comparison(pairs)
     return {
-        "answers": [a for p in ("double", "float") if (a := _answer(bench, found, p, host))],
+        "answers": [a for p in ("double", "float") if (a := _answer(material, bench, found, p))],
         "figure": figure and dataclasses.replace(figure, see=_see(pairs)),
     }
 
 
 def _see(pairs: list[tuple[Factors, Factors]]) -> str:
-    """How far the four factors are from the measured ratio, and which scene has the largest."""
+    """Which scene has the largest ratio."""
     box, bulb = max(pairs, key=lambda pair: (pair[0].kernel or 0) / (pair[1].kernel or 1))
     if not box.kernel or not bulb.kernel:
         return ""
     return (
-        f"which fractal is slower is a question of the scene: {box.view} has the largest ratio, {digits(box.kernel / bulb.kernel)}. More iterations a "
+        f"which fractal is slower is a question of the scene: {box.view} has the largest ratio. More iterations a "
         "call cost the Mandelbox what cheaper iterations save. What is left between all four and the measured time is how near each loop comes to the peak."
     )
 
 
 def section(material: Material) -> dict[str, Any]:
     primary, backends = material.answers.primary, material.backends
-    ratio = primary and timings.ratios(
+    figure = primary and timings.ratios(
         primary,
         backends,
         "double_to_float",
@@ -133,11 +160,11 @@ def section(material: Material) -> dict[str, Any]:
     # The study that asked most backends, in both numbers.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
     return {
-        "study": _study(first, backends.host) if first else None,
+        "study": _study(material, first) if first else None,
         "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json report/results/box-vs-bulb.json"),
-        "ratios": ratio
+        "ratios": figure
         and dataclasses.replace(
-            ratio,
+            figure,
             see="a register holds two floats for a double, and the estimators' loops have more instructions in double (Appendix B): together "
             "that is more than two where a backend uses SIMD. OpenACC's host fallback is scalar and gains less.",
         ),
