@@ -51,8 +51,6 @@ inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
 // Pixels that keep a CPU's lanes busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
-// Of a ray, as most_tries() in core/kernel/refine.h.
-inline constexpr int max_tries = 100;
 
 inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
 {
@@ -68,29 +66,13 @@ inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
     return with_band(limits, band);
 }
 
-// Pixels that an invocation marches one after the other, where lanes refill: as many as leave a GPU's invocations two
-// waves. A GPU that does not tell how many it holds marches one.
-inline int pixels_of_invocation(const Facts& facts, bool lanes_wait, std::int64_t pixels)
-{
-    constexpr std::int64_t most = 8;
-    if (!lanes_wait || (facts.device.is_gpu && facts.most_invocations == 0)) return 1;
-    if (!facts.device.is_gpu) return most;
-    return static_cast<int>(std::clamp<std::int64_t>(pixels / (2 * facts.most_invocations), 1, most));
-}
-
 // Runs the program on the bench over the buffers that `Index` names.
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, int each,
-                 bool bytes_alone, Timings& timings)
-        : gpu_(gpu),
-          bench_(bench),
-          scene_(scene),
-          pixels_(pixels),
-          each_(each),
-          bytes_alone_(bytes_alone),
-          timings_(timings)
+    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, bool bytes_alone,
+                 Timings& timings)
+        : gpu_(gpu), bench_(bench), scene_(scene), pixels_(pixels), bytes_alone_(bytes_alone), timings_(timings)
     {
     }
 
@@ -98,16 +80,6 @@ public:
     {
         if (entry == Entry::begin || entry == Entry::draw)
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
-        if (entry == Entry::draw && each_ > 1) {
-            // Lanes that refill march in passes of their own: an invocation makes as many steps as one ray might.
-            run(Entry::begin, band, 0);
-            do {
-                run(Entry::march, band, steps);
-            } while (marching(band));
-            if (scene_.canonical != 0) run(Entry::refine, band, max_tries);
-            run(Entry::shade, band, 0);
-            return;
-        }
         // A ray begins in the pass that first marches it, and stops in the one that comes after the last of these.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
@@ -203,11 +175,11 @@ private:
         const auto groups = [](int pixels, int side) { return static_cast<std::uint32_t>((pixels + side - 1) / side); };
         if (stages == stage_pack) {
             constexpr int pixels_of_group = 4 * group_side * group_side;
-            bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, 0, 0, 1},
+            bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, 0, 0},
                                      groups(scene_.width * band.rows, pixels_of_group), 1);
             return;
         }
-        bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, static_cast<int>(pixels_), each_},
+        bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, static_cast<int>(pixels_)},
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
@@ -227,7 +199,6 @@ private:
     Workbench& bench_;
     const KernelScene<Real>& scene_;
     vk::DeviceSize pixels_;  // of a plane
-    int each_;               // pixels that an invocation marches
     bool bytes_alone_;
     Timings& timings_;
     Work work_;

@@ -43,7 +43,6 @@ layout(push_constant) uniform Pass
     int rows;
     int steps;   // of marching, or roots tried by refining in a pass of its own
     int pixels;  // between two planes of the results
-    int each;    // pixels that an invocation marches one after the other, where lanes refill; 1: one
 } pass;
 
 // Every second bit of an index below 64, from `bit` on: the Morton order.
@@ -67,58 +66,6 @@ int steps_or_cut_off(int steps)
     rays_cut_off = 1;
     return cut_off;
 }
-
-#ifdef MM_LANES_WAIT
-// Steps of a subgroup before lanes whose rays have stopped take new ones, for which all wait.
-const int steps_of_round = 4;
-
-// How far the pixels of an invocation lie apart in their row: whole squares.
-int stride_of(int each) { return ((whole_scene.width + each - 1) / each + side - 1) / side * side; }
-
-// Marches the rays of the invocation's pixels, at most `steps` steps of all together: a lane whose ray has ended takes its
-// next one (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Rays are
-// stored. True while one has not stopped.
-bool march_refilling(Scene scene, int x, int y, int steps)
-{
-    int stride = stride_of(pass.each);
-    bool begins = (stages & stage_begin) != 0;
-    int left = steps;
-    Ray ray;
-    if (begins) {
-        ray = begin(scene, x, pass.first_row + y);
-    } else {
-        ray = rays[y * whole_scene.width + x];
-    }
-    while (left > 0 && x < whole_scene.width) {
-        ray = march(scene, ray, min(left, steps_of_round));
-        left = left - steps_of_round;
-        if (!marching(scene, ray)) {
-            rays[y * whole_scene.width + x] = ray;
-            x = x + stride;
-            if (x < whole_scene.width) {
-                if (begins) {
-                    ray = begin(scene, x, pass.first_row + y);
-                } else {
-                    ray = rays[y * whole_scene.width + x];
-                }
-            }
-        }
-    }
-    bool more = x < whole_scene.width;
-    int last = steps_or_cut_off(0);
-    if (more) {
-        ray.steps = last == cut_off ? cut_off : ray.steps;
-        rays[y * whole_scene.width + x] = ray;
-    }
-    // Rays that have not begun, as there were too many steps before.
-    x = x + stride;
-    while (begins && x < whole_scene.width) {
-        rays[y * whole_scene.width + x] = begin(scene, x, pass.first_row + y);
-        x = x + stride;
-    }
-    return more;
-}
-#endif
 
 // The bytes of the four pixels from 4 `at` on, in three words.
 void pack(int at)
@@ -149,14 +96,6 @@ void main()
     scene.fractal_whole = fractal_whole;
     scene.canonical = canonical;
     scene.differences = differences;
-
-#ifdef MM_LANES_WAIT
-    if (stages == stage_begin + stage_march || stages == stage_march) {
-        if (x >= stride_of(pass.each)) return;
-        if (march_refilling(scene, x, y, pass.steps)) still_marching = 1;
-        return;
-    }
-#endif
 
     Hit hit;
     if ((stages & (stage_begin | stage_march | stage_stop)) != 0) {

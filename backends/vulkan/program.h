@@ -20,11 +20,10 @@ struct Binding {
     vk::DeviceSize size;    // bytes
 };
 
-// Both of the shaders: storage buffers 0, 1, ... in set 0, five ints of push constants, four ints of specialization.
+// Both of the shaders: storage buffers 0, 1, ... in set 0, four ints of push constants, four ints of specialization.
 class Program {
 public:
     using Ints = std::array<std::int32_t, 4>;
-    using Pushed = std::array<std::int32_t, 5>;
 
     Program(const Gpu& gpu, Module module, int buffers);
 
@@ -34,8 +33,7 @@ public:
     bool lacks(const Ints& constants) const { return !pipelines_.contains(constants); }
 
     // Records work. The caller sees to barriers.
-    void dispatch(Gpu& gpu, const Ints& constants, const Pushed& pushed, std::uint32_t groups_x,
-                  std::uint32_t groups_y);
+    void dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x, std::uint32_t groups_y);
 
 private:
     const vk::raii::Pipeline& pipeline(const Gpu& gpu, const Ints& constants);

@@ -109,9 +109,7 @@ private:
         gpu.finish("uploading the scene");
         timings.upload = seconds_since(upload);
 
-        const int each =
-            pixels_of_invocation(gpu.facts(), scene.fractal->lanes_wait, static_cast<std::int64_t>(pixels));
-        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, each, bytes_alone(image, options_), timings);
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone(image, options_), timings);
         run_schedule(scene, options_.mode, limits, executor, image, progress);
         report.work = executor.work();
         timings.wall = seconds_since(start);

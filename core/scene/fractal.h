@@ -199,9 +199,6 @@ struct Fractal {
     // Changes them where an orbit's last iterations may be made without their tests: a technique of fast mode.
     void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = usual::no_tail;
     FractalHull hull{};
-    // Neighbouring rays end after so different numbers of steps that lanes should take new rays instead of waiting. The
-    // kernel text says it, too, for who compiles it: MM_LANES_WAIT.
-    bool lanes_wait = false;
     FractalFast fast{};
     FractalFlight flight{};
     FractalRandom random;

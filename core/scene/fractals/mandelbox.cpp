@@ -147,7 +147,6 @@ constexpr Fractal rows::mandelbox{
     .constants = {constants<double>, constants<Formula>},
     .add_tail = add_tail,
     .hull = {.size = hull, .corner = cube_corner},
-    .lanes_wait = true,
     .fast = {.root_share = 0.003, .cone_pitch = 8, .neighbour_pitch = 35},
     .flight = {.growth = growth,
                .trust = {.safety = 1, .stride = plain_stride},
