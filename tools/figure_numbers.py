@@ -80,9 +80,11 @@ def one_register(results):
     """Kernel times of openmp in packs of one register over those in its widest packs."""
     ratios = []
     for fractal in FRACTALS:
-        for precision, pack, widest in (("float", 16, 64), ("double", 8, 32)):
-            one, most = (results.row("packs", fractal, precision, "exact", f"pack={p}") for p in (pack, widest))
-            ratios.append(one.kernel_ms / most.kernel_ms)
+        for precision, pack in (("float", 16), ("double", 8)):
+            rows = [row for row in results.rows("packs") if (row["backend"], row["fractal"], row["precision"], row["mode"]) ==
+                    ("openmp", FRACTALS[fractal], precision, "exact")]
+            widest = max(rows, key=lambda row: row["setting"]["pack"])
+            ratios.append(results.row("packs", fractal, precision, "exact", f"pack={pack}").kernel_ms / widest.kernel_ms)
     return range_of(ratios)
 
 

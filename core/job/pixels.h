@@ -139,7 +139,8 @@ FN void put_ray(const Job* job, Place place, Ray ray)
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
-#ifdef MM_LANES_WAIT
+// In exact mode fewer lanes wait, and the loop's registers cost a GPU threads.
+#if defined(MM_LANES_WAIT) && defined(MM_MODE_fast)
 // Steps of a warp before lanes whose rays have stopped take new ones, for which all wait.
 constexpr int steps_of_round = 4;
 
