@@ -114,7 +114,7 @@ gallery: build ## the pictures of docs/gallery.md (9 min)
 
 # How often bench duel is right on this machine, with LOAD busy processes beside it; programs are the tests'.
 LOAD ?= 0
-duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md
+duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md (20 min)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 
@@ -143,26 +143,26 @@ compilers: build ## the same bits from every other g++-N and clang++-N that is i
 lint: ## clang-format and clang-tidy on every source (over 10 min)
 	@tools/lint
 
-k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected there and on an H200
+k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected there and on an H200 (1 min)
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
 	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
 	    --table report/results/k40_expected.txt
 	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json --gpu H200 \
 	    --table report/results/h200_expected.txt
 
-loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak
+loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
-docs-figures: ## the figures of README and docs, anew from report/results
+docs-figures: ## the figures of README and docs, anew from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md
 
 RESULTS ?= report/results
-report: build python ## a report on report/results, with pictures that bin/render draws: report/out/report.html
+report: build python ## a report on report/results, with pictures that bin/render draws: report/out/report.html (2 min, estimated)
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 
-report-check: ## the report in a headless browser: errors, the slider, the viewer beside bin/render
+report-check: ## the report in a headless browser: errors, the slider, the viewer beside bin/render (3 min, estimated)
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
