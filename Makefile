@@ -69,7 +69,7 @@ SCENES ?= 1000
 SCENES_SEED ?= 1
 # FILES="bench.json packs.json" takes these only. tools/results.txt has the list.
 FILES ?=
-results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (1.5 hours, estimated)
+results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (2 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
 equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit (5 min, estimated)
