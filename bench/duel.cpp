@@ -15,6 +15,8 @@
 namespace mandelmarch::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // The medians of the pairs' ratios, by launch.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
@@ -164,7 +166,6 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
 
 nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged)
 {
-    using Json = nlohmann::ordered_json;
     const auto side = [](const DuelSide& s) { return Json{{"program", s.program}, {"environment", s.environment}}; };
     Json verdicts = Json::array();
     for (const Judged& row : judged) {

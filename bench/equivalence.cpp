@@ -18,6 +18,8 @@
 namespace mandelmarch::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
@@ -228,7 +230,6 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
 
 nlohmann::ordered_json json_of(const EquivalenceResult& result)
 {
-    using Json = nlohmann::ordered_json;
     Json subjects = Json::array();
     for (const Subject& s : result.subjects) {
         subjects.push_back({{"backend", s.backend},

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
-#include <span>
 
 namespace mandelmarch::bench {
 namespace {
@@ -187,12 +185,13 @@ std::vector<Ratio> to_first_point(const Result& result)
 std::vector<Ratio> to_previous_point(const Result& result)
 {
     std::vector<Ratio> found;
-    for (std::size_t i = 0; i < result.rows.size(); ++i) {
-        const Row& row = result.rows[i];
-        const auto before = std::span(result.rows).first(i) | std::views::reverse;
-        const auto previous = std::ranges::find_if(
-            before, [&](const Row& r) { return same_sweep(r, row) && same_shape(r, row) && r.timed(); });
-        if (previous != before.end() && row.timed()) found.push_back(ratio_of(row, *previous));
+    for (const Row& row : result.rows) {
+        const Row* previous = nullptr;
+        for (const Row& other : result.rows) {
+            if (&other == &row) break;
+            if (other.timed() && same_sweep(other, row) && same_shape(other, row)) previous = &other;
+        }
+        if (previous != nullptr && row.timed()) found.push_back(ratio_of(row, *previous));
     }
     return found;
 }

@@ -13,6 +13,8 @@
 namespace mandelmarch::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t name_columns = 28;
 
 std::vector<double> seconds_of(const Racer& racer)
@@ -107,7 +109,6 @@ std::string to_console(const Race& race)
 
 nlohmann::ordered_json json_of(const Race& race)
 {
-    using Json = nlohmann::ordered_json;
     const auto interval = [](const std::optional<Interval>& i) { return i ? Json{i->low, i->high} : Json(); };
     const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
     Json racers = Json::array();

@@ -20,6 +20,8 @@
 namespace mandelmarch::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int picture_width = 61;  // pixels
 constexpr int picture_height = 45;
 constexpr Precision precisions[] = {Precision::f64, Precision::f32};
@@ -194,7 +196,6 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
 
 nlohmann::ordered_json json_of(const RandomResult& result)
 {
-    using Json = nlohmann::ordered_json;
     Json sums = Json::array();
     for (const std::string& fractal : fractals_of(result.options.fractal)) {
         for (const Precision precision : precisions) {

@@ -6,10 +6,14 @@
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
 {
-    using Json = nlohmann::ordered_json;
     Json list = Json::array();
     for (const Portability& p : portabilities) {
         Json platforms = Json::array();
