@@ -109,12 +109,12 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report 
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-gallery: build ## the pictures of docs/gallery.md (9 min)
+gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
 # How often bench duel is right on this machine, with LOAD busy processes beside it; programs are the tests'.
 LOAD ?= 0
-duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md (20 min)
+duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md (20 min, estimated)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 
@@ -145,10 +145,8 @@ lint: ## clang-format and clang-tidy on every source (over 10 min)
 
 k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected there and on an H200 (1 min)
 	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
-	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
-	    --table report/results/k40_expected.txt
-	@python3 tools/k40_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json --gpu H200 \
-	    --table report/results/h200_expected.txt
+	@for gpu in K40 H200; do python3 tools/gpu_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
+	    report/results/closeup_fast.json --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
 
 loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
@@ -176,14 +174,14 @@ SITE_SEEDS ?= 1 2
 site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
 	@tools/site bin build/site $(SITE_SEEDS)
 
-install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s)
+install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean: ## removes what was built (at once)
 	rm -rf build bin demo mandelbulb mandelbox video*.mp4.parts
 
-setup: ## installs what building and testing need (2 min)
+setup: ## installs what building and testing need (2 min, estimated)
 	@tools/setup
 
-python: ## the report's pinned Python packages, into build/venv (1 min)
+python: ## the report's pinned Python packages, into build/venv (1 min, estimated)
 	@tools/python_packages

@@ -10,9 +10,14 @@ class FigureError(Exception):
     """What is wrong with a place or a result file, in one line."""
 
 
-def with_interval(value, interval, form=".2f"):
+def digits(value):
+    """Four of them."""
+    return f"{value:#.4g}".rstrip(".")
+
+
+def with_interval(value, interval, form="{:.2f}".format):
     """1.23 [1.20, 1.26]; without an interval the number alone."""
-    return format(value, form) + ("" if interval is None else " [" + ", ".join(format(end, form) for end in interval) + "]")
+    return form(value) + ("" if interval is None else " [" + ", ".join(map(form, interval)) + "]")
 
 
 class Row:

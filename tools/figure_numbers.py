@@ -29,7 +29,7 @@ def cost(results, technique, fractal, precision):
     row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
     without, interval = results.ratio("ablation", "to_first_point", row)
     low, high = interval or (without, without)
-    return with_interval(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, ".0f")
+    return with_interval(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
 
 
 def off(results, study, *row):
@@ -40,7 +40,7 @@ def off(results, study, *row):
 def speed_up(results, study, *row):
     """Over the reference in exact mode, with the interval: wall times."""
     figures = results.row(study, *row).figures
-    return with_interval(figures["speed_up"], figures["speed_up_interval"], ".0f")
+    return with_interval(figures["speed_up"], figures["speed_up_interval"], "{:.0f}".format)
 
 
 def over_scalar(results, packs, fractal, precision, mode):
@@ -50,7 +50,7 @@ def over_scalar(results, packs, fractal, precision, mode):
     if not rows:
         raise FigureError(f"{packs}.json has no row {fractal} {precision} {mode} beside the scalar text")
     figures = min(rows, key=lambda row: row.kernel_ms).figures
-    return with_interval(figures["over_scalar"], figures["over_scalar_interval"], ".1f")
+    return with_interval(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
 
 
 def share(results, study, *row):

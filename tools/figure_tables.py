@@ -2,7 +2,7 @@
 """Tables of the documents, by name. Each takes the results and the words of its place."""
 import re
 
-from figure_data import FRACTALS, FigureError, with_interval
+from figure_data import FRACTALS, FigureError, digits, with_interval
 from figure_numbers import random_off
 
 # What openmp is to reach in the standard study at 1080 x 1080, as a speed-up over the reference in exact mode.
@@ -118,7 +118,7 @@ def closeups(results):
         cells = []
         for study, precision, mode in columns:
             pair = [results.row(study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
-            close, official = (with_interval(row.kernel_ms, row.interval_ms, ".1f") for row in pair)
+            close, official = (with_interval(row.kernel_ms, row.interval_ms, "{:.1f}".format) for row in pair)
             cells.append(f"{close} ({official})")
         close = results.row("closeup_fast", fractal, "float", "fast", "scene=close")
         rows.append([FRACTALS[fractal], *cells, f"{close.off_percent:.1f} %"])
@@ -139,17 +139,10 @@ def random(results, study):
     return table(["", "pixels off, by set", "hit or miss, by set", "scenes over 2 %", "of these short of digits", "worst"], rows)
 
 
-def digits(value):
-    """Four of them."""
-    return f"{value:#.4g}".rstrip(".")
-
-
 def quotient(row, key):
     """A speed-up with its interval; "-" where that was not timed."""
     value, interval = row.figures.get(key) if row else None, row.figures.get(key + "_interval") if row else None
-    if value is None:
-        return "-"
-    return digits(value) + (" [" + ", ".join(digits(end) for end in interval) + "]" if interval else "")
+    return "-" if value is None else with_interval(value, interval, digits)
 
 
 def row_cells(row, scalar=None):
@@ -192,13 +185,14 @@ def aloud(results, name):
     low, high = row.figures["kernel_seconds"]["interval"]
     count = row.figures["kernel_seconds"]["count"]
     side = row["setting"]
+    serial = with_interval(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
     return "\n".join([
         f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {side['width']} x {side['height']} in",
         f"{row.kernel_ms:.1f} ms, the median of {count} pictures. The true median lies between {1e3 * low:.1f} and {1e3 * high:.1f} ms "
         "with 95 %",
         f"confidence. Of the pixels {row.off_percent:.1f} % differ visibly from the reference's canonical picture. The counted operations",
         f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference "
-        f"takes {with_interval(row.figures['speed_up'], row.figures['speed_up_interval'], '.0f')} times as long.",
+        f"takes {serial} times as long.",
     ])
 
 

@@ -9,7 +9,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import k40  # noqa: E402
-import k40_expected  # noqa: E402
+import gpu_expected  # noqa: E402
 
 # The K40's steps: 10, 5, 6, 4 and 16 blocks of 128 threads on a multiprocessor.
 MOST_REGISTERS = {("march", "float"): 48, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 128,
@@ -48,11 +48,11 @@ ld.f32 %r7,[%r8];
 def check_expected():
     """The K40 on paper: the inner loop's instructions, arithmetic and operations, and what a division becomes."""
     found = []
-    if k40_expected.densest_loop(LOOPS) != (4, 2, 3):
-        found.append(f"densest loop: {k40_expected.densest_loop(LOOPS)}, expected 4 instructions, 2 of them arithmetic, 3 operations")
-    if k40_expected.densest_loop(LOOPS.replace("bra $L2", "bra $L3")) != (7, 3, 4):
+    if gpu_expected.densest_loop(LOOPS) != (4, 2, 3):
+        found.append(f"densest loop: {gpu_expected.densest_loop(LOOPS)}, expected 4 instructions, 2 of them arithmetic, 3 operations")
+    if gpu_expected.densest_loop(LOOPS.replace("bra $L2", "bra $L3")) != (7, 3, 4):
         found.append("the twin without the inner loop was not seen")
-    single, double = k40_expected.expansion("div", "f32"), k40_expected.expansion("div", "f64")
+    single, double = gpu_expected.expansion("div", "f32"), gpu_expected.expansion("div", "f64")
     if not 4 < single < double < 100:
         found.append(f"a division becomes {single} instructions in float, {double} in double")
     return found

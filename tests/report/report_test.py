@@ -24,7 +24,7 @@ import made_programs  # noqa: E402
 from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import read_bench  # noqa: E402
+from mandelreport.bench import SAME_PEAK, read_bench  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
 from mandelreport.sections import gpu  # noqa: E402
@@ -281,6 +281,8 @@ class ReportTest(unittest.TestCase):
             folder = made.write(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
             return [bench.machine.rpartition(", ")[2] for bench in read_results(folder).benches]
 
+        header = (ROOT / "bench" / "platforms.h").read_text(encoding="utf-8")
+        self.assertIn(f"same_peak = {SAME_PEAK};", header)
         self.assertEqual(machines(of(1, "a"), of(2, "b"), of(1.1, "c")), ["machine 1", "machine 2", "machine 1"])
         self.assertEqual(len(set(machines(of(1, "a"), of(2, "a"), of(1.1, "a")))), 1, "one boot is one machine")
 

@@ -15,14 +15,14 @@ def stand_in():
     """Of ReFrame what the file asks for: decorators that leave what they get, and values that are not deferred."""
     core = types.SimpleNamespace(run_before=lambda stage: lambda function: function, sanity_function=lambda function: function,
                                  variable=lambda kind, value: value)
-    sanity = types.SimpleNamespace(assert_eq=lambda a, b, msg: a == b or self_fail(msg.format(a)), defer=lambda value: value,
+    sanity = types.SimpleNamespace(assert_eq=lambda a, b, msg: a == b or failed(msg.format(a)), defer=lambda value: value,
                                    make_performance_function=lambda value, unit: (value, unit))
     reframe = types.SimpleNamespace(simple_test=lambda kind: kind, RunOnlyRegressionTest=object)
     return {"reframe": reframe, "reframe.core": types.SimpleNamespace(builtins=core), "reframe.core.builtins": core,
             "reframe.utility": types.SimpleNamespace(sanity=sanity), "reframe.utility.sanity": sanity}
 
 
-def self_fail(text):
+def failed(text):
     raise AssertionError(text)
 
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double device_seconds = 7;  // that a launch takes by the device's clock
 
-// Every byte of the job's rows becomes 200, the first what a thread's pixels are; planes stay as they are.
+// Every byte of the job's rows becomes 200, but the second says how many pixels a thread has; planes stay as they are.
 void draw(const void* address, int width, int rows)
 {
     const auto& job = *static_cast<const job::Job<layout_f32::Scene, float>*>(address);

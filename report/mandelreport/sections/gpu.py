@@ -58,7 +58,7 @@ def _table(material: Material, gpu: str, text: str) -> Table | None:
     return Table(
         headers,
         rows,
-        f"{gpu}: kernel time predicted at {SIZE[0]} x {SIZE[1]} (tools/k40_expected.py), and the host's, measured on two threads of a processor (* in the study of resolutions).",
+        f"{gpu}: kernel time predicted at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's, measured on two threads of a processor (* in the study of resolutions).",
         list(range(3, len(headers))),
     ) if rows else None
 

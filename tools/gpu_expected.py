@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""k40_expected.py PROGRAM ROWS.json LANES.json [--gpu K40|H200] [--table FILE]: the time that a frame of 1920 x 1080 should take
+"""gpu_expected.py PROGRAM ROWS.json LANES.json... [--gpu K40|H200] [--table FILE]: the time that a frame of 1920 x 1080 should take
 on a GPU, from its data sheet, the operations that bench counted for that size (ROWS), the lanes it found active (LANES, of the
-study box-vs-bulb) and the code that NVIDIA's assembler makes of the built program for sm_35, a newer GPU's, too."""
+study box-vs-bulb in both modes) and the code that NVIDIA's assembler makes of the built program for sm_35, a newer GPU's, too."""
 import argparse
 import json
 import os
@@ -106,9 +106,9 @@ def costs(ptx, counts):
     found = {}
     for name, body in k40.kernels(ptx):
         match = k40.KERNEL.match(name)
-        if not match or match[1] != "march" or match.groups()[1:3] not in counts:
+        if not match or match[1] != "march" or match.groups()[1:] not in counts:
             continue
-        count = counts[match.groups()[1:3]]
+        count = counts[match.groups()[1:]]
         total = {k: sum(stage[k] for stage in count["stages"].values()) for k in ("sums", "products", "quotients", "roots")}
         suffix = "f32" if match[3] == "float" else "f64"
         shares = [(total["quotients"] / sum(total.values()), weight["div", suffix]),
@@ -126,25 +126,26 @@ def read(path):
         with open(path, encoding="utf-8") as file:
             return json.load(file)
     except (OSError, ValueError) as error:
-        sys.exit(f"k40_expected: {path}: {error}, expected a result of bench")
+        sys.exit(f"gpu_expected: {path}: {error}, expected a result of bench")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
     parser.add_argument("rows")
-    parser.add_argument("lanes")
+    parser.add_argument("lanes", nargs="+")
     parser.add_argument("--gpu", choices=GPUS, default="K40")
     parser.add_argument("--table")
     arguments = parser.parse_args()
     ptx = k40.extract(arguments.program)
     if len(ptx) != 1:
-        sys.exit(f"k40_expected: {arguments.program} holds {len(ptx)} texts of PTX, expected one")
-    counts = {(c["fractal"], c["precision"]): c for c in read(arguments.lanes)["counts"] if c["setting"]["view"] == "official"}
+        sys.exit(f"gpu_expected: {arguments.program} holds {len(ptx)} texts of PTX, expected one")
+    counts = {(c["fractal"], c["precision"], c["mode"]): c for path in arguments.lanes for c in read(path)["counts"]
+              if c["setting"]["view"] == "official"}
     try:
         kernels, weight = costs(ptx[0], counts)
     except k40.Unavailable as error:
-        sys.exit(f"k40_expected: {error}")
+        sys.exit(f"gpu_expected: {error}")
     peak, clocks_a_second = GPUS[arguments.gpu]
     lines = [f"{arguments.gpu} on paper, 1920 x 1080, kernel time; "
              + ", ".join(f"{o}.{s}: {w:.1f} instructions" for (o, s), w in weight.items()),
@@ -164,7 +165,7 @@ def main():
                      f"{instructions:>14.2f}{lanes:>8.0%}{1e3 * seconds:>10.3g}{bound / seconds:>10.1%}"
                      + (f"{'-':>10}{'-':>10}" if refilled is None else f"{refilled:>10.0%}{1e3 * seconds * lanes / refilled:>10.3g}"))
     if len(lines) == 3:
-        sys.exit(f"k40_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
+        sys.exit(f"gpu_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
     put("\n".join(lines) + "\n", arguments.table)
 
 
