@@ -8,7 +8,7 @@ set(slow_tests
     "programs\\.readme" "programs\\.demo" "packaging\\..*" "bench\\.program" "bench\\.schemas" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
     "bench\\.BenchProgram\\.LinesAreAtMost120Characters" "Equivalence\\.EveryBackendDrawsTheSamePicture"
-    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*" ".*Opencl\\.EveryVectorDrawsTheBits.*"
+    "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*" ".*Opencl\\.VectorsDrawTheBits.*"
     "Hull\\.ChangesNoBitOfRandomScenes" "ExtremeScene\\.GoesFarAndShowsSomething"
     "Neighbours\\.ChangeLittleAndSaveEstimates")
 list(JOIN slow_tests "|" slow_tests)

@@ -92,13 +92,11 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     // PoCL's compiler, clang, has longer vectors than OpenCL, and two to four registers hide some of each other's
     // latency.
     constexpr std::array lengths{1, 2, 4, 8, 16, 32};
-    constexpr int longest = 16;
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
     const bool is_pocl = trimmed(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
     const bool has_long = is_pocl && native >= (is_float ? 16 : 8);
-    const int suits = !is_cpu || native <= 1 ? 1
-                      : has_long             ? lengths.back()
-                                             : std::min(2 * static_cast<int>(native), longest);
+    const int longest = has_long ? 32 : std::min(2 * static_cast<int>(native), 16);
+    const int suits = is_cpu && native > 1 ? longest : 1;
     build.lanes = options.pack != 0 ? options.pack : suits;
     if (std::ranges::find(lengths, build.lanes) == lengths.end()) {
         throw InputError(

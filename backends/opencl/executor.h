@@ -128,9 +128,11 @@ private:
     int strip_width() const
     {
         constexpr std::int64_t strips_of_unit = 32;
+        constexpr std::int64_t least = 32;  // a multiple of every block's width
+        constexpr std::int64_t most = 256;
         const auto strips = strips_of_unit * session_.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
         const std::int64_t pixels = static_cast<std::int64_t>(pixels_) / (strips * strip_height);
-        return static_cast<int>(std::clamp<std::int64_t>(pixels / 32 * 32, 32, 256));
+        return static_cast<int>(std::clamp(pixels / least * least, least, most));
     }
 
     // A CPU's buffers are the host's memory: no copy.

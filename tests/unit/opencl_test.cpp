@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of every length draw the bits of the scalar text and count its work, in blocks and in lanes that refill, at
-// the edges of strips too. Skipped where there is no OpenCL device.
+// Vectors draw the bits of the scalar text and count its work, in blocks and in lanes that refill, at the edges of
+// strips too. Skipped where there is no OpenCL device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
 #include "core/image/compare.h"
 #include "tests/scenes.h"
+#include "tests/unit/same_picture.h"
 
 namespace mandelmarch {
 namespace {
@@ -27,23 +28,13 @@ protected:
                                          {"one pixel of the box", official_scene("box", 1, 1)}};
 };
 
-TEST_P(Opencl, EveryVectorDrawsTheBitsOfTheScalarText)
+TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
 {
     const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
     for (const int pack : {0, 1, 4}) {  // 0: the longest that suits the device
         const auto renderer = opencl.create({.precision = GetParam(), .pack = pack});
         for (const auto& [name, scene] : scenes) {
-            Image image(scene.width, scene.height, Image::Layers::all);
-            Image expected(scene.width, scene.height, Image::Layers::all);
-            const Work work = renderer->render(scene, image).work;
-            const Work expected_work = yardstick->render(scene, expected).work;
-            const Comparison difference = compare(expected, image);
-            EXPECT_TRUE(difference.same())
-                << name << ", pack " << pack << ": "
-                << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
-            EXPECT_EQ(work.steps, expected_work.steps) << name << ", pack " << pack;
-            EXPECT_EQ(work.estimates, expected_work.estimates) << name << ", pack " << pack;
-            EXPECT_EQ(work.iterations, expected_work.iterations) << name << ", pack " << pack;
+            expect_same_picture(*yardstick, *renderer, scene, name + ", pack " + std::to_string(pack));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include "backends/all.h"
 #include "core/image/compare.h"
 #include "tests/scenes.h"
+#include "tests/unit/same_picture.h"
 
 namespace mandelmarch {
 namespace {
@@ -33,18 +34,7 @@ TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
 {
     const auto renderer = vulkan.create({.precision = GetParam()});
     const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
-    for (const auto& [name, scene] : scenes) {
-        Image image(scene.width, scene.height, Image::Layers::all);
-        Image expected(scene.width, scene.height, Image::Layers::all);
-        const Work work = renderer->render(scene, image).work;
-        const Work expected_work = yardstick->render(scene, expected).work;
-        const Comparison difference = compare(expected, image);
-        EXPECT_TRUE(difference.same()) << name << ": "
-                                       << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
-        EXPECT_EQ(work.steps, expected_work.steps) << name;
-        EXPECT_EQ(work.estimates, expected_work.estimates) << name;
-        EXPECT_EQ(work.iterations, expected_work.iterations) << name;
-    }
+    for (const auto& [name, scene] : scenes) expect_same_picture(*yardstick, *renderer, scene, name);
 }
 
 // The twin: a picture of the other mode has other bits. And a picture of the same mode is close.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What two renderers draw of a scene, and what it costs them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/image/compare.h"
+#include "core/render/backend.h"
+
+namespace mandelmarch {
+
+// Both draw the same bits and count the same work. `what` names the picture in messages.
+inline void expect_same_picture(Renderer& yardstick, Renderer& renderer, const Scene& scene, const std::string& what)
+{
+    Image image(scene.width, scene.height, Image::Layers::all);
+    Image expected(scene.width, scene.height, Image::Layers::all);
+    const Work work = renderer.render(scene, image).work;
+    const Work expected_work = yardstick.render(scene, expected).work;
+    const Comparison difference = compare(expected, image);
+    EXPECT_TRUE(difference.same()) << what << ": "
+                                   << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
+    EXPECT_EQ(work.steps, expected_work.steps) << what;
+    EXPECT_EQ(work.estimates, expected_work.estimates) << what;
+    EXPECT_EQ(work.iterations, expected_work.iterations) << what;
+}
+
+}  // namespace mandelmarch
