@@ -99,10 +99,11 @@ fi
 [ "$(ls -- *.part* .*tmp* 2>/dev/null | wc -l)" = 0 ] || fail "hand: unfinished files are left"
 
 # A path is recorded, smoothed, audited while it is flown, saved, opened again; flythrough keeps its promises and draws it.
+# A film has 30 frames a second, a screen 60 or so: 180 frames of the screen are some 90 of the path.
 cat >path.txt <<'END'
 rest
 key Ctrl+R
-key W 60
+key W 120
 press Right
 key W 40
 release Right
