@@ -73,6 +73,17 @@ class ResultsTest(unittest.TestCase):
             said = process.communicate()[1]
         return process.returncode, said
 
+    def test_an_exit_code_can_be_an_answer(self):
+        self.write("fails", "json")
+        self.write("list", "a.json 1 1 EXITS=0,1 bench --json {}\n")
+        self.write("bin/bench", BENCH.replace("{folder}", self.folder).replace("echo broken", "cat {folder}/json".replace("{folder}", self.folder)))
+        code, said = self.results()
+        self.assertEqual(code, 0, said)
+        self.assertEqual(self.text("output/a.json"), CLEAN)
+        # The twin: of another program the same code is a failure.
+        self.write("list", "b.json 1 1 bench --json {}\n")
+        self.assertEqual(self.results()[0], 1)
+
     def test_all_are_measured_and_handed_over(self):
         code, said = self.results()
         self.assertEqual(code, 0, said)
