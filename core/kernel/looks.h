@@ -49,9 +49,10 @@ FN vec3 albedo(Scene scene, vec3 trap)
 {
     vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
     if (scene.colouring == 3) {
-        colour = blend(vec3(R(0.90), R(0.24), R(0.10)), vec3(R(0.03), R(0.38), R(0.46)), saturated(R(2.5) * trap.x));
-        colour = blend(colour, vec3(R(0.95), R(0.70), R(0.30)), saturated(R(0.9) - 3 * trap.y));
-        colour = blend(colour, vec3(R(0.16), R(0.04), R(0.22)), R(0.7) * saturated(trap.z));
+        colour = blend(vec3(R(0.88), R(0.20), R(0.08)), vec3(R(0.84), R(0.62), R(0.40)), saturated(R(2.5) * trap.x));
+        colour = blend(colour, vec3(R(0.03), R(0.40), R(0.44)), saturated(R(2.5) * trap.x - 1));
+        colour = blend(colour, vec3(R(0.80), R(0.54), R(0.22)), saturated(R(0.9) - 3 * trap.y));
+        colour = blend(colour, vec3(R(0.16), R(0.03), R(0.10)), R(0.7) * saturated(trap.z));
     }
     if (scene.colouring == 4) {
         colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), saturated(trap.x));
@@ -67,8 +68,8 @@ FN vec3 sky(Scene scene, vec3 direction)
     vec3 horizon = vec3(R(0.42), R(0.50), R(0.58));
     vec3 glow = vec3(R(0.80), R(0.66), R(0.44));
     if (scene.colouring == 3) {
-        zenith = vec3(R(0.05), R(0.10), R(0.30));
-        horizon = vec3(R(0.30), R(0.27), R(0.36));
+        zenith = vec3(R(0.04), R(0.09), R(0.22));
+        horizon = vec3(R(0.42), R(0.32), R(0.30));
         glow = vec3(R(0.95), R(0.58), R(0.26));
     }
     if (scene.colouring == 4) {
@@ -110,7 +111,7 @@ FN vec3 displayed3(Scene scene, vec3 light)
 // How open it is at a hit: what a look costs most. It changes little from pixel to pixel of one surface.
 struct Surroundings {
     real along_normal;  // 0: closed in, 1: open
-    real sunwards;      // likewise
+    real sunwards;      // likewise, four times as far
     effort estimates;
     effort iterations;
 };
@@ -119,7 +120,7 @@ struct Surroundings {
 FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness along_normal = openness(scene, p, n, t, on);
-    Openness sunwards = openness(scene, p, wide(scene.sun), 2 * t, on);
+    Openness sunwards = openness(scene, p, wide(scene.sun), 4 * t, on);
     Surroundings found;
     found.along_normal = along_normal.share;
     found.sunwards = R(0.5) * (sunwards.share + sunwards.least) * sunwards.share;
@@ -137,9 +138,9 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
     // The sky's light from above, the ground's from below, the sun's, and a little from the eye.
-    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.34), R(0.46), R(0.74)));
+    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.28), R(0.39), R(0.60)));
     light = along(light, vec3(R(0.30), R(0.17), R(0.11)), shelter * (R(0.5) - R(0.5) * n.y));
-    light = along(light, vec3(R(2.30), R(1.75), R(1.05)), key);
+    light = along(light, vec3(R(2.15), R(1.64), R(1.00)), key);
     light = along(light, vec3(R(0.20), R(0.18), R(0.17)), shelter * facing);
     real hazed = haze(t);
     if (scene.colouring == 4) {
@@ -147,19 +148,20 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
         real fall = quotient(1 - hazed, 1 + 5 * hazed);
         light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(1.8), R(1.65), R(1.3)));
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
-        hazed = hazed * R(1.2);
     }
     // A glint where the normal halves the angle between sun and eye.
     real glint = saturated(inner(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
-    hazed = saturated(hazed * hazed * (R(0.3) + R(0.7) * hazed));
+    // The air before it: half at a fifth of the fractal's size, so that it tells depths inside, too.
+    real air = quotient(5 * hazed, 1 + 4 * hazed);
+    air = air * air * (scene.colouring == 4 ? R(0.5) : R(0.24));
     vec3 behind = sky(scene, direction);
     vec3 lit_stone = scaled(albedo(scene, orbit_trap(scene, p, on)), light);
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     Look result;
-    result.colour = displayed3(scene, blend(lit_stone, behind, hazed));
+    result.colour = displayed3(scene, blend(lit_stone, behind, air));
     // The trap is one more.
     result.estimates = tally(found.estimates, on);
     result.iterations = found.iterations;

@@ -26,6 +26,7 @@ template Formula usual::stride(const FractalInputs<Formula>&);
 double usual::growth(const Scene&) { return 1; }
 Vector usual::representative(const Scene&, Vector p) { return p; }
 bool usual::worth_searching(const Scene&, const Hull&, Vector) { return true; }
+Vector usual::upward(Vector place, Vector up) { return length(place) > 0 ? unit(place) : up; }
 void usual::no_tail(const Scene&, FractalConstants<double>&) {}
 void usual::same_shape(Scene&, Chance&, bool) {}
 void usual::same_extreme_shape(Scene&, Chance&) {}

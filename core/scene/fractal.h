@@ -85,6 +85,7 @@ Number stride(const FractalInputs<Number>& of);       // plain_stride
 double growth(const Scene& scene);                    // 1: no iteration is known to be too fine to be seen
 Vector representative(const Scene& scene, Vector p);  // p
 bool worth_searching(const Scene& scene, const Hull& body, Vector p);   // true
+Vector upward(Vector place, Vector up);                                 // away from the middle, as on a planet
 void no_tail(const Scene& scene, FractalConstants<double>& constants);  // leaves them as they are
 void same_shape(Scene& scene, Chance& chance, bool even);               // leaves the scene as it is
 void same_extreme_shape(Scene& scene, Chance& chance);                  // leaves the scene as it is
@@ -151,6 +152,8 @@ struct FractalFlight {
     // True in a region that holds a copy of every place that differs under the symmetry, and some more: where tours are
     // sought, as the rest would only cost time.
     bool (*worth_searching)(const Scene& scene, const Hull& body, Vector p) = usual::worth_searching;
+    // The direction, a unit vector, that a level camera at a place shows upwards, where the camera's up vector is `up`.
+    Vector (*upward)(Vector place, Vector up) = usual::upward;
     FlightMeasures measures{};
     FlightBars bars{};
 };

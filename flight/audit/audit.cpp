@@ -54,6 +54,7 @@ public:
         add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%", ""});
         gazes(bars.aside);
         for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
+        add(level_row(path_));
         views();
     }
 

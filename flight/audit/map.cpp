@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
@@ -72,11 +73,12 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
         distinct_passages([&](std::size_t frame) -> const Field& { return runs.field(frame); }, at, clearances);
     const auto whole = [](const Passage& passage) { return std::to_string(passage.frame); };
     return fmt::format(
-        "{{\n\"format\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": {},\n"
+        "{{\n\"format\": \"{}\",\n\"program\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": "
+        "{},\n"
         "\"hull\": {{\"shape\": \"{}\", \"size\": {}}},\n\"safety\": {},\n\"ball_count\": {},\n"
         "\"gate_count\": {},\n\"balls\": {},\n\"gates\": {},\n"
         "\"passages\": {},\n\"x\": {},\n\"y\": {},\n\"z\": {},\n\"clearance\": {},\n\"turn\": {}\n}}\n",
-        format_name, path.scene.fractal->name, path.seed, frames_per_second,
+        format_name, version_line("flythrough"), path.scene.fractal->name, path.seed, frames_per_second,
         field.hull().shape == Hull::Shape::cube ? "cube" : "sphere", number(field.hull().size), number(field.safety()),
         balls.size(), gates.size(), places(field.hull(), at, balls, most_balls),
         places(field.hull(), at, gates, most_gates), list(passages, whole),

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 
@@ -31,6 +32,7 @@ std::string table_of(const Path& path, const Audit& audit)
 std::string json_of(const Path& path, const Audit& audit)
 {
     nlohmann::ordered_json json{{"schema", 1},
+                                {"program", version_line("flythrough")},
                                 {"fractal", path.scene.fractal->name},
                                 {"seed", path.seed},
                                 {"frames", path.frames.size()},

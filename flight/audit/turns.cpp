@@ -7,6 +7,7 @@
 
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "flight/path/horizon.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double most_jerk = 0.3;         // of the cube of the pace in clearances a second
 constexpr double most_angular_jerk = 30;  // degrees a second^3
+constexpr double some_horizon = 0.25;     // of Tilt::horizon: the gaze is 30 degrees off straight up or down
+constexpr double level = 30;              // degrees: a picture that is off by less looks level
 constexpr double cube = static_cast<double>(frames_per_second) * frames_per_second * frames_per_second;
 
 // The rotation from each frame's camera to the next: its axis, as long as its angle in radians.
@@ -75,6 +78,20 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
     return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
             {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,
              "deg/s^3", ""}};
+}
+
+Row level_row(const Path& path)
+{
+    std::size_t horizons = 0;
+    std::size_t held = 0;
+    for (const Frame& frame : path.frames) {
+        const Tilt tilt = tilt_of(frame, path.scene.fractal->flight.upward(frame.eye, frame.up));
+        if (tilt.horizon < some_horizon) continue;
+        ++horizons;
+        held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;
+    }
+    const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
+    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%", ""};
 }
 
 }  // namespace mandelmarch

@@ -17,4 +17,7 @@ std::vector<double> turns_of(const Path& path);
 // (second differences of the rotation between frames, in degrees a second^3). `clearances`: one a frame.
 std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances);
 
+// Of the frames in whose pictures there is a horizon: how many are held level.
+Row level_row(const Path& path);
+
 }  // namespace mandelmarch

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -16,6 +17,7 @@ std::string summary_of(const Path& path, const Backend& backend, const FilmOptio
     nlohmann::ordered_json json{
         {"schema", "mandelmarch-film"},
         {"version", 1},
+        {"program", version_line("flythrough")},
         {"fractal", path.scene.fractal->name},
         {"seed", path.seed},
         {"frames", path.frames.size()},

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+
+#include "flight/path/horizon.h"
 
 namespace mandelmarch {
 namespace {
@@ -11,19 +14,26 @@ namespace {
 constexpr double blur = 24;               // frames: the standard deviation of the smoothing in time
 constexpr std::size_t middle_until = 90;  // frames: after it the gaze has left the fractal's middle
 
-// A Gaussian in time, cut at three standard deviations; at the ends the first and the last direction go on.
-std::vector<Vector> blurred(const std::vector<Vector>& in, double deviation)
+constexpr double most_roll = 0.25;     // degrees a frame: with the farthest turn it is within the promise's 1.2
+constexpr double roll_share = 0.02;    // of what a frame with a horizon is off level, a frame
+constexpr double clear_horizon = 0.5;  // of Tilt::horizon: from there the first frames are level
+
+// Means by a Gaussian in time, cut at three standard deviations; at the ends the first and the last value go on.
+template <class Value>
+std::vector<Value> blurred(const std::vector<Value>& in)
 {
-    const int half = static_cast<int>(3 * deviation);
+    const int half = static_cast<int>(3 * blur);
     const int count = static_cast<int>(in.size());
-    std::vector<Vector> out(in.size());
+    std::vector<double> weights;
+    for (int k = -half; k <= half; ++k) weights.push_back(std::exp(-0.5 * k * k / (blur * blur)));
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<Value> out(in.size());
     for (int i = 0; i < count; ++i) {
-        Vector sum{};
         for (int k = -half; k <= half; ++k) {
-            const double weight = std::exp(-0.5 * k * k / (deviation * deviation));
-            sum = sum + weight * in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
+            const Value& value = in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
+            out[static_cast<std::size_t>(i)] =
+                out[static_cast<std::size_t>(i)] + weights[static_cast<std::size_t>(k + half)] / total * value;
         }
-        out[static_cast<std::size_t>(i)] = unit(sum);
     }
     return out;
 }
@@ -59,7 +69,9 @@ std::vector<Vector> smoothed_gaze(const Ride& ride, std::vector<Vector> aims)
         const Vector aim = (1 - share) * aims[i] + share * unit(-1 * ride.at[i]);
         if (length(aim) > 1e-6) aims[i] = unit(aim);
     }
-    return blurred(aims, blur);
+    aims = blurred(aims);
+    std::ranges::transform(aims, aims.begin(), unit);
+    return aims;
 }
 
 void limit_turns(std::vector<Vector>& gaze, double most)
@@ -90,6 +102,30 @@ std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Ve
         frames.push_back(frame);
     }
     return frames;
+}
+
+void hold_level(std::vector<Frame>& frames, const Fractal& fractal)
+{
+    const double most = most_roll * std::numbers::pi / 180;
+    const auto tilt_of_rolled = [&](const Frame& frame, double roll) {
+        const Frame now = rolled(frame, roll);
+        return tilt_of(now, fractal.flight.upward(now.eye, now.up));
+    };
+    double roll = 0;  // radians
+    for (const Frame& frame : frames) {
+        if (const Tilt tilt = tilt_of_rolled(frame, 0); tilt.horizon > clear_horizon) {
+            roll = tilt.angle;
+            break;
+        }
+    }
+    std::vector<double> rolls;
+    for (const Frame& frame : frames) {
+        const Tilt tilt = tilt_of_rolled(frame, roll);
+        roll += std::clamp(roll_share * tilt.horizon * tilt.angle, -most, most);
+        rolls.push_back(roll);
+    }
+    rolls = blurred(rolls);
+    for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = rolled(frames[i], rolls[i]);
 }
 
 }  // namespace mandelmarch

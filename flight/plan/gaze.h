@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/scene/fractal.h"
 #include "flight/field/field.h"
 #include "flight/path/path.h"
 #include "flight/plan/ride.h"
@@ -23,6 +24,9 @@ void limit_turns(std::vector<Vector>& gaze, double most);
 
 // The cameras: the up vector is carried along without rolling.
 std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view);
+
+// Rolls the cameras of a path's frames bit by bit to where their fractal shows upwards what is up.
+void hold_level(std::vector<Frame>& frames, const Fractal& fractal);
 
 // Degrees between two unit vectors.
 double degrees_between(Vector a, Vector b);

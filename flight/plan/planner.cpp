@@ -105,6 +105,7 @@ private:
         path.scene = shapes_.field().scene();
         path.seed = seed_;
         path.frames = cameras(now, views, first_up(views[0]), field_of_view);
+        hold_level(path.frames, *path.scene.fractal);
         if (schedule_.changes()) change(path, track, now);
         cut_digits(path);
         return path;

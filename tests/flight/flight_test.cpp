@@ -144,6 +144,10 @@ TEST(Audit, EveryRowCanFail)
           }),
           "angular jerk");
     fails(spoilt([](auto& f) {
+              for (auto& frame : f) frame.up = cross(frame.target - frame.eye, frame.up);
+          }),
+          "frames with a horizon");
+    fails(spoilt([](auto& f) {
               for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
           }),
           "frames under 40 %");

@@ -103,6 +103,16 @@ Vector representative(const Scene&, Vector p)
 
 bool worth_searching(const Scene&, const Hull& body, Vector p) { return std::min({p.x, p.y, p.z}) > -0.1 * body.size; }
 
+// The axis that is nearest to up: floors, walls and ceilings are parallel to the cube's sides.
+Vector upward(Vector, Vector up)
+{
+    const std::array<double, 3> c{std::abs(up.x), std::abs(up.y), std::abs(up.z)};
+    const auto most = std::ranges::max_element(c) - c.begin();
+    if (most == 0) return {std::copysign(1.0, up.x), 0, 0};
+    if (most == 1) return {0, std::copysign(1.0, up.y), 0};
+    return {0, 0, std::copysign(1.0, up.z)};
+}
+
 // Scales above and below 0.
 void random_shape(Scene& scene, Chance& chance, bool even)
 {
@@ -153,6 +163,7 @@ constexpr Fractal rows::mandelbox{
                .body = body,
                .representative = representative,
                .worth_searching = worth_searching,
+               .upward = upward,
                .measures = measures,
                .bars = bars},
     .random = {.extent = 4, .nearest = 3, .farthest = 14, .shape = random_shape, .extreme_shape = extreme_shape},

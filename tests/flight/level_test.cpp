@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The horizon that a flight keeps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "flight/audit/turns.h"
+#include "flight/path/horizon.h"
+#include "flight/plan/gaze.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+// Once around a fractal in 1800 frames, looking ahead and a little up and down; up leans on its side.
+Path round(const std::string& fractal)
+{
+    Path path;
+    path.scene = official_scene(fractal, 16, 9);
+    for (int i = 0; i < 1800; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 1800;
+        const Vector out{std::cos(angle), std::sin(angle), 0};
+        const Vector ahead{-std::sin(angle), std::cos(angle), 0.3 * std::sin(5 * angle)};
+        path.frames.push_back({9.0 * out, 9.0 * out + ahead, {0, 0.2, 1}, 1, {}});
+    }
+    return path;
+}
+
+double level_share(const Path& path) { return level_row(path).value; }
+
+TEST(Level, IsHeldAwayFromTheMiddle)
+{
+    Path path = round("bulb");
+    EXPECT_LT(level_share(path), 10);
+    hold_level(path.frames, *path.scene.fractal);
+    EXPECT_GT(level_share(path), 99);
+    EXPECT_TRUE(level_row(path).kept());
+}
+
+// A cube's floors: the nearest axis stays up while the flight goes round, so that the horizon never turns over.
+TEST(Level, IsTheNearestAxisOfABox)
+{
+    Path path = round("box");
+    hold_level(path.frames, *path.scene.fractal);
+    EXPECT_GT(level_share(path), 99);
+    for (const Frame& frame : path.frames) EXPECT_GT(unit(frame.up).z, 0.7);
+}
+
+TEST(Level, IsTakenSlowly)
+{
+    Path path = round("bulb");
+    // On its back half way.
+    for (std::size_t i = 900; i < 1800; ++i) path.frames[i] = rolled(path.frames[i], std::numbers::pi);
+    Path turned = path;
+    hold_level(turned.frames, *path.scene.fractal);
+    const std::vector<double> before = turns_of(path);
+    const std::vector<double> after = turns_of(turned);
+    EXPECT_GT(before[900], 170);
+    for (std::size_t i = 1; i < after.size(); ++i) {
+        if (i == 900) continue;
+        EXPECT_LT(after[i], before[i] + 0.26) << i;
+    }
+}
+
+TEST(Level, NeedsNoHorizonStraightUp)
+{
+    const Frame frame{{0, 0, 2}, {0, 0, 3}, {0, 1, 0}, 1, {}};
+    EXPECT_LT(tilt_of(frame, {0, 0, 1}).horizon, 1e-12);
+    EXPECT_NEAR(tilt_of(frame, {1, 0, 0}).horizon, 1, 1e-12);
+}
+
+// By its tilt a camera becomes level.
+TEST(Level, IsWhereItsTiltLeads)
+{
+    const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};
+    const Vector upward = unit({0.5, -1, 0.7});
+    const Tilt tilt = tilt_of(frame, upward);
+    EXPECT_GT(std::abs(tilt.angle), 0.5);
+    EXPECT_NEAR(tilt_of(rolled(frame, tilt.angle), upward).angle, 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace mandelmarch
