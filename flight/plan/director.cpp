@@ -19,7 +19,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr int directions = 1024;                 // 6 degrees apart
 constexpr double window = 42 * degree;           // half a picture's width and height, in the mean
 constexpr double middle_radius = 22 * degree;    // the middle of a picture
-constexpr double spacing = 1;                    // clearances between panoramas
+constexpr double panorama_spacing = 1;           // clearances between panoramas
 constexpr double farthest_seen = 12;             // hull sizes: rays end there
 constexpr std::size_t slot_frames = 10;          // frames between choices
 constexpr double farthest_turn = 11.5 * degree;  // from one choice to the next
@@ -95,7 +95,7 @@ Director::Director(const Shapes& shapes, const Track& track)
     double next = 0;
     for (std::size_t s = 0; s < track.at.size(); ++s) {
         if (track.length[s] < next) continue;
-        next = track.length[s] + spacing * std::min(track.clearance[s], fastest_clearance(field.hull()));
+        next = track.length[s] + panorama_spacing * std::min(track.clearance[s], fastest_clearance(field.hull()));
         samples_.push_back(static_cast<double>(s));
         places.push_back(track.at[s]);
         values.push_back(track.value[s]);
