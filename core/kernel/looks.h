@@ -154,7 +154,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
-    // The air before it: half at a fifth of the fractal's size, so that it tells depths inside, too.
+    // Half of the most there is at half the fractal's size, so that it tells depths inside, too.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
     air = air * air * (scene.colouring == 4 ? R(0.5) : R(0.24));
     vec3 behind = sky(scene, direction);
