@@ -41,12 +41,12 @@ def kernel_bars(bench: Bench, backends: Backends) -> Figure:
                     ms(row.kernel.median),
                     ha="center",
                     va="bottom",
-                    fontsize=7,
+                    fontsize=6,
                 )
             if rows:
                 best = min(rows, key=lambda row: row.kernel.median)
                 said.append(f"{fractal} {mode}: fastest {where(best)} in {best.precision}, {ms(best.kernel.median)} ms")
-            axis.set_xticks(range(len(names)), [f"{name}\ndouble  float" for name in names])
+            axis.set_xticks(range(len(names)), names, rotation=30, ha="right", fontsize=8)
             axis.set_ylim(0, 1.15 * top)
             axis.set_title(f"{fractal}, {mode}")
             axis.grid(axis="x", visible=False)
@@ -67,11 +67,13 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
     # mandelbox/double/exact/openmp/0: what differs between numerator and denominator is the question.
     entries = []
     for ratio in found:
-        fractal, precision, mode, backend, device = ratio["denominator"].split("/")[:5]
+        fractal, precision, mode, backend, device, *point = ratio["denominator"].split("/")
         kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
-        entries.append((kind, backend if device == "0" else f"{backend} {device}", backend, Times.of(ratio["ratio"])))
+        name = backend if device == "0" else f"{backend} {device}"
+        entries.append((kind, f"{name}, scalar" if point else name, backend, Times.of(ratio["ratio"])))
     kinds = list(dict.fromkeys(kind for kind, *_ in entries))
-    names = backends.order([name for _, name, _, _ in entries])
+    names = backends.order([name for _, name, _, _ in entries if "," not in name])
+    names += sorted({name for _, name, _, _ in entries if "," in name})
     figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
     said = []
     for kind, name, backend, times in entries:
