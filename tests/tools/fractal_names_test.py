@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
+REPORT = ROOT / "report" / "out"  # what `make report` writes
 ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {
     "apps/mandelbox.cpp": "the program of that name",
@@ -42,7 +43,7 @@ def files_with_names() -> dict[str, set[str]]:
     found = {}
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix not in ENDINGS or path.parent.name == "fractals":
+            if path.suffix not in ENDINGS or path.parent.name == "fractals" or path.is_relative_to(REPORT):
                 continue
             if here := strings(path.read_text(encoding="utf-8")) & known:
                 found[path.relative_to(ROOT).as_posix()] = here
