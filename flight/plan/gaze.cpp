@@ -29,10 +29,11 @@ std::vector<Value> blurred(const std::vector<Value>& in)
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     std::vector<Value> out(in.size());
     for (int i = 0; i < count; ++i) {
-        for (int k = -half; k <= half; ++k) {
-            const Value& value = in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
-            out[static_cast<std::size_t>(i)] =
-                out[static_cast<std::size_t>(i)] + weights[static_cast<std::size_t>(k + half)] / total * value;
+        Value& sum = out[static_cast<std::size_t>(i)];
+        int k = -half;
+        for (const double weight : weights) {
+            sum = sum + weight / total * in[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))];
+            ++k;
         }
     }
     return out;
