@@ -11,6 +11,10 @@ namespace mandelmarch {
 void write_stats(const std::string& path, const Scene& scene, const RenderReport& report)
 {
     const Timings& t = report.timings;
+    auto kernels = nlohmann::ordered_json::array();
+    for (const KernelResources& k : report.kernels) {
+        kernels.push_back({{"name", k.kernel}, {"registers", k.registers}, {"local_bytes", k.local_bytes}});
+    }
     const nlohmann::ordered_json json{
         {"schema", 1},
         {"fractal", scene.fractal->name},
@@ -35,6 +39,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
           {"wall", t.wall}}},
         {"work",
          {{"steps", report.work.steps}, {"de_calls", report.work.estimates}, {"iterations", report.work.iterations}}},
+        {"kernels", kernels},
     };
     // A driver's name may be no UTF-8.
     write_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

@@ -66,7 +66,7 @@ std::string lack_of(const Row& row, bool by_launch)
 bool same_setting(const Setting& a, const Setting& b)
 {
     return same_picture(a, b) && a.threads == b.threads && a.pack == b.pack && a.chunk == b.chunk && a.band == b.band &&
-           a.frames == b.frames && a.without == b.without;
+           a.block == b.block && a.frames == b.frames && a.without == b.without;
 }
 
 // Everything but the verdict of rows that can be tested.

@@ -24,15 +24,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Those of this process. By the processor's clock, threads that wait must not count: OpenMP's would spin.
-std::vector<std::string> variables_for(DuelClock clock)
+// Those of this process, but threads that wait sleep. OpenMP's would spin, on the cores that the other program draws
+// on, and count as processor time.
+std::vector<std::string> variables_of_contenders()
 {
-    std::vector<std::string> variables;
-    if (clock == DuelClock::processor) variables.emplace_back("OMP_WAIT_POLICY=passive");
+    std::vector<std::string> variables{"OMP_WAIT_POLICY=passive"};
     for (char** variable = environ; *variable != nullptr; ++variable) {
-        if (clock == DuelClock::wall || !std::string_view(*variable).starts_with("OMP_WAIT_POLICY=")) {
-            variables.emplace_back(*variable);
-        }
+        if (!std::string_view(*variable).starts_with("OMP_WAIT_POLICY=")) variables.emplace_back(*variable);
     }
     return variables;
 }
@@ -66,7 +64,7 @@ Contender::Contender(const std::string& program, const std::vector<std::string>&
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, pair[1], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    std::vector<std::string> variables = variables_for(clock);
+    std::vector<std::string> variables = variables_of_contenders();
     std::vector<char*> envp;
     envp.reserve(variables.size() + 1);
     for (std::string& variable : variables) envp.push_back(variable.data());

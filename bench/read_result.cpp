@@ -132,7 +132,8 @@ Setting setting_at(const Json& parent, const char* key)
             .threads = whole_at(json, "threads"),
             .pack = whole_at(json, "pack"),
             .chunk = whole_at(json, "chunk"),
-            .band = json.contains("band") ? whole_at(json, "band") : 0,  // older files have none
+            .band = json.contains("band") ? whole_at(json, "band") : 0,  // older files have neither
+            .block = json.contains("block") ? whole_at(json, "block") : 0,
             .without = text_at(json, "without"),
             .view = text_at(json, "view"),
             .frames = whole_at(json, "frames")};

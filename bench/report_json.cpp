@@ -32,7 +32,8 @@ Json of(const Setting& s)
     return {{"width", s.width},     {"height", s.height},   {"iterations", s.iterations},
             {"detail", s.detail},   {"power", s.power},     {"view", s.view},
             {"without", s.without}, {"threads", s.threads}, {"pack", s.pack},
-            {"chunk", s.chunk},     {"band", s.band},       {"frames", s.frames}};
+            {"chunk", s.chunk},     {"band", s.band},       {"block", s.block},
+            {"frames", s.frames}};
 }
 
 Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.estimates}, {"iterations", w.iterations}}; }

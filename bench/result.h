@@ -26,11 +26,11 @@ struct Sample {
 
 // What was asked of a row beside fractal, precision, mode, backend and device.
 struct Setting {
-    int width = 0, height = 0;                       // pixels
-    int iterations = 0;                              // n
-    double detail = 0;                               // D
-    double power = 0;                                // third value of line 7
-    int threads = 0, pack = 0, chunk = 0, band = 0;  // as in RendererOptions; 0: the backend's choice
+    int width = 0, height = 0;                                  // pixels
+    int iterations = 0;                                         // n
+    double detail = 0;                                          // D
+    double power = 0;                                           // third value of line 7
+    int threads = 0, pack = 0, chunk = 0, band = 0, block = 0;  // as in RendererOptions; 0: the backend's choice
     std::string without{};          // techniques that are switched off, as in --without of the renderers
     std::string view = "official";  // which scene: its name
     int frames = 0;                 // pictures from a fresh renderer in one sample; 0: one, from a warm renderer

@@ -21,7 +21,7 @@ namespace {
 constexpr int usual_side = 540;   // pixels
 constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
 
-constexpr std::array<Study, 12> all_studies{{
+constexpr std::array<Study, 13> all_studies{{
     {standard_study, "", "every fractal, precision, mode, backend and device at one size"},
     {"resolution", "pixels", "pictures from 270 x 270 to 4096 x 2160"},
     {"frames", "frames", "1 to 100 pictures from a fresh renderer: what opening and building cost"},
@@ -29,6 +29,7 @@ constexpr std::array<Study, 12> all_studies{{
     {"detail", "detail", "the detail level D"},
     {"tiles", "chunk", "tiles that a thread takes at once"},
     {"bands", "band", "pixels that a device draws in one go"},
+    {"blocks", "block", "threads of a GPU's block, work items of a group"},
     {"threads", "threads", "threads on the host"},
     {"packs", "pack", "pixels at once on a core"},
     {"ablation", "without", "what makes a picture cheaper or better, switched off one by one"},
@@ -76,6 +77,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     if (study == "bands") {
         return points("band", &Setting::band, std::array{1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22});
     }
+    if (study == "blocks") return points("block", &Setting::block, std::array{32, 64, 128, 256, 512});
     if (study == "packs") return points("pack", &Setting::pack, std::array{1, 2, 4, 8, 16, 24, 32, 48, 64});
     if (study == "ablation") {
         std::vector<Point> made{{"without=none", {}}};
@@ -128,6 +130,7 @@ bool takes_part(std::string_view study, const Facts& facts)
 {
     if (study == "tiles") return facts.chunk;
     if (study == "bands") return facts.band;
+    if (study == "blocks") return facts.block;
     if (study == "threads") return facts.threads;
     if (study == "packs") return facts.pack;
     // Its stages are openmp's (profile.h).
@@ -273,6 +276,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
                                             .pack = setting.pack,
                                             .chunk = setting.chunk,
                                             .band = setting.band,
+                                            .block = setting.block,
                                             .counts = false,
                                             .techniques = techniques_without(setting.without)};
                             made.backend = backend.get();

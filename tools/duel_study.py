@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """duel_study.py BENCH_SLOWED [--duels N] [--slower PERCENT] [--load N] [--table FILE]: how often bench duel is right, on this
-machine: N duels of a program with itself, and as many with one that takes PERCENT longer (tests/bench/slowed_bench.cpp), while
---load processes keep cores busy. A duel has ten launches of two rows. Exit codes: 0 measured, 1 a duel failed."""
+machine: N duels of a program with itself, and as many with one that takes PERCENT longer (tests/bench/slowed_bench.cpp), on a
+quiet machine and on one where --load processes keep cores busy, by both clocks. A duel has ten launches of two rows. Exit
+codes: 0 measured, 1 a duel failed."""
 import argparse
 import json
 import os
@@ -13,13 +14,14 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from table_file import put
 
-ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "160x120", "--launches", "10", "--repetitions", "20"]
+ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "320x180", "--launches", "10", "--repetitions", "20"]
+COLUMNS = {"SLOWER": 8, "faster": 8, "same": 8, "undecided": 11}  # verdicts, and the widths of their columns
 
 
-def duel(folder, old, new):
+def duel(folder, old, new, clock):
     """{row: (verdict, ratio)} of a duel, and the environment of the second program."""
     target = os.path.join(folder, "duel.json")
-    run = subprocess.run([f"./{old}", "duel", f"./{old}", f"./{new}", *ROWS, "--json", target], cwd=folder,
+    run = subprocess.run([f"./{old}", "duel", f"./{old}", f"./{new}", *ROWS, "--clock", clock, "--json", target], cwd=folder,
                          capture_output=True, text=True, check=False)
     if run.returncode not in (0, 1):
         sys.exit(f"duel_study: {(run.stderr.strip().splitlines() or ['bench duel failed'])[-1]}")
@@ -28,37 +30,49 @@ def duel(folder, old, new):
     return {row["name"]: (row["verdict"], row["ratio"]) for row in data["verdicts"]}, data["new"]["environment"]
 
 
+def duels(folder, slower, arguments, load, clock):
+    """{program: [duel]} of --duels each, while `load` processes keep cores busy."""
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(load)]
+    try:
+        return {new: [duel(folder, "slowed_0", new, clock) for _ in range(arguments.duels)] for new in ("slowed_0", slower)}
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()
+
+
+def lines_of(found, slower):
+    """The table's lines of what duels() returned; `slower` is what the slower program is called in them."""
+    for new, judged in found.items():
+        what = "equal" if new == "slowed_0" else slower
+        for row in judged[0][0]:
+            verdicts = [rows[row][0] for rows, _ in judged]
+            ratios = [rows[row][1] for rows, _ in judged]
+            counts = "".join(f"{verdicts.count(v):>{width}}" for v, width in COLUMNS.items())
+            yield f"{what:<12}{row:<34}{counts}{min(ratios):>8.3f}{max(ratios):>8.3f}"
+        called = sum(any(verdict in ("SLOWER", "faster") for verdict, _ in rows.values()) for rows, _ in judged)
+        yield f"{'':<12}duels that call any row faster or slower: {called} of {len(judged)}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--duels", type=int, default=20)
     parser.add_argument("--slower", type=int, default=3)
-    parser.add_argument("--load", type=int, default=0)
+    parser.add_argument("--load", type=int, default=2)
     parser.add_argument("--table")
     arguments = parser.parse_args()
     slower = f"slowed_{arguments.slower}"
-    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(arguments.load)]
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            for name in ("slowed_0", slower):
-                os.symlink(os.path.abspath(arguments.program), os.path.join(folder, name))
-            found = {new: [duel(folder, "slowed_0", new) for _ in range(arguments.duels)] for new in ("slowed_0", slower)}
-    finally:
-        for process in busy:
-            process.kill()
-    cpu = found["slowed_0"][0][1]["cpu"]
-    lines = [f"duel study: {arguments.duels} duels each, ten launches, {arguments.load} busy processes, "
-             f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads",
-             f"{'programs':<28}{'row':<34}{'SLOWER':>8}{'faster':>8}{'same':>8}{'undecided':>11}{'least':>8}{'most':>8}"]
-    for new, duels in found.items():
-        for row in duels[0][0]:
-            verdicts = [judged[row][0] for judged, _ in duels]
-            ratios = [judged[row][1] for judged, _ in duels]
-            counts = [verdicts.count(v) for v in ("SLOWER", "faster", "same", "undecided")]
-            what = "equal" if new == "slowed_0" else f"{arguments.slower} % slower"
-            lines.append(f"{what:<28}{row:<34}{counts[0]:>8}{counts[1]:>8}{counts[2]:>8}{counts[3]:>11}{min(ratios):>8.3f}{max(ratios):>8.3f}")
-        alarms = sum(any(verdict in ("SLOWER", "faster") for verdict, _ in judged.values()) for judged, _ in duels)
-        lines.append(f"{'':<28}duels that call any row faster or slower: {alarms} of {arguments.duels}")
+    lines = [f"{'programs':<12}{'row':<34}" + "".join(f"{v:>{w}}" for v, w in COLUMNS.items()) + f"{'least':>8}{'most':>8}"]
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("slowed_0", slower):
+            os.symlink(os.path.abspath(arguments.program), os.path.join(folder, name))
+        for load, clock in ((0, "wall"), (arguments.load, "wall"), (arguments.load, "processor")):
+            found = duels(folder, slower, arguments, load, clock)
+            lines += [f"{load} busy processes, --clock {clock}", *lines_of(found, f"{arguments.slower} % slower")]
+            cpu = found["slowed_0"][0][1]["cpu"]
+    lines.insert(0, f"duel study: {arguments.duels} duels each, ten launches, {cpu.get('platform', cpu['model'])}, "
+                    f"{cpu['cores_usable']} threads")
     put("\n".join(lines) + "\n", arguments.table)
 
 

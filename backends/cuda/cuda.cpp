@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "backends/cuda/driver.h"
+#include "backends/cuda/module.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
@@ -38,6 +39,7 @@ public:
     Facts facts() const override
     {
         return {.has_driver = true,
+                .block = true,
                 .variables = {"CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "CUDA_DEVICE_ORDER"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
@@ -47,7 +49,10 @@ public:
         return std::nullopt;
     }
     job::Kernels kernels() const override { return cuda::kernels(); }
-    void build(job::Launch launch) const override { launch(nullptr, 0, 0); }
+    std::vector<KernelResources> build(job::Launch launch) const override
+    {
+        return cuda::loaded_by([&] { launch(nullptr, 0, 0); });
+    }
     int devices() const override { return driver().devices; }
 
     job::Opened open(int index) const override
@@ -91,6 +96,7 @@ public:
             context = contexts_.at(options.device);
         }
         check(driver().cuCtxSetCurrent(context), "using the device");
+        cuda::use_blocks_of(options.block);
         draw();
     }
 

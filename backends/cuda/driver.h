@@ -21,6 +21,7 @@ namespace mandelmarch::cuda {
     NAME(cuCtxSynchronize)         \
     NAME(cuModuleLoadData)         \
     NAME(cuModuleGetFunction)      \
+    NAME(cuFuncGetAttribute)       \
     NAME(cuLaunchKernel)           \
     NAME(cuMemGetInfo)             \
     NAME(cuMemAlloc)               \

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/cuda/module.h"
 
-#include <vector>
-
 namespace mandelmarch::cuda {
+namespace {
+
+thread_local std::vector<KernelResources>* told = nullptr;  // loaded_by()'s
+thread_local int block = job::block_threads;
+
+int attribute(CUfunction function, CUfunction_attribute which)
+{
+    int value = 0;
+    check(driver().cuFuncGetAttribute(&value, which, function), "asking what a kernel needs");
+    return value;
+}
+
+}  // namespace
 
 CUfunction Module::load()
 {
@@ -11,22 +22,43 @@ CUfunction Module::load()
     CUcontext context = nullptr;
     check(d.cuCtxGetCurrent(&context), "asking for the device");
     const std::scoped_lock lock(mutex_);
-    if (const auto known = loaded_.find(context); known != loaded_.end()) return known->second;
-    CUmodule module = nullptr;
-    CUfunction function = nullptr;
-    check(d.cuModuleLoadData(&module, ptx_), "loading a kernel");
-    check(d.cuModuleGetFunction(&function, module, name_), "finding a kernel");
-    loaded_[context] = function;
+    CUfunction& function = loaded_[context];
+    if (function == nullptr) {
+        CUmodule module = nullptr;
+        check(d.cuModuleLoadData(&module, ptx_), "loading a kernel");
+        check(d.cuModuleGetFunction(&function, module, name_), "finding a kernel");
+    }
+    if (told != nullptr) {
+        told->push_back({.kernel = name_,
+                         .registers = attribute(function, CU_FUNC_ATTRIBUTE_NUM_REGS),
+                         .local_bytes = attribute(function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
+    }
     return function;
 }
 
-void Module::launch(int blocks, std::initializer_list<const void*> arguments)
+void Module::launch(int threads, std::initializer_list<const void*> arguments)
 {
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
-    check(driver().cuLaunchKernel(load(), static_cast<unsigned>(blocks), 1, 1, job::block_threads, 1, 1, 0, nullptr,
-                                  addresses.data(), nullptr),
+    check(driver().cuLaunchKernel(load(), static_cast<unsigned>((threads + block - 1) / block), 1, 1,
+                                  static_cast<unsigned>(block), 1, 1, 0, nullptr, addresses.data(), nullptr),
           "launching a kernel");
+}
+
+void use_blocks_of(int threads) { block = threads > 0 ? threads : job::block_threads; }
+
+std::vector<KernelResources> loaded_by(const std::function<void()>& load)
+{
+    std::vector<KernelResources> resources;
+    told = &resources;
+    try {
+        load();
+    } catch (...) {
+        told = nullptr;
+        throw;
+    }
+    told = nullptr;
+    return resources;
 }
 
 void wait() { check(driver().cuCtxSynchronize(), "running a kernel"); }

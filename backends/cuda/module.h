@@ -2,12 +2,15 @@
 // Kernels whose PTX stands in the program.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <mutex>
+#include <vector>
 
 #include "backends/cuda/driver.h"
 #include "core/job/job.h"
+#include "core/render/backend.h"
 
 // A file's text, by a name.
 #define MM_TEXT(name, file)                                                                        \
@@ -27,8 +30,8 @@ public:
 
     // For the calling thread's device: its driver translates the PTX.
     CUfunction load();
-    // Blocks of job::block_threads threads; the addresses of the kernel's arguments.
-    void launch(int blocks, std::initializer_list<const void*> arguments);
+    // As many threads, and some more where they fill no whole block; the addresses of the kernel's arguments.
+    void launch(int threads, std::initializer_list<const void*> arguments);
 
 private:
     const char* ptx_;
@@ -36,6 +39,12 @@ private:
     std::mutex mutex_;
     std::map<CUcontext, CUfunction> loaded_;
 };
+
+// What the driver made of the kernels that `load` loads, in the calling thread.
+std::vector<KernelResources> loaded_by(const std::function<void()>& load);
+
+// Of the calling thread's launches from here on: threads of a block; 0: job::block_threads.
+void use_blocks_of(int threads);
 
 // For all launches of the calling thread's device.
 void wait();

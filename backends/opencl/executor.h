@@ -26,6 +26,7 @@ public:
         : session_(session),
           kernel_(program, "draw_band"),
           lanes_(build.lanes),
+          block_(options.block),
           width_(scene.width),
           pixels_(static_cast<std::size_t>(pixels)),
           bytes_alone_(bytes_alone),
@@ -98,11 +99,13 @@ private:
         // With vectors a work item draws a strip (strip.cl), on a CPU as a group of its own: cores take groups in turn.
         // Without them a group draws a square.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
+        const int group_width = block_ > 0 ? 8 : side_of_group;
+        const int group_height = block_ > 0 ? block_ / group_width : side_of_group;
         const int item_width = lanes_ > 1 ? strip_width() : 1;
         const int item_height = lanes_ > 1 ? strip_height : 1;
-        const auto items = [&](int pixels, int of_item) {
-            const int count = (pixels + of_item * side_of_group - 1) / (of_item * side_of_group);
-            return static_cast<std::size_t>(count) * static_cast<std::size_t>(side_of_group);
+        const auto items = [](int pixels, int of_item, int of_group) {
+            const int count = (pixels + of_item * of_group - 1) / (of_item * of_group);
+            return static_cast<std::size_t>(count) * static_cast<std::size_t>(of_group);
         };
         kernel_.setArg(0, constants_);
         kernel_.setArg(1, band.first_row);
@@ -115,9 +118,9 @@ private:
         kernel_.setArg(8, item_width);
         cl::Event done;
         session_.queue.enqueueNDRangeKernel(
-            kernel_, cl::NullRange, cl::NDRange(items(width_, item_width), items(rows_covered, item_height)),
-            cl::NDRange(static_cast<std::size_t>(side_of_group), static_cast<std::size_t>(side_of_group)), nullptr,
-            &done);
+            kernel_, cl::NullRange,
+            cl::NDRange(items(width_, item_width, group_width), items(rows_covered, item_height, group_height)),
+            cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)), nullptr, &done);
         session_.queue.flush();
         wait_for(done, doing);
         return done;
@@ -151,6 +154,7 @@ private:
     Session& session_;
     cl::Kernel kernel_;
     int lanes_;
+    int block_;  // as in RendererOptions
     int width_;
     std::size_t pixels_;  // of a plane
     bool bytes_alone_;

@@ -21,6 +21,7 @@ public:
         return {.has_driver = true,
                 .pack = true,
                 .band = true,
+                .block = true,
                 .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

@@ -30,14 +30,23 @@ void transfer(Archive& archive, DeviceOrConst& device)
     archive(name, vendor, driver, is_gpu);
 }
 
+template <class Archive, class ResourcesOrConst>
+requires std::is_same_v<std::remove_const_t<ResourcesOrConst>, KernelResources>
+void transfer(Archive& archive, ResourcesOrConst& resources)
+{
+    auto& [kernel, registers, local_bytes] = resources;
+    archive(kernel, registers, local_bytes);
+}
+
 template <class Archive, class ReportOrConst>
 requires std::is_same_v<std::remove_const_t<ReportOrConst>, RenderReport>
 void transfer(Archive& archive, ReportOrConst& report)
 {
-    auto& [backend, device, precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work] = report;
+    auto& [backend, device, precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work,
+           kernels] = report;
     archive(backend);
     transfer(archive, device);
-    archive(precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work);
+    archive(precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work, kernels);
 }
 
 // What a program asks of a device's process.

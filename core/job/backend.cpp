@@ -4,7 +4,6 @@
 #include <map>
 #include <mutex>
 #include <new>
-#include <set>
 
 #include "core/base/console.h"
 #include "core/job/executor.h"
@@ -63,7 +62,11 @@ private:
                             .work = {}};
         timed(report.timings.wall, [&] {
             model_->run(options_, [&] {
-                const Launch launch = built(scene, report.timings);
+                const Launch launch = launch_of(scene);
+                if (!built_.contains(launch)) {
+                    timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
+                }
+                report.kernels = built_.at(launch);
                 const Limits limits = limits_for(scene, pixel_bytes<Real>);
                 std::optional<BandExecutor<Real>> executor;
                 timed(report.timings.upload, [&] {
@@ -78,8 +81,7 @@ private:
         return report;
     }
 
-    // The scene's kernel, ready to run. Before the first picture of its fractal that may take time.
-    Launch built(const Scene& scene, Timings& timings)
+    Launch launch_of(const Scene& scene) const
     {
         const std::string fractal(scene.fractal->name);
         const Launch launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
@@ -87,7 +89,6 @@ private:
             throw Unavailable(
                 fmt::format("backend {}: this build has no kernel of the fractal '{}'", model_->name(), fractal));
         }
-        if (built_.insert(launch).second) timed(timings.build, [&] { model_->build(launch); });
         return launch;
     }
 
@@ -113,7 +114,7 @@ private:
     RendererOptions options_;
     Opened opened_;
     double context_;  // seconds
-    std::set<Launch> built_;
+    std::map<Launch, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
 };
 

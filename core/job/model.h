@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/job/job.h"
 #include "core/render/backend.h"
@@ -68,8 +69,13 @@ public:
     // Runs a launch to its end, in run(). Returns the seconds that it took, by the device's clock where it has one.
     virtual double seconds_of(const std::function<void()>& launch) const;
 
-    // Makes a kernel ready on the calling thread's device, before its first launch and in Timings::build.
-    virtual void build(Launch launch) const { static_cast<void>(launch); }
+    // Makes a launch's kernels ready on the calling thread's device, before its first launch and in Timings::build.
+    // Returns what the driver made of them, where it tells.
+    virtual std::vector<KernelResources> build(Launch launch) const
+    {
+        static_cast<void>(launch);
+        return {};
+    }
 
     // Bytes that a device has free for kernels; nullopt where it is the host.
     virtual std::optional<std::size_t> free_memory(int index) const

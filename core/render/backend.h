@@ -57,6 +57,7 @@ struct RendererOptions {
     int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at once; 0: the backend's choice; for openmp
     int band = 0;        // pixels that a device draws in one go, at most; 0: the backend's choice
+    int block = 0;       // threads of a GPU's block, work items of a group: a multiple of 32; 0: the backend's choice
     bool counts = true;  // false: RenderReport::work is not asked for, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
@@ -95,6 +96,13 @@ Work& operator+=(Work& to, const Work& from);
 template <class Real>
 void add_work(Work& work, const Planes<Real>& planes, int width, int height);
 
+// What the device's driver made of a kernel, for each thread.
+struct KernelResources {
+    std::string kernel;
+    int registers = 0;
+    int local_bytes = 0;  // memory of its own: the stack, with registers that are spilled
+};
+
 // What really ran.
 struct RenderReport {
     std::string backend;
@@ -110,6 +118,7 @@ struct RenderReport {
     double unsettled = 0;
     Timings timings;
     Work work;
+    std::vector<KernelResources> kernels = {};  // that drew it; none where the driver does not tell
 };
 
 // Called with the finished share of the picture, 0 to 1, from the thread that called render(). Made of any function of
@@ -172,6 +181,7 @@ struct Facts {
     bool pack = false;
     bool chunk = false;
     bool band = false;
+    bool block = false;
     std::vector<std::string_view> variables = {};  // of the environment, which change how it runs
     BuildFacts build = {};
 };

@@ -85,7 +85,7 @@ Row level_row(const Path& path)
     std::size_t horizons = 0;
     std::size_t held = 0;
     for (const Frame& frame : path.frames) {
-        const Tilt tilt = tilt_of(frame, path.scene.fractal->flight.upward(frame.eye, frame.up));
+        const Tilt tilt = tilt_of(frame, *path.scene.fractal);
         if (tilt.horizon < some_horizon) continue;
         ++horizons;
         held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;

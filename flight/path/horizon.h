@@ -13,6 +13,8 @@ struct Tilt {
 
 // Of a frame, where upwards is the unit vector `upward`.
 Tilt tilt_of(const Frame& frame, Vector upward);
+// Where it is as the fractal says of the frame's place.
+Tilt tilt_of(const Frame& frame, const Fractal& fractal);
 
 // The frame's camera rolled about its gaze, by radians.
 Frame rolled(Frame frame, double angle);

@@ -108,20 +108,16 @@ std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Ve
 void hold_level(std::vector<Frame>& frames, const Fractal& fractal)
 {
     const double most = most_roll * std::numbers::pi / 180;
-    const auto tilt_of_rolled = [&](const Frame& frame, double roll) {
-        const Frame now = rolled(frame, roll);
-        return tilt_of(now, fractal.flight.upward(now.eye, now.up));
-    };
     double roll = 0;  // radians
     for (const Frame& frame : frames) {
-        if (const Tilt tilt = tilt_of_rolled(frame, 0); tilt.horizon > clear_horizon) {
+        if (const Tilt tilt = tilt_of(frame, fractal); tilt.horizon > clear_horizon) {
             roll = tilt.angle;
             break;
         }
     }
     std::vector<double> rolls;
     for (const Frame& frame : frames) {
-        const Tilt tilt = tilt_of_rolled(frame, roll);
+        const Tilt tilt = tilt_of(rolled(frame, roll), fractal);
         roll += std::clamp(roll_share * tilt.horizon * tilt.angle, -most, most);
         rolls.push_back(roll);
     }

@@ -11,7 +11,7 @@ import ptx_to_c  # noqa: E402
 
 ENTRY = re.compile(r"^\.visible \.entry (\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
 ptx_to_c.C_TYPES["b16"] = "uint16_t"
-ptx_to_c.SPECIAL["%ntid.x"] = "128u"  # core/job/job.h
+ptx_to_c.SPECIAL["%ntid.x"] = "threads_of_block"  # of simulated_cuda.c
 # PTX's: where one is not a number, the other; +0 is larger than -0.
 HELPERS = """static double larger(double a, double b) { return a != a ? b : b != b ? a : a > b ? a : b > a ? b : signbit(a) ? b : a; }
 static double smaller(double a, double b) { return a != a ? b : b != b ? a : a < b ? a : b < a ? b : signbit(a) ? a : b; }

@@ -40,6 +40,7 @@ for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box sca
         [ "$(grep -A3 '"work"' gpu.json)" = "$(grep -A3 '"work"' cpu.json)" ] || fail "the PTX does other work: $scene"
     done
 done
+[ "$(grep -c '"registers": 100,' gpu.json)" = 3 ] || fail "the driver's registers of three kernels: $(cat gpu.json)"
 grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file does not name the GPU"
 $draw --backend cuda --mode fast --output fast.exr || fail "fast mode"
 "$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
@@ -55,6 +56,11 @@ LD_LIBRARY_PATH=$folder/twin $draw --backend cuda --output twin.exr || fail "the
 # `kernel` is the GPU's own time: each of three kernels takes a second of the simulated one.
 expect 0 0 '' --mode exact --output a.png --stats a.json
 grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"kernel"' a.json)"
+
+# Blocks of every size draw the same picture.
+"$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 >blocks 2>&1 ||
+    fail "blocks: $(cat blocks)"
+[ "$(grep -c '^b.*block=' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
 # Devices.
 export SIMULATED_GPUS=3

@@ -66,8 +66,8 @@ TEST(Level, IsTakenSlowly)
 TEST(Level, NeedsNoHorizonStraightUp)
 {
     const Frame frame{{0, 0, 2}, {0, 0, 3}, {0, 1, 0}, 1, {}};
-    EXPECT_LT(tilt_of(frame, {0, 0, 1}).horizon, 1e-12);
-    EXPECT_NEAR(tilt_of(frame, {1, 0, 0}).horizon, 1, 1e-12);
+    EXPECT_LT(tilt_of(frame, Vector{0, 0, 1}).horizon, 1e-12);
+    EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
 // By its tilt a camera becomes level.

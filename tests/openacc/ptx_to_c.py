@@ -16,6 +16,7 @@ HEADER = """#include <math.h>
 #include <stdint.h>
 #include <string.h>
 static uint64_t broadcast[64];  // shared memory
+static unsigned threads_of_block;  // of a launch
 static double f64_of(uint64_t bits) { double f; memcpy(&f, &bits, 8); return f; }
 static float f32_of(uint32_t bits) { float f; memcpy(&f, &bits, 4); return f; }
 static int32_t s32_of(double a) { return a != a ? 0 : a >= 0x1p31 ? INT32_MAX : a < -0x1p31 ? INT32_MIN : (int32_t)a; }

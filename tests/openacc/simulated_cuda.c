@@ -231,7 +231,8 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
                    unsigned block_y, unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
 {
     (void)shared, (void)stream, (void)extra;
-    if (grid_y * grid_z * block_y * block_z != 1 || block_x != 128) return OUT_OF_RESOURCES;
+    if (grid_y * grid_z * block_y * block_z != 1 || block_x % 32 != 0 || block_x > 1024) return OUT_OF_RESOURCES;
+    threads_of_block = block_x;
     const char* fault = getenv("SIMULATED_FAULT");
     if (fault && strcmp(fault, "launch") == 0) return OUT_OF_RESOURCES;
     if (fault && strcmp(fault, "timeout") == 0) return pending = LAUNCH_TIMEOUT, SUCCESS;
