@@ -87,6 +87,7 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
     app.add_option("--csv", o.csv, "write a line a row to this file (- is standard output)");
     app.add_flag("--list", o.list, "list rows and studies, measure nothing");
     app.add_flag("--wide", o.wide, "print everything that was measured, in long lines");
+    app.add_flag("--peaks,!--no-peaks", o.peaks, "measure what multiply-adds reach on every device (default), or not");
     app.add_option("--launch", texts.launch)->group("");
     app.add_flag("--quiet", line.quiet)->group("");
     app.add_flag("--on-demand")->group("");
@@ -114,7 +115,8 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
 void take_duel(CommandLine& line, bool launches, const std::string& margin, const std::string& clock)
 {
     const Options& o = line.options;
-    if (!o.csv.empty() || o.wide || o.list || o.budget || !o.format.empty() || !o.out.empty() || line.list_names) {
+    if (!o.csv.empty() || o.wide || o.list || !o.peaks || o.budget || !o.format.empty() || !o.out.empty() ||
+        line.list_names) {
         throw InputError(
             "bench duel: options of a run given, expected --launches, --repetitions, --json and what chooses rows");
     }
@@ -130,7 +132,7 @@ void take_duel(CommandLine& line, bool launches, const std::string& margin, cons
 void take_race(CommandLine& line, bool launches, const std::string& limit)
 {
     const Options& o = line.options;
-    if (!o.csv.empty() || o.wide || o.list || o.budget || launches || !o.format.empty() || !o.out.empty() ||
+    if (!o.csv.empty() || o.wide || o.list || !o.peaks || o.budget || launches || !o.format.empty() || !o.out.empty() ||
         !o.filter.empty() || !o.mode.empty() || o.precision != "all" || o.study != standard_study || line.list_names) {
         throw InputError(
             "bench race: options of a run given, expected --backend, --fractal, --size, --repetitions, --seed or "

@@ -24,6 +24,7 @@ struct Options {
     std::optional<double> budget;  // seconds that the timed rounds may take
     std::string json, csv;         // files; - is standard output
     bool list = false, wide = false;
+    bool peaks = true;      // measured before and after the rounds; without them there are no shares of peak
     bool baselines = true;  // with the rows that others are compared with, in the standard study
     // Google Benchmark's own.
     std::string format, out, out_format = "json";

@@ -132,7 +132,9 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     if (!rules.repetitions) keep_long_pictures(live, rules);
     count_all(live, result, phase);
     if (options.study == "profile") result.stages = profile(registry, options, phase);
-    const PeakMeasurement peaks = [&](const auto& wanted) { return measure_peaks(registry, options, phase, wanted); };
+    const PeakMeasurement peaks = [&](const auto& wanted) {
+        return options.peaks ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();
+    };
     PeakRecord record;
     record.add(peaks(every_peak));
     const double spent = seconds_since(start);

@@ -5,7 +5,7 @@ set -euo pipefail
 bench=$1/bench
 source=$2
 . "$(dirname "$0")/expect.sh"
-quick=(--backend openmp --size 64x64 --precision float --repetitions 6)
+quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peaks)
 
 # A result that the project keeps is of committed sources.
 if "$bench" --version | grep -q changed; then
@@ -13,7 +13,8 @@ if "$bench" --version | grep -q changed; then
     [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
 fi
 
-expect 0 "${quick[@]}" --json a.json --csv a.csv --launches 3
+expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --launches 3
+grep -q '^peak, ' out || fail "no peak"
 grep -q '^openmp\|^bulb' out || fail "no table"
 grep -q '"launches": 3' a.json || fail "three launches are not in the result"
 [ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
@@ -21,6 +22,7 @@ head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV column
 
 # Two runs of one build: compare works; on a shared machine whatever it says of single rows, it must not fail otherwise.
 expect 0 "${quick[@]}" --json b.json --launches 3
+! grep -q '^peak, ' out || fail "a peak that was not asked for"
 code=0
 "$bench" compare a.json b.json >out || code=$?
 [ "$code" -le 1 ] || fail "compare exited with $code"

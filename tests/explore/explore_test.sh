@@ -135,7 +135,7 @@ is path 3 't["path"]["at"] > 30' True
     echo rest
     "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done
 } >backends.txt
-play backends --fractal box --size 320x240
+play backends --fractal box --size 160x120
 drawn=$(grep -c . backends.out)
 [ "$drawn" -ge 2 ] || fail "backends: $drawn"
 for line in $(seq "$drawn"); do is backends "$line" 't["panes"][0]["failure"]' ''; done
@@ -165,8 +165,9 @@ code=$?
 
 # A driver that dies, and one that hangs: a line, and another backend draws.
 if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
+    printf '%s\n' rest tell 'key F4' rest tell >abort.txt
+    printf '%s\n' 'wait 120' tell 'key F4' rest tell >hang.txt
     for action in abort hang; do
-        printf '%s\n' 'wait 120' tell 'wait 120' 'key F4' rest tell >$action.txt
         MANDELMARCH_MISCONDUCT="launch $action" MANDELMARCH_DEVICE_TIMEOUT=60 LD_PRELOAD=$shim \
             play $action --backend opencl --size 200x160
     done
