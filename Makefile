@@ -112,9 +112,9 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report 
 gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
-# How often bench duel is right on this machine, with LOAD busy processes beside it; programs are the tests'.
-LOAD ?= 0
-duel-study: ## 40 duels of equal programs and of one 3 % slower, for docs/benchmarking.md (20 min, estimated)
+# How often bench duel is right on this machine, quiet and with LOAD busy processes beside it; programs are the tests'.
+LOAD ?= 2
+duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/benchmarking.md (20 min)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 

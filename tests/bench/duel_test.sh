@@ -47,14 +47,16 @@ grep -q 'the old program ended with 3' err || fail "$(cat err)"
 expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --launches 2
 grep -q 'the new program does not answer as bench does' err || fail "$(cat err)"
 
-# A launch in which a program is killed costs its own pairs.
+# A launch in which a program is killed costs its own pairs. Threads that wait sleep, whatever the user's programs do.
 cat >dies_once <<'SH'
 #!/bin/sh
+echo "$OMP_WAIT_POLICY" >>policies
 case "$*" in *--unproven*) echo start >>starts; [ "$(wc -l <starts)" != 2 ] || kill -9 $$ ;; esac
 exec ./slowed_100 "$@"
 SH
 chmod +x dies_once
-expect 1 duel ./slowed_0 ./dies_once "${rows[@]}" --launches 4 --repetitions 4 --clock processor --json killed.json
+OMP_WAIT_POLICY=active expect 1 duel ./slowed_0 ./dies_once "${rows[@]}" --launches 4 --repetitions 4 --clock processor --json killed.json
 grep -q 'the new program was ended by signal 9, the other launches are kept' err || fail "$(cat err)"
 grep -q '"launches": 3' killed.json || fail "the launches that are left"
+[ "$(sort -u policies)" = passive ] || fail "waiting threads: $(sort policies | uniq -c)"
 echo fine
