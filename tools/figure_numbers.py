@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Single numbers of the documents, by name. Each takes the results and the words of its place."""
+import re
+
 from figure_data import FRACTALS, FigureError, with_interval
 
 
@@ -140,11 +142,26 @@ def k40(results, fractal, precision, mode):
     raise FigureError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
 
 
+def duels(results, machine, clock, programs):
+    """How many duels call any row faster or slower: on a `quiet` or `loaded` machine, of `equal` programs or a `slower` one."""
+    section = what = None
+    for line in results.text("duel_study.txt").splitlines():
+        called = re.search(r"^ .*: (\d+ of \d+)$", line)
+        if " busy processes, --clock " in line:
+            section = ("quiet" if line.startswith("0 ") else "loaded", line.split()[-1])
+        elif called and (section, what) == ((machine, clock), programs):
+            return called[1]
+        elif not line.startswith(" "):
+            what = "equal" if line.startswith("equal") else "slower"
+    raise FigureError(f"duel_study.txt has no duels of {machine} {clock} {programs}")
+
+
 NUMBERS = {
     "audit": audit,
     "backends-with-same-bits": backends_with_same_bits,
     "convergence": convergence,
     "cost": cost,
+    "duels": duels,
     "far-off": far_off,
     "film": film,
     "frames": frames,
