@@ -4,8 +4,17 @@
 namespace mandelmarch::cuda {
 namespace {
 
-thread_local std::vector<KernelResources>* told = nullptr;  // loaded_by()'s
-thread_local int block = job::block_threads;
+// What the calling thread has set.
+struct OfThread {
+    std::vector<KernelResources>* told = nullptr;  // loaded_by()'s
+    int block = job::block_threads;
+};
+
+OfThread& of_thread()
+{
+    thread_local OfThread state;
+    return state;
+}
 
 int attribute(CUfunction function, CUfunction_attribute which)
 {
@@ -28,16 +37,17 @@ CUfunction Module::load()
         check(d.cuModuleLoadData(&module, ptx_), "loading a kernel");
         check(d.cuModuleGetFunction(&function, module, name_), "finding a kernel");
     }
-    if (told != nullptr) {
-        told->push_back({.kernel = name_,
-                         .registers = attribute(function, CU_FUNC_ATTRIBUTE_NUM_REGS),
-                         .local_bytes = attribute(function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
+    if (of_thread().told != nullptr) {
+        of_thread().told->push_back({.kernel = name_,
+                                     .registers = attribute(function, CU_FUNC_ATTRIBUTE_NUM_REGS),
+                                     .local_bytes = attribute(function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
     }
     return function;
 }
 
 void Module::launch(int threads, std::initializer_list<const void*> arguments)
 {
+    const int block = of_thread().block;
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
     check(driver().cuLaunchKernel(load(), static_cast<unsigned>((threads + block - 1) / block), 1, 1,
@@ -45,19 +55,19 @@ void Module::launch(int threads, std::initializer_list<const void*> arguments)
           "launching a kernel");
 }
 
-void use_blocks_of(int threads) { block = threads > 0 ? threads : job::block_threads; }
+void use_blocks_of(int threads) { of_thread().block = threads > 0 ? threads : job::block_threads; }
 
 std::vector<KernelResources> loaded_by(const std::function<void()>& load)
 {
     std::vector<KernelResources> resources;
-    told = &resources;
+    of_thread().told = &resources;
     try {
         load();
     } catch (...) {
-        told = nullptr;
+        of_thread().told = nullptr;
         throw;
     }
-    told = nullptr;
+    of_thread().told = nullptr;
     return resources;
 }
 
