@@ -6,6 +6,7 @@
 //   SIMULATED_CAPABILITY  their compute capability, 35 where unset
 //   SIMULATED_MEMORY  free bytes, 1 GiB where unset
 //   SIMULATED_CLOCK   0: they have no events to take the time with
+//   SIMULATED_BLOCKS  1: blocks may have other sizes than 128 threads
 //   SIMULATED_WATCHED 1: a watchdog ends long kernels
 //   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
 #include "kernels.h"
@@ -231,7 +232,8 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
                    unsigned block_y, unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
 {
     (void)shared, (void)stream, (void)extra;
-    if (grid_y * grid_z * block_y * block_z != 1 || block_x % 32 != 0 || block_x > 1024) return OUT_OF_RESOURCES;
+    const int fits = number("SIMULATED_BLOCKS", 0) ? block_x % 32 == 0 && block_x <= 1024 : block_x == 128;
+    if (grid_y * grid_z * block_y * block_z != 1 || !fits) return OUT_OF_RESOURCES;
     threads_of_block = block_x;
     const char* fault = getenv("SIMULATED_FAULT");
     if (fault && strcmp(fault, "launch") == 0) return OUT_OF_RESOURCES;
