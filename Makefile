@@ -40,7 +40,7 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 	@cp build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
-test: ## every test, with clang's and sanitizers' builds and a minute of each fuzzer (half an hour from nothing)
+test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing (half an hour from nothing)
 	@tools/setup
 	@tools/build $(PRESET) all
 	@$(take_all)

@@ -52,6 +52,8 @@ class Row:
     data: dict[str, Any]
 
     def __getattr__(self, name: str) -> Any:
+        if name == "data":  # a copy that is being made
+            raise AttributeError(name)
         try:
             return self.data[name]
         except KeyError:

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): the program NAME. Its sources are the object library program_NAME,
+# where main() is called main_of_NAME(): the bundle has all programs in one file (packaging/).
+function(mandelmarch_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 program "" "" "LIBRARIES")
+    add_library(program_${name} OBJECT ${program_UNPARSED_ARGUMENTS})
+    target_compile_definitions(program_${name} PRIVATE main=main_of_${name})
+    target_link_libraries(program_${name} PUBLIC ${program_LIBRARIES} PRIVATE mandelmarch_warnings)
+    set(main ${CMAKE_CURRENT_BINARY_DIR}/main_of_${name}.cpp)
+    file(CONFIGURE OUTPUT ${main} CONTENT [[
+int main_of_@name@(int argc, char** argv);
+int main(int argc, char** argv) { return main_of_@name@(argc, argv); }
+]] @ONLY)
+    add_executable(${name} ${main})
+    target_link_libraries(${name} PRIVATE program_${name})
+endfunction()
