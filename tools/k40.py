@@ -16,7 +16,7 @@ PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
 BLOCK = 128  # threads: block_threads in core/job/job.h
 KERNEL = re.compile(r"(march|shade|bytes)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # the device's peak: fused on purpose
-ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*(?:\.maxntid [\d, ]+\s*)?\{", re.M)  # a declaration ends with a semicolon instead
+ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*(?:\.(?:maxntid|minnctapersm) [\d, ]+\s*)*\{", re.M)  # a declaration ends with a semicolon instead
 # An instruction on floating-point numbers, its name with all suffixes, wherever it stands in a line.
 OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
 ARITHMETIC = {"add", "sub", "mul", "div", "sqrt", "rcp", "fma"}

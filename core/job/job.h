@@ -38,4 +38,7 @@ constexpr int blocks_of(int width, int rows)
     return (warps + warps_per_block - 1) / warps_per_block;
 }
 
+// Threads that a job takes, in whole blocks.
+constexpr int threads_of(int width, int rows) { return blocks_of(width, rows) * block_threads; }
+
 }  // namespace mandelmarch::job
