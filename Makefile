@@ -33,14 +33,14 @@ mandelbulb mandelbox:
 	@tools/build $(HERE) $@
 	@cp build/$(HERE)/bin/$@ $@
 
-demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (5 min with set-up and build)
+demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (6 min with set-up and build)
 	@tools/setup programs
 	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
 	@$(call take,$(HERE),$(DEMO))
 	@cp build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
-test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing (half an hour from nothing)
+test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing (25 min from nothing)
 	@tools/setup
 	@tools/build $(PRESET) all
 	@$(take_all)
