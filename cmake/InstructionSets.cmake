@@ -32,10 +32,6 @@ endif()
 # Highway has a bit for every target; those of x86 beyond SSE2 are the lowest fourteen.
 function(mandelmarch_instruction_sets target)
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
-    if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-        # Every call of the kernel text in packs (core/kernel/prelude/pack.h).
-        target_compile_options(${target} PRIVATE "SHELL:-mllvm -inline-threshold=5000")
-    endif()
     if(MANDELMARCH_SANITIZER)
         target_compile_definitions(${target} PRIVATE MANDELMARCH_ONE_WIDTH)
     endif()

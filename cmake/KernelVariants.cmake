@@ -12,8 +12,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
         --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
 endif()
+# Clang inlines nothing of the kernel text in packs by force (core/kernel/prelude/pack.h): by this limit it inlines every call.
+set(MANDELMARCH_INLINING "")
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(MANDELMARCH_INLINING -mllvm -inline-threshold=5000)
+endif()
 # Packs fuse by themselves in fast mode (core/kernel/prelude/pack.h), the same in every register.
-set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS})
+set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS} ${MANDELMARCH_INLINING})
 
 # mandelmarch_kernel_variants(TARGET TEMPLATE [OPTIONS FLAG...]): adds TEMPLATE.cpp.in, configured for every fractal, precision
 # and mode, to the target, each with its mode's floating-point flags and then the options. The template sees fractal,

@@ -16,7 +16,8 @@ PINNED = os.path.join("build", "venv")  # tools/python_packages.txt
 BLOCK = 128  # threads: block_threads in core/job/job.h
 KERNEL = re.compile(r"(march|shade|bytes)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # the device's peak: fused on purpose
-ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*(?:\.(?:maxntid|minnctapersm) [\d, ]+\s*)*\{", re.M)  # a declaration ends with a semicolon instead
+# A declaration ends with a semicolon instead.
+ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*(?:\.(?:maxntid|minnctapersm) [\d, ]+\s*)*\{", re.M)
 # An instruction on floating-point numbers, its name with all suffixes, wherever it stands in a line.
 OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
 ARITHMETIC = {"add", "sub", "mul", "div", "sqrt", "rcp", "fma"}
@@ -69,6 +70,11 @@ def faults(ptx, fractals):
         found.append("a function that is called instead of inlined")
     wanted = {(kind, fractal, precision, mode) for kind in ("march", "shade", "bytes") for fractal in fractals
               for precision in ("float", "double") for mode in ("exact", "fast")}
+    for entry in ENTRY.finditer(ptx):
+        if ".maxntid 128, 1, 1" not in entry[0]:
+            found.append(f"{entry[1]}: does not say how many threads its blocks have")
+        if entry[1].startswith("shade_") and ".minnctapersm" not in entry[0]:
+            found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
     fused = 0
     for name, body in kernels(ptx):
         match = KERNEL.match(name)

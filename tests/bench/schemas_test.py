@@ -15,7 +15,7 @@ try:
     from referencing import Registry, Resource
 except ImportError as error:
     pinned = pathlib.Path(sys.argv[2], "build", "venv", "bin", "python3")
-    if pinned.exists() and pathlib.Path(sys.executable) != pinned:
+    if pinned.exists() and sys.prefix == sys.base_prefix:
         os.execv(pinned, [pinned, *sys.argv])
     print(f"skipped: {error}; the report's pinned packages have it (make python)", file=sys.stderr)
     sys.exit(1 if os.environ.get("MANDELMARCH_NEED_PYTHON") else 77)

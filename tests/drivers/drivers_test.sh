@@ -126,7 +126,7 @@ for api in $apis; do
         [ -s bench-$api-$stage.json ] || fail "$api: bench, exit at $stage: no result"
     done
     with $api enumeration exit "$bin/bench" --backend openmp --fractal box --precision float --mode exact --size 32x32 \
-        --repetitions 1 --no-peaks --json alone-$api.json >table 2>err || fail "$api: openmp alone: exit code $?: $(cat err)"
+        --repetitions 1 --json alone-$api.json >table 2>err || fail "$api: openmp alone: exit code $?: $(cat err)"
     [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
 done
 
