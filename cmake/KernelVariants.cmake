@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The kernel text is compiled once per fractal, precision and mode: this file knows the lists and generates the sources.
 
+include_guard()
 include(Fractals)
 
 # GCC takes structures of packs apart, into registers, only up to a size that they are beyond by far.
