@@ -7,8 +7,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // A copy of the scene for every call of an estimator is worth avoiding.
 #define MM_SCENE_BY_REFERENCE
-// Where nothing is inlined by force, clang simplifies functions first, and compiles in half (14) to an eighth (19) of the
-// time. cmake/KernelVariants.cmake sets the limit by which it then inlines the same calls.
+// Where nothing is inlined by force, clang simplifies functions first, and compiles in half (14) to an eighth (19) of
+// the time. cmake/KernelVariants.cmake sets the limit by which it then inlines the same calls.
 #ifdef __clang__
 #define FN static inline HWY_MAYBE_UNUSED
 #else
