@@ -13,7 +13,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
         --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
 endif()
-# Clang inlines nothing of the kernel text in packs by force (core/kernel/prelude/pack.h): by this limit it inlines every call.
+# Clang is forced to inline nothing of the kernel text in packs (core/kernel/prelude/pack.h). By this limit it inlines what
+# GCC is forced to.
 set(MANDELMARCH_INLINING "")
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     set(MANDELMARCH_INLINING -mllvm -inline-threshold=5000)

@@ -73,7 +73,7 @@ def faults(ptx, fractals):
     for entry in ENTRY.finditer(ptx):
         if ".maxntid 128, 1, 1" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many threads its blocks have")
-        if entry[1].startswith("shade_") and ".minnctapersm" not in entry[0]:
+        if re.match(r"shade_|march_\w+_double_fast", entry[1]) and ".minnctapersm" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
     fused = 0
     for name, body in kernels(ptx):

@@ -94,7 +94,8 @@ class Kernel:
         if word in INFIX:
             return f"{values[0]} {INFIX[word]} {values[1]}"
         by_word = {"mad": "{0} * {1} + {2}", "fma": "FMA({0}, {1}, {2})", "neg": "-{0}", "abs": "FABS({0})",
-                   "not": "!{0}" if kind == "pred" else "~{0}", "sqrt": "SQRT({0})", "rcp": "1 / {0}", "min": "{0} < {1} ? {0} : {1}"}
+                   "not": "!{0}" if kind == "pred" else "~{0}", "sqrt": "SQRT({0})", "rcp": "1 / {0}",
+                   "min": "{0} < {1} ? {0} : {1}"}
         if word in ("shl", "shr"):
             count = self.value(rest[1], "u32")
             bits = int(kind[1:])
