@@ -45,6 +45,7 @@ test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing
 	@tools/build $(PRESET) all
 	@$(take_all)
 	@tools/python_packages
+	@tools/python_packages gpu_packages
 	MANDELMARCH_NEED_PYTHON=1 ctest --preset $(PRESET)
 
 check: ## the quick tests (2 min)
@@ -143,10 +144,11 @@ compilers: build ## the same bits from every other g++-N and clang++-N that is i
 lint: ## clang-format and clang-tidy on every source (over 10 min)
 	@tools/lint
 
-k40: mandelbulb python ## what NVIDIA's assembler makes of the OpenACC kernels for the Tesla K40, and the frame time expected there and on an H200 (1 min)
-	@python3 tools/k40.py mandelbulb --table report/results/k40_ptxas.txt
-	@for gpu in K40 H200; do python3 tools/gpu_expected.py mandelbulb report/results/1080p.json report/results/box-vs-bulb.json \
-	    report/results/closeup_fast.json --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
+k40: build python ## NVIDIA's assembler on the OpenACC kernels for the Tesla K40 and the H100, and the frame time expected there (3 min)
+	@tools/python_packages gpu_packages
+	@python3 tools/k40.py bin/render --table report/results/k40_ptxas.txt
+	@for gpu in K40 H100; do build/venv/bin/python tools/gpu_expected.py bin report/results/box-vs-bulb.json report/results/closeup_fast.json \
+	    --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
 
 loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
@@ -164,11 +166,27 @@ report-check: ## the report in a headless browser: errors, the slider, the viewe
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
-# What the first hour on a GPU must find out. STEPS="bands film" does those again. With
-# MANDELMARCH_REHEARSAL=1 any device is a GPU, and results go into build.
+# On a machine with a GPU and nothing else: bash gpu_check mandelmarch-*.tar.xz OUT, then here: make gpu-results FILE=results.tgz.
+gpu-quarter: ## an archive and a script that find out within 450 s what a GPU does with this: build/gpu-quarter (8 min, estimated)
+	@$(MAKE) --no-print-directory build
+	@tools/build $(PRESET) bundle_program
+	@rm -rf build/gpu-quarter
+	@packaging/bundle $(BUILD) build/gpu-quarter OFF "$(FFMPEG)"
+	@rm -r build/gpu-quarter/mandelmarch-*/
+	@cp packaging/gpu_check build/gpu-quarter/
+
+gpu-hashes: build ## the hashes of exact pictures that gpu_check compares with, from the host's cores (10 s, estimated)
+	@packaging/gpu_check --hashes bin build/gpu-hashes >packaging/gpu_check.sha256.part && mv packaging/gpu_check.sha256.part packaging/gpu_check.sha256
+
+FILE ?= results.tgz
+gpu-results: ## unpack FILE=results.tgz of a GPU into report/results/DEVICE, with a page of what was seen (at once)
+	@python3 tools/gpu_results.py $(FILE) report/results
+
+# STEPS="bands film" does those again. With MANDELMARCH_REHEARSAL=1 any device is a GPU, and results go into build.
 STEPS ?=
-gpu-hour: build ## what a GPU must show, in steps that can be stopped: report/results/DEVICE (an hour; docs/gpu-hour.md)
-	@packaging/gpu_hour bin $(if $(MANDELMARCH_REHEARSAL),build,report/results) $(STEPS)
+gpu-hour: build ## the same and longer steps on this machine, which can be stopped and go on: report/results/DEVICE (an hour)
+	@packaging/gpu_check --hour --work build/gpu-hour bin build/gpu-hour $(STEPS); code=$$?; \
+	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
 
 SITE_SEEDS ?= 1 2
 site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)

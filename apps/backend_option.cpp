@@ -15,6 +15,12 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
     app.add_option("--backend", name, fmt::format("{}", fmt::join(names, ", ")))
         ->check(CLI::IsMember(names))
         ->capture_default_str();
+    add_isolation_option(app);
+}
+
+void add_isolation_option(CLI::App& app)
+{
+    app.add_flag("--no-isolation")->description("run device drivers in this process, for profilers and debuggers");
 }
 
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells)

@@ -11,6 +11,10 @@ namespace mandelmarch {
 
 void add_backend_option(CLI::App& app, std::string& name, const Registry& registry);
 
+// --no-isolation, which program_backends() reads before a program parses its arguments; add_backend_option() adds it,
+// too.
+void add_isolation_option(CLI::App& app);
+
 // The backend of that name. What `auto` chose, and why, is said where `tells`.
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells);
 

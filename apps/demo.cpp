@@ -182,7 +182,7 @@ int body(int argc, char** argv)
     }
     const int side = whole_option("side", side_text, 16, 4096);
 
-    const Registry registry = all_backends(Drivers::isolated);
+    const Registry registry = program_backends(argc, argv);
     print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
     print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {} 1: the text as scalar C++\n", side, side,
           repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());

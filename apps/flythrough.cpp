@@ -238,7 +238,7 @@ int run(const Registry& registry, const Flythrough& options)
 int body(int argc, char** argv)
 {
     // Backends come first: their drivers' processes are made of this one, while it has no threads and no MPI.
-    const Registry registry = all_backends(Drivers::isolated);
+    const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Flythrough options = parse_flythrough(registry, argc, argv, done);
     return done ? *done : run(registry, options);

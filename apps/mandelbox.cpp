@@ -6,8 +6,8 @@
 int main(int argc, char** argv)
 {
     const auto body = [](int count, char** values) {
-        return mandelmarch::render_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), "mandelbox",
-                                           "mandelbox", count, values);
+        return mandelmarch::render_program(mandelmarch::program_backends(count, values), "mandelbox", "mandelbox",
+                                           count, values);
     };
     return mandelmarch::run_program("mandelbox", body, argc, argv);
 }

@@ -6,8 +6,8 @@
 int main(int argc, char** argv)
 {
     const auto body = [](int count, char** values) {
-        return mandelmarch::render_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), "mandelbulb",
-                                           "mandelbulb", count, values);
+        return mandelmarch::render_program(mandelmarch::program_backends(count, values), "mandelbulb", "mandelbulb",
+                                           count, values);
     };
     return mandelmarch::run_program("mandelbulb", body, argc, argv);
 }

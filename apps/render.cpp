@@ -6,8 +6,8 @@
 int main(int argc, char** argv)
 {
     const auto body = [](int count, char** values) {
-        return mandelmarch::render_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), "render", nullptr,
-                                           count, values);
+        return mandelmarch::render_program(mandelmarch::program_backends(count, values), "render", nullptr, count,
+                                           values);
     };
     return mandelmarch::run_program("render", body, argc, argv);
 }

@@ -6,12 +6,13 @@
 
 namespace mandelmarch {
 
-// Where devices' drivers run.
-enum class Drivers {
-    in_this_process,
-    isolated  // each device in a process of its own (core/isolation/isolated.h); before the program has threads
-};
+// All of them; their drivers run in this process.
+Registry all_backends();
 
-Registry all_backends(Drivers drivers = Drivers::in_this_process);
+// The backends of a program with these arguments; to be called before the program has threads. Each device's driver
+// runs in its own process (core/isolation/isolated.h), unless the argument --no-isolation or MANDELMARCH_ISOLATION=off
+// is given: profilers and debuggers then see a device's kernels in the program. MANDELMARCH_BACKENDS lists, with
+// commas, the backends whose drivers may be opened. Throws InputError for another value of either variable.
+Registry program_backends(int argc, char** argv);
 
 }  // namespace mandelmarch

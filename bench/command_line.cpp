@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/backend_option.h"
 #include "apps/option_values.h"
 #include "bench/study.h"
 #include "core/base/error.h"
@@ -164,6 +165,7 @@ CommandLine parse_command_line(int argc, char** argv)
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.set_version_flag("--version", version_line("bench"));
     add_options(app, line, texts);
+    add_isolation_option(app);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");

@@ -8,7 +8,7 @@ namespace {
 
 int body(int argc, char** argv)
 {
-    return mandelmarch::bench::bench_program(mandelmarch::all_backends(mandelmarch::Drivers::isolated), argc, argv);
+    return mandelmarch::bench::bench_program(mandelmarch::program_backends(argc, argv), argc, argv);
 }
 
 }  // namespace

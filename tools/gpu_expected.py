@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""gpu_expected.py PROGRAM ROWS.json LANES.json... [--gpu K40|H200] [--table FILE]: the time that a frame of 1920 x 1080 should take
-on a GPU, from its data sheet, the operations that bench counted for that size (ROWS), the lanes it found active (LANES, of the
-study box-vs-bulb in both modes) and the code that NVIDIA's assembler makes of the built program for sm_35, a newer GPU's, too."""
+"""gpu_expected.py PROGRAMS LANES.json... [--gpu K40|H100] [--table FILE]: the kernel time that a frame of 1920 x 1080 should take
+on a GPU: from the steps and iterations of each pixel, which PROGRAMS/render draws, the lanes that bench found active (LANES, of the
+study box-vs-bulb in both modes), and the machine code of the kernels in PROGRAMS/render."""
 import argparse
+import functools
 import json
 import os
 import re
@@ -11,25 +12,41 @@ import struct
 import subprocess
 import sys
 import tempfile
+from collections import namedtuple
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import k40
+import machine_code
 from table_file import put
 
-# Peaks in operations a second, and clocks of all multiprocessors.
+WIDTH, HEIGHT = 1920, 1080
+FRACTALS = {"mandelbulb": ("bulb", "paramsBulb.dat"), "mandelbox": ("box", "paramsBox.dat")}
+LANES = 32  # of a warp
+LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # gcc's kernels go through their threads' numbers in a loop
+
+
+class Gpu:
+    """clock: of a multiprocessor, in 1/s. cycles: of a quarter of a multiprocessor, for a warp's instruction in each pipe.
+    latency: cycles until a result can be used."""
+    def __init__(self, multiprocessors, clock, cycles, latency):
+        self.multiprocessors, self.clock, self.cycles, self.latency = multiprocessors, clock, cycles, latency
+
+    def quarters(self):
+        return 4 * self.multiprocessors
+
+
+# Cycles: NVIDIA, "CUDA C++ Programming Guide", table "Throughput of Native Arithmetic Instructions", lanes a cycle and multiprocessor:
+# of capability 9.0 64 for double, for integers, comparisons, minima and selects, 16 for special functions; of 3.5 64 for double and
+# 32 for special functions and conversions. Latency: the same guide's section "Multiprocessor Level": about 11 cycles for 3.x, 4
+# for 7.x and newer.
+HOPPER = {"double": 2, "half": 2, "special": 8}
 GPUS = {
-    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013: 15 multiprocessors at 745 MHz; 4.29 and 1.43
-    # TFLOP/s.
-    "K40": ({"float": 4.29e12, "double": 1.43e12}, 15 * 745e6),
-    # NVIDIA, "H200 Tensor Core GPU", data sheet, 2024: 67 and 34 TFLOP/s; "NVIDIA H100 Tensor Core GPU Architecture", white
-    # paper, 2022: 132 multiprocessors, and the 1.98 GHz that make these peaks.
-    "H200": ({"float": 67e12, "double": 34e12}, 132 * 1.98e9),
+    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013. A second instruction a cycle is not counted on.
+    "K40": Gpu(15, 745e6, {"double": 2, "special": 4}, 11),
+    # NVIDIA, "NVIDIA H100 Tensor Core GPU", data sheet, 2023, SXM: 132 multiprocessors with 128 fused lanes make its 67 TFLOP/s at
+    # 1.98 GHz. The H200 has the same.
+    "H100": Gpu(132, 1.98e9, HOPPER, 4),
 }
-# A multiprocessor has four schedulers, each a warp of 32 an instruction a clock, and 64 lanes for double: of Kepler
-# ("NVIDIA Kepler GK110", white paper, 2012; a second instruction a clock is not counted on) and of Hopper (as above).
-ISSUE_LANES = 4 * 32
-DOUBLE_LANES = 64
-ARITHMETIC = {"add": 1, "sub": 1, "mul": 1, "fma": 2, "div": 1, "sqrt": 1}  # operations as bench counts them
 
 
 def code_sizes(cubin):
@@ -42,83 +59,79 @@ def code_sizes(cubin):
     for name, _, _, _, _, size in sections:
         text = cubin[strings + name:cubin.index(b"\0", strings + name)].decode()
         if text.startswith(".text."):
-            sizes[text.removeprefix(".text.").removesuffix("$_omp_fn$0")] = size // 8 * 7 // 8
+            sizes[text.removeprefix(".text.")] = size // 8 * 7 // 8
     return sizes
 
 
-def assembled(ptx):
-    with tempfile.TemporaryDirectory() as folder:
-        source, target = os.path.join(folder, "a.ptx"), os.path.join(folder, "a.cubin")
-        with open(source, "w", encoding="utf-8") as file:
-            file.write(ptx)
-        subprocess.run([k40.pinned_ptxas(), "-arch=sm_35", source, "-o", target], check=True, capture_output=True)
-        with open(target, "rb") as file:
-            return code_sizes(file.read())
-
-
 def expansion(operation, suffix):
-    """Instructions that one division or root becomes. Each takes its own beside the first, or all call the first's."""
+    """Instructions that one division or root becomes for sm_35. Each takes its own beside the first, or all call the first's."""
     def kernel(times):
         steps = "".join(f"{operation}.rn.{suffix} %a, {'%a, %b' if operation == 'div' else '%a'};\n" for _ in range(times))
         text = (f".version 3.1\n.target sm_35\n.address_size 64\n.visible .entry k(.param .u64 p) {{\n.reg .u64 %p;\n"
                 f".reg .{suffix} %a, %b;\nld.param.u64 %p, [p];\nld.global.{suffix} %a, [%p];\nld.global.{suffix} %b, [%p+8];\n"
                 f"{steps}st.global.{suffix} [%p], %a;\nret;\n}}\n")
-        return assembled(text)["k"]
+        with k40.assembled(text, k40.pinned("ptxas_11"), "sm_35") as (cubin, _), open(cubin, "rb") as file:
+            return code_sizes(file.read())["k"]
     each = (kernel(41) - kernel(1)) / 40
     return each if each > 2 else kernel(1) - kernel(0)
 
 
-def densest_loop(body):
-    """Instructions (copies apart), arithmetic ones and operations of the loop with the largest share of arithmetic: the
-    distance estimator's."""
-    code, labels, loops = [], {}, []
-    for line in body.splitlines():
-        label = re.match(r"\s*(\$L\d+):", line)
-        if label:
-            labels[label[1]] = len(code)
-            line = line[label.end():]
-        line = re.sub(r"^\s*@\s*!?\s*%\w+\s+", "", line).strip()
-        if line and line[0] not in ".{}/":
-            code.append(line)
-    for i, line in enumerate(code):
-        jump = re.match(r"bra(?:\.uni)?\s+(\$L\d+)", line)
-        if jump and labels.get(jump[1], len(code)) <= i:
-            names = [line.split()[0].split(".") for line in code[labels[jump[1]]:i + 1]]
-            arithmetic = [n[0] for n in names if n[0] in ARITHMETIC and n[-1] in ("f32", "f64")]
-            instructions = sum(n[0] != "mov" for n in names)
-            loops.append((len(arithmetic) / instructions, instructions, len(arithmetic), sum(ARITHMETIC[n] for n in arithmetic)))
-    return max(loops)[1:]
-
-
-def active_lanes(count):
-    """Of 32 lanes; files of older builds know 16 only, that go on together."""
-    for use in count.get("lane_use", []):
-        if use["lanes"] == 32:
-            return use["active_in_iterations"], use["refilled_active_in_iterations"]
-    return count["active_in_iterations"], None
-
-
-def costs(ptx, counts):
-    """Per fractal, precision and mode: instructions an operation, those of the floating-point lanes, and the shares of a
-    warp's lanes that are active: together, and refilled. Divisions and roots come in the shares that bench counted, the
-    others in the loop's mix."""
-    weight = {(o, s): expansion(o, s) for o in ("div", "sqrt") for s in ("f32", "f64")}
+def marches(render, gpu):
+    """What a step and a round take on the GPU: backend, fractal, precision and mode, and the March."""
     found = {}
-    for name, body in k40.kernels(ptx):
-        match = k40.KERNEL.match(name)
-        if not match or match[1] != "march" or match.groups()[1:] not in counts:
-            continue
-        count = counts[match.groups()[1:]]
-        total = {k: sum(stage[k] for stage in count["stages"].values()) for k in ("sums", "products", "quotients", "roots")}
-        suffix = "f32" if match[3] == "float" else "f64"
-        shares = [(total["quotients"] / sum(total.values()), weight["div", suffix]),
-                  (total["roots"] / sum(total.values()), weight["sqrt", suffix])]
-        plain = 1 - sum(share for share, _ in shares)
-        expanded = sum(share * instructions for share, instructions in shares)
-        instructions, arithmetic, operations = densest_loop(body)
-        found[match.groups()[1:]] = (plain * instructions / operations + expanded, plain * arithmetic / operations + expanded,
-                                     *active_lanes(count))
-    return found, weight
+    for backend, texts in (("openacc", k40.extract(render)), ("cuda", k40.extract_cuda(render))):
+        for text in texts:
+            if gpu.cycles is HOPPER:
+                with k40.assembled(text, k40.pinned("ptxas_13"), "sm_90", ["-c"]) as (cubin, _):
+                    codes = machine_code.sass(k40.pinned("nvdisasm"), cubin)
+            elif backend == "cuda":
+                continue  # nvcc's kernels are for newer GPUs
+            else:
+                weights = {(o, s): expansion(o, s) for o in ("div", "sqrt") for s in ("f32", "f64")}
+                codes = {name: machine_code.ptx(body, weights) for name, body in k40.kernels(text)}
+            for name, code in codes.items():
+                kind = re.search(r"march_(mandel\w+)_(float|double)_(exact|fast)(?:\$_omp_fn\$0)?$", name)
+                if kind and kind[1] in FRACTALS:
+                    found[(backend, *kind.groups())] = machine_code.march_of(code, gpu.cycles, LOOPS_OF_THREADS[backend])
+    return found
+
+
+# Of a picture's pixels together, and of the longest ray.
+Counts = namedtuple("Counts", "total longest")
+
+
+@functools.cache
+def drawn(render, fractal, precision, mode):
+    """Steps and iterations of each pixel of the official scene."""
+    import OpenEXR
+    name, parameters = FRACTALS[fractal]
+    with tempfile.TemporaryDirectory() as folder:
+        picture = os.path.join(folder, "picture.exr")
+        subprocess.run([render, "--fractal", name, parameters, "--size", f"{WIDTH}x{HEIGHT}", "--precision", precision, "--mode", mode,
+                        "--backend", "openmp", "--pack", "1", "--output", picture], check=True)
+        with OpenEXR.File(picture, separate_channels=True) as file:
+            return tuple(file.channels()[channel].pixels.astype(int) for channel in ("steps", "iterations"))
+
+
+def counted(pixels, march):
+    """Counts of the pixels' steps and iterations; the longest ray is the one that takes the most instructions."""
+    steps, iterations = pixels
+    longest = (march.step_instructions * steps + march.round_instructions * iterations).argmax()
+    return tuple(Counts(int(values.sum()), int(values.flat[longest])) for values in pixels)
+
+
+def active_lanes(counts, refills):
+    """Shares of a warp's lanes that are active in steps and in iterations."""
+    use = next(use for use in counts["lane_use"] if use["lanes"] == LANES)
+    prefix = "refilled_" if refills else ""
+    return use[f"{prefix}active_in_steps"], use[f"{prefix}active_in_iterations"]
+
+
+def expected(gpu, march, steps, iterations, lanes):
+    """Seconds of the march with every cycle used, and of the longest ray by itself: a warp that waits for each result."""
+    cycles = march.step_cycles * steps.total / lanes[0] + march.round_cycles * iterations.total / lanes[1]
+    alone = (march.step_instructions * steps.longest + march.round_instructions * iterations.longest) * gpu.latency
+    return cycles / LANES / gpu.quarters() / gpu.clock, alone / gpu.clock
 
 
 def read(path):
@@ -129,44 +142,42 @@ def read(path):
         sys.exit(f"gpu_expected: {path}: {error}, expected a result of bench")
 
 
+def table(name, render, lanes):
+    gpu = GPUS[name]
+    found = marches(render, gpu)
+    lines = [f"{name} on paper, {WIDTH} x {HEIGHT}, the march's kernel time; {gpu.multiprocessors} multiprocessors at {gpu.clock / 1e9:.3g} GHz",
+             f"{'fractal':<12}{'precision':<11}{'mode':<7}{'backend':<9}{'cycles':>8}{'cycles':>8}{'active in':>11}{'active in':>12}{'all cycles':>12}"
+             f"{'longest':>10}{'expected, ms':>15}",
+             f"{'':<39}{'a round':>8}{'a step':>8}{'steps':>11}{'iterations':>12}{'used, ms':>12}{'ray, ms':>10}{'from':>8}{'to':>7}"]
+    for fractal, precision, mode in sorted({key[1:] for key in found}):
+        for backend in ("openacc", "cuda"):
+            march = found.get((backend, fractal, precision, mode))
+            if march is None:
+                continue
+            steps, iterations = counted(drawn(render, fractal, precision, mode), march)
+            active = active_lanes(lanes[fractal, precision, mode], march.refills)
+            used, longest = expected(gpu, march, steps, iterations, active)
+            lines.append(f"{fractal:<12}{precision:<11}{mode:<7}{backend:<9}{march.round_cycles:>8.0f}{march.step_cycles:>8.0f}{active[0]:>11.0%}"
+                         f"{active[1]:>12.0%}{1e3 * used:>12.3g}{1e3 * longest:>10.3g}{1e3 * max(used, longest):>8.3g}{1e3 * (used + longest):>7.3g}")
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program")
-    parser.add_argument("rows")
+    parser.add_argument("programs")
     parser.add_argument("lanes", nargs="+")
     parser.add_argument("--gpu", choices=GPUS, default="K40")
     parser.add_argument("--table")
     arguments = parser.parse_args()
-    ptx = k40.extract(arguments.program)
-    if len(ptx) != 1:
-        sys.exit(f"gpu_expected: {arguments.program} holds {len(ptx)} texts of PTX, expected one")
-    counts = {(c["fractal"], c["precision"], c["mode"]): c for path in arguments.lanes for c in read(path)["counts"]
-              if c["setting"]["view"] == "official"}
+    render = os.path.join(arguments.programs, "render")
+    if len(k40.extract(render)) != 1:
+        sys.exit(f"gpu_expected: {render} holds {len(k40.extract(render))} texts of PTX of openacc, expected one")
+    lanes = {(c["fractal"], c["precision"], c["mode"]): c for path in arguments.lanes for c in read(path)["counts"]
+             if c["setting"]["view"] == "official"}
     try:
-        kernels, weight = costs(ptx[0], counts)
+        put(table(arguments.gpu, render, lanes), arguments.table)
     except k40.Unavailable as error:
         sys.exit(f"gpu_expected: {error}")
-    peak, clocks_a_second = GPUS[arguments.gpu]
-    lines = [f"{arguments.gpu} on paper, 1920 x 1080, kernel time; "
-             + ", ".join(f"{o}.{s}: {w:.1f} instructions" for (o, s), w in weight.items()),
-             f"{'fractal':<12}{'number':<8}{'mode':<7}{'operations':>11}{'at the':>9}{'instructions':>14}{'lanes':>8}{'expected':>10}"
-             f"{'share of':>10}{'refilled':>10}{'expected':>10}",
-             f"{'':<27}{'a pixel':>11}{'peak, ms':>9}{'an operation':>14}{'active':>8}{'ms':>10}{'peak':>10}{'lanes':>10}{'ms':>10}"]
-    for row in read(arguments.rows)["rows"]:
-        key = row["fractal"], row["precision"], row["mode"]
-        setting = row["setting"]
-        if row["backend"] != "openacc" or not row["figures"] or key not in kernels or (setting["width"], setting["height"]) != (1920, 1080):
-            continue
-        instructions, arithmetic, lanes, refilled = kernels[key]
-        clocks = instructions / ISSUE_LANES if key[1] == "float" else max(instructions / ISSUE_LANES, arithmetic / DOUBLE_LANES)
-        bound = row["operations"] / peak[key[1]]
-        seconds = row["operations"] * clocks / clocks_a_second / lanes
-        lines.append(f"{key[0]:<12}{key[1]:<8}{key[2]:<7}{row['operations'] / (1920 * 1080):>11.0f}{1e3 * bound:>9.3g}"
-                     f"{instructions:>14.2f}{lanes:>8.0%}{1e3 * seconds:>10.3g}{bound / seconds:>10.1%}"
-                     + (f"{'-':>10}{'-':>10}" if refilled is None else f"{refilled:>10.0%}{1e3 * seconds * lanes / refilled:>10.3g}"))
-    if len(lines) == 3:
-        sys.exit(f"gpu_expected: {arguments.rows} has no rows of openacc at 1920 x 1080")
-    put("\n".join(lines) + "\n", arguments.table)
 
 
 if __name__ == "__main__":

@@ -90,7 +90,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
 int body(int argc, char** argv)
 {
     // Backends come first: their drivers' processes are made of this one, while it has no threads and no window.
-    static const Registry registry = all_backends(Drivers::isolated);
+    static const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);
     if (done) return *done;

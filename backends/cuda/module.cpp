@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/cuda/module.h"
 
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
 namespace mandelmarch::cuda {
 namespace {
 
@@ -23,34 +27,50 @@ int attribute(CUfunction function, CUfunction_attribute which)
     return value;
 }
 
+std::string too_old()
+{
+    int version = 0;
+    check(driver().cuDriverGetVersion(&version), "asking for the driver's version");
+    return fmt::format("backend cuda: NVIDIA's driver is for CUDA {}.{}, the kernels need one for CUDA {} or newer",
+                       version / 1000, version % 1000 / 10, MANDELMARCH_CUDA_TOOLKIT);
+}
+
 }  // namespace
 
-CUfunction Module::load()
+const Module::Loaded& Module::loaded()
 {
     const Driver& d = driver();
     CUcontext context = nullptr;
     check(d.cuCtxGetCurrent(&context), "asking for the device");
     const std::scoped_lock lock(mutex_);
-    CUfunction& function = loaded_[context];
-    if (function == nullptr) {
+    Loaded& kernel = loaded_[context];
+    if (kernel.function == nullptr) {
         CUmodule module = nullptr;
-        check(d.cuModuleLoadData(&module, ptx_), "loading a kernel");
-        check(d.cuModuleGetFunction(&function, module, name_), "finding a kernel");
+        const CUresult result = d.cuModuleLoadData(&module, ptx_);
+        if (result == CUDA_ERROR_UNSUPPORTED_PTX_VERSION) throw Unavailable(too_old());
+        check(result, "loading a kernel");
+        check(d.cuModuleGetFunction(&kernel.function, module, name_), "finding a kernel");
+        kernel.most_threads = attribute(kernel.function, CU_FUNC_ATTRIBUTE_MAX_THREADS_PER_BLOCK);
     }
     if (of_thread().told != nullptr) {
         of_thread().told->push_back({.kernel = name_,
-                                     .registers = attribute(function, CU_FUNC_ATTRIBUTE_NUM_REGS),
-                                     .local_bytes = attribute(function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
+                                     .registers = attribute(kernel.function, CU_FUNC_ATTRIBUTE_NUM_REGS),
+                                     .local_bytes = attribute(kernel.function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
     }
-    return function;
+    return kernel;
 }
 
 void Module::launch(int threads, std::initializer_list<const void*> arguments)
 {
     const int block = of_thread().block;
+    const Loaded& kernel = loaded();
+    if (block > kernel.most_threads) {
+        throw Unavailable(fmt::format("backend cuda: {} takes blocks of {} threads at most on this device, {} given",
+                                      name_, kernel.most_threads, block));
+    }
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
-    check(driver().cuLaunchKernel(load(), static_cast<unsigned>((threads + block - 1) / block), 1, 1,
+    check(driver().cuLaunchKernel(kernel.function, static_cast<unsigned>((threads + block - 1) / block), 1, 1,
                                   static_cast<unsigned>(block), 1, 1, 0, nullptr, addresses.data(), nullptr),
           "launching a kernel");
 }

@@ -29,15 +29,23 @@ public:
     Module(const char* ptx, const char* name) : ptx_(ptx), name_(name) {}
 
     // For the calling thread's device: its driver translates the PTX.
-    CUfunction load();
-    // As many threads, and some more where they fill no whole block; the addresses of the kernel's arguments.
+    void load() { static_cast<void>(loaded()); }
+    // As many threads, and some more where they fill no whole block; the addresses of the kernel's arguments. Throws
+    // Unavailable for larger blocks than the kernel's registers allow on the device.
     void launch(int threads, std::initializer_list<const void*> arguments);
 
 private:
+    struct Loaded {
+        CUfunction function = nullptr;
+        int most_threads = 0;  // of a block
+    };
+
+    const Loaded& loaded();
+
     const char* ptx_;
     const char* name_;
     std::mutex mutex_;
-    std::map<CUcontext, CUfunction> loaded_;
+    std::map<CUcontext, Loaded> loaded_;
 };
 
 // What the driver made of the kernels that `load` loads, in the calling thread.

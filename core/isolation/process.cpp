@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/isolation/process.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <new>
 #include <set>
@@ -25,10 +28,22 @@ std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1
 constexpr std::size_t most_said = 1 << 16;  // bytes that are kept until they are printed
 constexpr std::size_t last_words = 300;     // bytes of them in a message
 
+constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
+
+// The file that the variable names; none where it is not set.
+Descriptor opened_log()
+{
+    const char* path = std::getenv(log_variable);
+    if (path == nullptr || *path == '\0') return {};
+    Descriptor log(open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable, path, std::strerror(errno)));
+    return log;
+}
+
 }  // namespace
 
 Process::Process(std::shared_ptr<const Nursery> nursery, std::string name)
-    : nursery_(std::move(nursery)), name_(std::move(name)), child_(nursery_->start())
+    : nursery_(std::move(nursery)), name_(std::move(name)), child_(nursery_->start()), log_(opened_log())
 {
 }
 
@@ -62,8 +77,22 @@ void Process::listen()
         const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
         if (size == 0) child_.said = Descriptor();  // closed: nothing more will come
         if (size <= 0) return;
+        log({buffer.data(), static_cast<std::size_t>(size)});
         said_.append(buffer.data(), static_cast<std::size_t>(size));
         if (said_.size() > most_said) said_.erase(0, said_.size() - most_said);
+    }
+}
+
+void Process::log(std::string_view text)
+{
+    while (log_.number() >= 0 && !text.empty()) {
+        const ssize_t size = write(log_.number(), text.data(), text.size());
+        if (size < 0) {
+            say("{}: {}\n", log_variable, std::strerror(errno));
+            log_ = Descriptor();
+            return;
+        }
+        text.remove_prefix(static_cast<std::size_t>(size));
     }
 }
 

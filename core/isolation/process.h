@@ -33,6 +33,7 @@ private:
     // The next message; nullopt where the process has ended. Throws DeviceHung.
     std::optional<Packet> heard(const char* doing);
     void listen();                                      // takes what the process has printed
+    void log(std::string_view text);                    // appends it to the file that MANDELMARCH_DRIVER_LOG names
     void repeat_said();                                 // prints it
     std::string end(bool now = false);                  // how it ended
     bool told(const Progress& progress, double share);  // false: cancelled, and the process knows
@@ -42,6 +43,7 @@ private:
     std::string name_;
     Child child_;
     std::string said_;
+    Descriptor log_;
     bool ended_ = false;
     std::mutex mutex_;  // one request at a time
 };

@@ -10,20 +10,21 @@
 namespace mandelmarch {
 namespace {
 
-class NotBuilt : public Backend {
+class Absent : public Backend {
 public:
-    explicit NotBuilt(std::string_view name) : name_(name) {}
+    Absent(std::string_view name, std::string_view why) : name_(name), why_(why) {}
 
     std::string_view name() const override { return name_; }
-    std::optional<std::string> unavailable() const override { return "not built"; }
+    std::optional<std::string> unavailable() const override { return why_; }
     std::vector<Device> devices() const override { return {}; }
     std::unique_ptr<Renderer> create(const RendererOptions&) const override
     {
-        throw Unavailable(fmt::format("backend {}: not built", name_));
+        throw Unavailable(fmt::format("backend {}: {}", name_, why_));
     }
 
 private:
     std::string name_;
+    std::string why_;
 };
 
 }  // namespace
@@ -84,6 +85,9 @@ AutomaticChoice Registry::automatic() const
     return {&with(Role::host), reason.empty() ? "this build has no accelerator" : reason};
 }
 
-std::unique_ptr<Backend> not_built(std::string_view name) { return std::make_unique<NotBuilt>(name); }
+std::unique_ptr<Backend> without_backend(std::string_view name, std::string_view why)
+{
+    return std::make_unique<Absent>(name, why);
+}
 
 }  // namespace mandelmarch

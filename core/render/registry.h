@@ -51,7 +51,7 @@ private:
     std::vector<std::unique_ptr<Backend>> backends_;
 };
 
-// A backend that this build does not have: unavailable, "not built".
-std::unique_ptr<Backend> not_built(std::string_view name);
+// A backend that this program does not have, and why: unavailable.
+std::unique_ptr<Backend> without_backend(std::string_view name, std::string_view why);
 
 }  // namespace mandelmarch

@@ -39,7 +39,7 @@ Registry registry()
     backends.push_back(make_reference_backend());
     backends.push_back(make_openmp_backend());
     backends.push_back(std::make_unique<PlainBackend>());
-    backends.push_back(not_built("vulkan"));
+    backends.push_back(without_backend("vulkan", "not built"));
     return Registry(std::move(backends));
 }
 

@@ -62,6 +62,11 @@ SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study blocks --size 60x40 --pre
     fail "blocks: $(cat blocks)"
 [ "$(grep -c '^b.*block=' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
+# A kernel whose registers leave no room for a block is left out, the others are drawn.
+SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
+[ "$(grep -c '^b.*block=' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
+grep -q 'takes blocks of 448 threads at most on this device, 512 given' blocks || fail "blocks that do not fit: $(cat blocks)"
+
 # Devices.
 export SIMULATED_GPUS=3
 expect 0 0 '' --device 2 --output a.png --stats a.json
@@ -72,6 +77,7 @@ SIMULATED_CAPABILITY=20 expect 77 1 'of compute capability .* and up, device 0 h
 unset SIMULATED_GPUS
 
 # Failures.
+SIMULATED_FAULT=version expect 77 1 "NVIDIA's driver is for CUDA 11.4, the kernels need one for CUDA [0-9.]* or newer" --output b.png
 SIMULATED_FAULT=launch expect 1 1 'cuda: launching a kernel: simulated error (701)' --output b.png
 SIMULATED_FAULT=lost expect 1 1 'cuda: running a kernel: unspecified launch failure (719)' --output b.png
 SIMULATED_FAULT=timeout expect 1 1 'cuda: running a kernel: the launch timed out' --output b.png

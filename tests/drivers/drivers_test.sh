@@ -95,6 +95,40 @@ done
 wait
 unset MANDELMARCH_DEVICE_TIMEOUT
 
+# What a driver prints is said once, and stands in the log as it was printed; a log that cannot be written is refused.
+for api in $apis; do
+    MANDELMARCH_DRIVER_LOG=log-$api picture $api build speak || fail "$api: a driver that speaks: $(cat $api-build-speak.err)"
+    [ "$(grep -c 'the driver speaks' $api-build-speak.err)" = 1 ] || fail "$api: its words: $(cat $api-build-speak.err)"
+    [ "$(grep -c 'the driver speaks' log-$api)" -ge 2 ] || fail "$api: its log: $(cat log-$api)"
+    MANDELMARCH_DRIVER_LOG=/nowhere/log picture $api build speak
+    [ $? = 2 ] && grep -q '^MANDELMARCH_DRIVER_LOG: /nowhere/log: No such file' $api-build-speak.err || fail "$api: $(cat $api-build-speak.err)"
+done
+
+# Without isolation the driver is in the program itself, and takes it along.
+for api in $apis; do
+    for setting in "env MANDELMARCH_ISOLATION=off" "env NO_SETTING=1"; do
+        wanted=134
+        [[ $setting = *NO_SETTING* ]] && wanted=1
+        with $api build abort $setting "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend $api --output none.bmp 2>err
+        [ $? = $wanted ] || fail "$api: $setting: another exit code than $wanted: $(cat err)"
+    done
+    with $api build abort "$bin/render" --no-isolation --fractal box --size 40x30 "$source/paramsBox.dat" --backend $api --output none.bmp 2>err
+    [ $? = 134 ] || fail "$api: --no-isolation: $(cat err)"
+    "$bin/render" --no-isolation --fractal box --size 40x30 "$source/paramsBox.dat" --backend $api --output inside.bmp 2>err &&
+        "$bin/imgdiff" $api.bmp inside.bmp >/dev/null || fail "$api: --no-isolation draws another picture: $(cat err)"
+done
+MANDELMARCH_ISOLATION=maybe "$bin/render" --list-devices 2>err
+[ $? = 2 ] && grep -q "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off" err || fail "MANDELMARCH_ISOLATION=maybe: $(cat err)"
+
+# A driver that is not to be opened does no harm.
+for api in $apis; do
+    MANDELMARCH_BACKENDS=openmp with $api enumeration abort "$bin/render" --list-devices >list 2>err || fail "$api left out: $(cat list err)"
+    grep -q "^$api *unavailable: left out by MANDELMARCH_BACKENDS" list || fail "$api left out: $(cat list)"
+    grep -q '^openmp *0: ' list || fail "openmp is left out, too: $(cat list)"
+done
+MANDELMARCH_BACKENDS=openmp,nonsense "$bin/render" --list-devices 2>err
+[ $? = 2 ] && grep -q "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp" err || fail "MANDELMARCH_BACKENDS: $(cat err)"
+
 # Garbage: names stay in their line; what cannot be built is refused; a picture that is not the fractal's fails its
 # proof, and bench says which and times the others.
 for api in $apis; do

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a driver under test does instead of its work, as MANDELMARCH_MISCONDUCT says: "STAGE ACTION", `build abort` say.
 // Stages: load, enumeration, build, launch, map, release. Actions: abort, crash, exit, leave (without the handlers of
-// exit), hang, garbage.
+// exit), hang, garbage, speak (print a line twice and go on).
 #pragma once
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@ inline bool misconduct(std::string_view stage)
     if (asked(stage, "exit")) std::exit(0);
     if (asked(stage, "leave")) _exit(0);
     while (asked(stage, "hang")) pause();
+    if (asked(stage, "speak")) std::fputs("the driver speaks\nthe driver speaks\n", stderr);
     return asked(stage, "garbage");
 }
 

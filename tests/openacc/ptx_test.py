@@ -10,13 +10,15 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import k40  # noqa: E402
 import gpu_expected  # noqa: E402
+import machine_code  # noqa: E402
 
-# The K40's steps: 10, 5, 7, 4 and 16 blocks of 128 threads on a multiprocessor.
-MOST_REGISTERS = {("march", "float"): 48, ("march", "double"): 96, ("shade", "float"): 72, ("shade", "double"): 128,
-                  ("bytes", "float"): 32, ("bytes", "double"): 32}
-MORE_REGISTERS = {
-    "march_mandelbox_float_fast": 53,  # 9 blocks: lanes that refill
-    "march_mandelbulb_float_fast": 49,  # 9 blocks: the camera's table
+# Registers at most, by the kernel's kind and precision: blocks of 128 threads on a multiprocessor that they leave are 9, 5, 6, 3 and 16
+# for the K40, 7, 5, 5, 3 and 16 for the H100.
+MOST_REGISTERS = {
+    "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
+            ("bytes", "float"): 32, ("bytes", "double"): 32},
+    "H100": {("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 144,
+             ("bytes", "float"): 32, ("bytes", "double"): 32},
 }
 
 
@@ -33,8 +35,8 @@ $L1:
 mul.rn.f32 %r1,%r2,%r3;
 $L2:
 mov.f32 %r4,%r5;
-fma.rn.f32 %r1,%r2,%r3,%r4;
-add.rn.f32 %r1,%r2,%r3;
+fma.rn.f64 %r1,%r2,%r3,%r4;
+div.rn.f32 %r1,%r2,%r3;
 setp.gt.f32 %r6,%r1,%r2;
 @ %r6 bra $L2;
 ld.f32 %r7,[%r8];
@@ -43,12 +45,21 @@ ld.f32 %r7,[%r8];
 
 
 def check_expected():
-    """The K40 on paper: the inner loop's instructions, arithmetic and operations, and what a division becomes."""
+    """Times on paper: the loops of a march, the cycles of their instructions, and the longest ray."""
     found = []
-    if gpu_expected.densest_loop(LOOPS) != (4, 2, 3):
-        found.append(f"densest loop: {gpu_expected.densest_loop(LOOPS)}, expected 4 instructions, 2 of them arithmetic, 3 operations")
-    if gpu_expected.densest_loop(LOOPS.replace("bra $L2", "bra $L3")) != (7, 3, 4):
-        found.append("the twin without the inner loop was not seen")
+    march = machine_code.march_of(machine_code.ptx(LOOPS, {("div", "f32"): 8}), {"double": 20})
+    if march != (20, 3, 11, 3, False):
+        found.append(f"loops: {march}, expected 20 cycles for 11 instructions a round, 3 for 3 a step")
+    try:
+        machine_code.march_of(machine_code.ptx(LOOPS.replace("bra $L1", "bra $L3"), {}), {})
+        found.append("the negative control without the outer loop was taken")
+    except ValueError:
+        pass
+    gpu = gpu_expected.Gpu(1, 1.0, {}, 4)
+    steps, rounds = (gpu_expected.Counts(total, longest) for total, longest in ((320, 10), (3200, 100)))
+    seconds = gpu_expected.expected(gpu, march, steps, rounds, (0.5, 0.25))
+    if seconds != ((3 * 320 / 0.5 + 20 * 3200 / 0.25) / 32 / 4, 4 * (3 * 10 + 11 * 100)):
+        found.append(f"{seconds} s expected of a march")
     single, double = gpu_expected.expansion("div", "f32"), gpu_expected.expansion("div", "f64")
     if not 4 < single < double < 100:
         found.append(f"a division becomes {single} instructions in float, {double} in double")
@@ -68,8 +79,8 @@ def check_text(ptx, fractals):
         "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
         "another target": ptx.replace(".target sm_35", ".target sm_70"),
         "blocks of an unknown size": re.sub(r"\.maxntid 128, 1, 1\n", "", ptx, count=1),
-        "any number of blocks": re.sub(r"\.minnctapersm [47]\n", "", ptx, count=1),
-        "any number of marching blocks": re.sub(r"\.minnctapersm 5\n", "", ptx, count=1),
+        "any number of blocks": re.sub(r"\.minnctapersm 3\n", "", ptx, count=1),
+        "any number of marching blocks": re.sub(r"(\.entry march_.*?)\.minnctapersm 5\n", r"\1", ptx, count=1, flags=re.S),
         "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
     }
     for name, twin in twins.items():
@@ -84,24 +95,24 @@ def spills(results):
 
 
 def check_assembled(ptx, fractals):
-    results = k40.assemble(ptx, k40.pinned_ptxas(), "sm_35")
-    found = spills(results)
-    if len(results) != 12 * len(fractals) + 2:
-        found.append(f"{len(results)} kernels assembled, the two of the peak included")
-    for name, (registers, _, _) in results.items():
-        if k40.PEAK.match(name + "$_omp_fn$0"):
-            continue
-        kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
-        most = MORE_REGISTERS.get(name, MOST_REGISTERS[kind, precision])
-        if registers > most:
-            found.append(f"{name}: {registers} registers, {most} expected at most")
-    if not spills(k40.assemble(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), k40.pinned_ptxas(), "sm_35")):
-        found.append("the twin with 32 registers spills nothing")
-    if (k40.k40_threads(32), k40.k40_threads(33), k40.k40_threads(255)) != (2048, 1536, 256):
+    found = []
+    for gpu, architecture, ptxas, _ in k40.GPUS:
+        results = k40.resources(ptx, k40.pinned(ptxas), architecture)
+        found += [f"{gpu}: {fault}" for fault in spills(results)]
+        if len(results) != 12 * len(fractals) + 2:
+            found.append(f"{gpu}: {len(results)} kernels assembled, the two of the peak included")
+        for name, (registers, _, _) in results.items():
+            if k40.PEAK.match(name + "$_omp_fn$0"):
+                continue
+            kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
+            most = MOST_REGISTERS[gpu][kind, precision]
+            if registers > most:
+                found.append(f"{gpu}: {name}: {registers} registers, {most} expected at most")
+    if not spills(k40.resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), k40.pinned("ptxas_11"), "sm_35")):
+        found.append("the negative control with 32 registers spills nothing")
+    if [k40.threads(registers, 16) for registers in (32, 33, 255)] != [2048, 1536, 256]:
         found.append("occupancy differs from the occupancy calculator's")
-    found += check_expected()
-    print(k40.table(ptx), end="")  # assembles it for sm_75 and sm_90 too
-    return found
+    return found + check_expected()
 
 
 def main():

@@ -8,7 +8,9 @@
 //   SIMULATED_CLOCK   0: they have no events to take the time with
 //   SIMULATED_BLOCKS  1: blocks may have other sizes than 128 threads
 //   SIMULATED_WATCHED 1: a watchdog ends long kernels
-//   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets
+//   SIMULATED_REGISTERS  of a thread of each kernel, 100 where unset
+//   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets; link: gcc's kernels are not linked; version: PTX is
+//                     of a newer version
 #include "kernels.h"
 
 #include <stdio.h>
@@ -20,6 +22,7 @@ enum {
     DEVICE_LOST = 719,
     LAUNCH_TIMEOUT = 702,
     OUT_OF_RESOURCES = 701,
+    UNSUPPORTED_PTX_VERSION = 222,
     NOT_FOUND = 500,
     NOT_SUPPORTED = 801
 };
@@ -37,6 +40,12 @@ static uint64_t number(const char* name, uint64_t otherwise)
 {
     const char* text = getenv(name);
     return text && *text ? strtoull(text, NULL, 10) : otherwise;
+}
+
+static int has_fault(const char* name)
+{
+    const char* fault = getenv("SIMULATED_FAULT");
+    return fault && strcmp(fault, name) == 0;
 }
 
 int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
@@ -140,10 +149,17 @@ int cuLinkCreate(unsigned count, int* options, void** values, void** state)
 }
 int cuLinkAddData_v2(void) { return SUCCESS; }
 int cuLinkAddData(void) { return SUCCESS; }
-int cuLinkComplete(void* state, void** binary, size_t* size) { return *binary = state, *size = 1, SUCCESS; }
+int cuLinkComplete(void* state, void** binary, size_t* size)
+{
+    return *binary = state, *size = 1, has_fault("link") ? OUT_OF_RESOURCES : SUCCESS;
+}
 int cuLinkDestroy(void* state) { return (void)state, SUCCESS; }
 int cuModuleLoad(void) { return NOT_SUPPORTED; }
-int cuModuleLoadData(void** module, const void* image) { return *module = module, image ? SUCCESS : NOT_FOUND; }
+int cuModuleLoadData(void** module, const void* image)
+{
+    *module = module;
+    return has_fault("version") ? UNSUPPORTED_PTX_VERSION : image ? SUCCESS : NOT_FOUND;
+}
 int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
 int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
 int cuModuleGetGlobal(void) { return NOT_FOUND; }
@@ -155,9 +171,11 @@ int cuModuleGetFunction(void** function, void* module, const char* name)
     }
     return NOT_FOUND;
 }
+static unsigned number_of_registers(void) { return (unsigned)number("SIMULATED_REGISTERS", 100); }
 int cuFuncGetAttribute(int* value, int attribute, void* function)
 {
-    *value = attribute == 0 ? 512 : attribute == 4 ? 100 : 0;  // threads per block, registers
+    const unsigned registers = number_of_registers();
+    *value = attribute == 0 ? (int)(65536 / registers / 32 * 32) : attribute == 4 ? (int)registers : 0;  // 0: threads per block
     return function ? SUCCESS : NOT_FOUND;
 }
 int cuOccupancyMaxPotentialBlockSize(int* grid, int* block) { return *grid = 60, *block = 512, SUCCESS; }
@@ -233,12 +251,11 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
 {
     (void)shared, (void)stream, (void)extra;
     const int fits = number("SIMULATED_BLOCKS", 0) ? block_x % 32 == 0 && block_x <= 1024 : block_x == 128;
-    if (grid_y * grid_z * block_y * block_z != 1 || !fits) return OUT_OF_RESOURCES;
+    if (grid_y * grid_z * block_y * block_z != 1 || !fits || block_x * number_of_registers() > 65536) return OUT_OF_RESOURCES;
     threads_of_block = block_x;
-    const char* fault = getenv("SIMULATED_FAULT");
-    if (fault && strcmp(fault, "launch") == 0) return OUT_OF_RESOURCES;
-    if (fault && strcmp(fault, "timeout") == 0) return pending = LAUNCH_TIMEOUT, SUCCESS;
-    if (fault && strcmp(fault, "lost") == 0) return pending = DEVICE_LOST, SUCCESS;
+    if (has_fault("launch")) return OUT_OF_RESOURCES;
+    if (has_fault("timeout")) return pending = LAUNCH_TIMEOUT, SUCCESS;
+    if (has_fault("lost")) return pending = DEVICE_LOST, SUCCESS;
     void (*run)(uint64_t, uint32_t, uint32_t, uint32_t) = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t))function;
     ++seconds;
     for (unsigned block = 0; block < grid_x; ++block) {

@@ -79,7 +79,7 @@ TEST(Facts, PassThroughTrialsAndIsolationWithoutADevice)
     expect_all(isolated_one->facts());
     EXPECT_EQ(isolated_one->installed_drivers().at(0).library, "libmade.so");
     EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not asked for the facts";
-    EXPECT_EQ(not_built("made")->facts().build.compiler, "");
+    EXPECT_EQ(without_backend("made", "not built")->facts().build.compiler, "");
 }
 
 TEST(Facts, EveryBackendThatIsBuiltSaysHow)

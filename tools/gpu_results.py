@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""gpu_results.py RESULTS.tgz INTO: unpack what packaging/gpu_check brought home into INTO/DEVICE, with a page, README.md, of what was
+seen: the backends with the same bits, times beside the expected ones, and the last words of what failed."""
+import argparse
+import glob
+import json
+import os
+import re
+import shutil
+import sys
+import tarfile
+import tempfile
+
+STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d+) s  ?(.*)$")
+BACKENDS = ("cuda", "openacc", "omptarget", "opencl", "vulkan")
+EXPECTED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report", "results")
+
+
+def fail(text):
+    sys.exit(f"gpu_results: {text}")
+
+
+def text_of(*path):
+    try:
+        with open(os.path.join(*path), encoding="utf-8", errors="replace") as file:
+            return file.read()
+    except FileNotFoundError:
+        return ""
+
+
+def unpack(archive, into):
+    """The folder of results in the archive, below `into`."""
+    try:
+        with tarfile.open(archive) as tar:
+            tar.extractall(into, filter="data")
+    except (OSError, EOFError, tarfile.TarError) as error:
+        fail(f"{archive}: {str(error).partition(chr(10))[0]}, expected the results.tgz of gpu_check")
+    folder = os.path.join(into, "results")
+    if not os.path.exists(os.path.join(folder, "summary.txt")):
+        fail(f"{archive}: no results/summary.txt in it, expected the results.tgz of gpu_check")
+    return folder
+
+
+def steps_of(folder):
+    """Of each step: its result, its seconds and its last words."""
+    return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(folder, "summary.txt").splitlines())
+            if found}
+
+
+def expected_times(device):
+    """From and to in milliseconds by backend, fractal, precision and mode, of the GPU whose name stands in the device's; H200s have the
+    H100's multiprocessors."""
+    for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
+        if any(name in device for name in names):
+            lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
+            return {(words[3], *words[:3]): (float(words[-2]), float(words[-1])) for words in lines if len(words) == 11 and words[3] in BACKENDS}
+    return {}
+
+
+def rows_of(folder):
+    """Every timed row on a device of bench's results, by backend."""
+    for path in sorted(glob.glob(os.path.join(folder, "t-*.json"))):
+        try:
+            rows = json.loads(text_of(path))["rows"]
+        except (ValueError, KeyError):
+            continue
+        yield from (row for row in rows if row["figures"] and row["proof"]["fine"])
+
+
+def times(folder, device):
+    """A line for each fractal, precision and mode: kernel milliseconds of each backend."""
+    expected = expected_times(device)
+    lines = {}
+    for row in rows_of(folder):
+        kind = row["fractal"], row["precision"], row["mode"]
+        milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
+        low, high = expected.get((row["backend"], *kind), (None, None))
+        beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
+        lines.setdefault(kind, []).append(f"{row['backend']} {milliseconds:.3g}{beside}")
+    return [f"- {' '.join(kind)}: {', '.join(cells)}" for kind, cells in sorted(lines.items())]
+
+
+def page(folder, device, steps):
+    summary = [f"# {device}", ""]
+    if text_of(folder, "rehearsal"):
+        summary += ["**A rehearsal: no GPU drew this.**", ""]
+    driver = re.search(r"Driver Version\s*:\s*(\S+)", text_of(folder, "nvidia-smi.txt"))
+    programs = re.search(r"^render .*$", text_of(folder, "facts.log"), re.M)
+    passed = sum(result == "passed" for result, _, _ in steps.values())
+    summary.append(f"{passed} of {len(steps)} steps passed in {sum(seconds for _, seconds, _ in steps.values())} s; driver "
+                   f"{driver[1] if driver else 'unknown'}; {programs[0] if programs else 'unknown programs'}.")
+    tried = [name for name in BACKENDS if name in steps]
+    same = [name for name in tried if steps[name][0] == "passed"]
+    summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
+    summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
+    if measured := times(folder, device):
+        summary += ["", "Kernel times in ms, beside the expected ones in brackets:", "", *measured]
+    broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
+    if broken:
+        summary += ["", *(f"- Step {name} {result}: {words or 'no words'}" for name, result, _, words in broken)]
+    summary += ["", "## Steps", "", "| step | result | seconds | last words |", "|---|---|---|---|"]
+    summary += [f"| {name} | {result} | {seconds} | {words.replace('|', '/')} |" for name, (result, seconds, words) in steps.items()]
+    return "\n".join(summary) + "\n"
+
+
+def device_of(folder):
+    """The GPU's name, as nvidia-smi or else a backend has it."""
+    if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
+        return found[1].strip()
+    for path in sorted(glob.glob(os.path.join(folder, "seen-*.json"))):
+        return json.loads(text_of(path))["device"]["name"]
+    return "no GPU"
+
+
+def free_folder(into, name):
+    """INTO/NAME, or with a number where an earlier run is."""
+    for number in range(1, 1000):
+        path = os.path.join(into, name if number == 1 else f"{name}-{number}")
+        if not os.path.exists(path):
+            return path
+    fail(f"{into}: it has 999 results of {name}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results")
+    parser.add_argument("into")
+    arguments = parser.parse_args()
+    if not os.path.isdir(arguments.into):
+        fail(f"{arguments.into}: no such folder")
+    # Beside the target, so that renaming it is enough: the folder is whole or not there.
+    with tempfile.TemporaryDirectory(dir=arguments.into, prefix=".gpu-results-") as temporary:
+        folder = unpack(arguments.results, temporary)
+        steps = steps_of(folder)
+        device = device_of(folder)
+        with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
+            file.write(page(folder, device, steps))
+        name = ("rehearsal-" if text_of(folder, "rehearsal") else "") + re.sub(r"[^A-Za-z0-9]+", "-", device).strip("-")
+        target = free_folder(arguments.into, name)
+        shutil.move(folder, target)
+    with open(os.path.join(target, "README.md"), encoding="utf-8") as file:
+        print(file.read().split("\n## Steps")[0])
+    print(os.path.join(target, "README.md"))
+
+
+if __name__ == "__main__":
+    main()
