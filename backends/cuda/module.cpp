@@ -65,8 +65,8 @@ void Module::launch(int threads, std::initializer_list<const void*> arguments)
     const int block = of_thread().block;
     const Loaded& kernel = loaded();
     if (block > kernel.most_threads) {
-        throw Unavailable(fmt::format("backend cuda: {} takes blocks of {} threads at most on this device, {} given",
-                                      name_, kernel.most_threads, block));
+        throw Unavailable(fmt::format("backend cuda: {} threads a block given, {} at most for {}", block,
+                                      kernel.most_threads, name_));
     }
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
