@@ -14,11 +14,13 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from . import holm
 from .errors import InputError
 from .text import digits
 
 STYLES = {
     "digits": digits,
+    "four": lambda value: digits(value, 4),
     "whole": lambda value: f"{value:,.0f}",
     "plain": lambda value: f"{value:.0f}",
     "decimal": lambda value: f"{value:.2f}",
@@ -70,7 +72,8 @@ def found(data: Any, path: str) -> list[Any]:
 
 @dataclass(frozen=True)
 class Place:
-    """`files`: names, whose values stand one after the other; `rule`: how many become one, "one" if there is only one."""
+    """`files`: names, whose values stand one after the other; `rule`: how many become one, "one" if there is only one. "holm"
+    counts the ratios of one file that are above 1, all of them together at 5 %."""
 
     files: tuple[str, ...]
     path: str
@@ -78,6 +81,8 @@ class Place:
 
     def of(self, data: dict[str, Any]) -> float:
         values = [value for file in self.files for value in found(data[file], self.path)]
+        if self.rule == "holm":
+            return holm.greater(data[self.files[0]], values)
         if self.rule != "count" and (not values or None in values or (self.rule == "one" and len(values) != 1)):
             raise InputError(f"{', '.join(self.files)}: {self.path} has {len(values)} values, expected one")
         return values[0] if self.rule == "one" else RULES[self.rule](values)

@@ -10,4 +10,5 @@ if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, jsonschema, mark
     exit 77
 fi
 $python tests/report/front_test.py
+$python tests/report/numbers_test.py
 exec $python tests/report/report_test.py

@@ -13,7 +13,8 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations."""
+    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations. These are counted over
+    all pixels, the shares of lanes in a sample."""
 
     fractal: str
     precision: str
@@ -24,6 +25,8 @@ class Factors:
     active: float  # share of lanes that are busy in the estimator's iterations
     active_steps: float
     lanes: int
+    sample: int  # pixels
+    sampled_calls: float  # a pixel of the sample
     kernel: float | None  # seconds a picture
     share_of_peak: float | None
 
@@ -33,26 +36,29 @@ class Factors:
 
 
 def factors(bench: Bench, backend: str) -> list[Factors]:
-    """Of every scene that the study box-vs-bulb counted, in its rows' order; times are `backend`'s."""
+    """Of every scene of the study box-vs-bulb that `backend` drew, in its rows' order."""
     found = []
     rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
     for count in bench.data["counts"]:
         view = count["setting"]["view"]
         row = rows.get((count["fractal"], count["precision"], view))
-        timed = row if row is not None and row.timed else None
+        if row is None or not row.work["iterations"]:
+            continue
         found.append(
             Factors(
                 count["fractal"],
                 count["precision"],
                 view,
-                count["work"]["de_calls"] / count["pixels"],
-                count["work"]["iterations"] / max(1, count["work"]["de_calls"]),
-                count["operations_per_iteration"],
+                row.work["de_calls"] / row.pixels,
+                row.work["iterations"] / row.work["de_calls"],
+                row.operations / row.work["iterations"],
                 count["active_in_iterations"],
                 count["active_in_steps"],
                 count["lanes"],
-                timed.kernel.median if timed else None,
-                timed.figures["share_of_peak"] if timed else None,
+                count["pixels"],
+                count["work"]["de_calls"] / count["pixels"],
+                row.kernel.median if row.timed else None,
+                row.figures["share_of_peak"] if row.timed else None,
             )
         )
     order = {key: number for number, key in enumerate(rows)}
@@ -67,7 +73,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
         "calls\na pixel",
         "iterations\na call",
         "operations\nan iteration",
-        "lanes\nthat wait",
+        "lanes that\nwait (sample)",
         "all four",
         "measured\ntime",
     ]
@@ -104,5 +110,6 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
         figure,
         "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
         "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
-        "wait: the shares of busy lanes, the other way round. The first four multiply to the fifth.",
+        f"wait: the shares of busy lanes, the other way round, in a sample of {pairs[0][0].sample:,} pixels of each picture; the other "
+        "factors are counted over all pixels. The first four multiply to the fifth.",
     )
