@@ -26,7 +26,8 @@ def counted(file: str, fractal: str, precision: str, what: str, view: str = "off
     return Place((file,), f"counts:fractal={fractal}&precision={precision}&mode=exact&setting.view={view}:{what}")
 
 
-# The factors of a picture's operations, from a row's own counts, which are those of all its pixels.
+# The factors of a picture's operations. Calls and iterations are a row's own counts, of all its pixels; operations an iteration were
+# counted in a sample of them.
 FACTORS = {"calls": "work.de_calls", "iterations": "work.iterations/work.de_calls", "operations": "operations/work.iterations"}
 
 
@@ -162,6 +163,7 @@ class Answers:
         box, bulb = (f"{fractal}/double/exact/{self.backends.host}/0" for fractal in FRACTALS[::-1])
         return {
             "size": self.primary.size,
+            "sample": self.trace.number(counted(name, "mandelbox", "double", "pixels"), "whole"),
             "ratios": [
                 (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, _verdict(r)) for r, (p, m) in zip(ratios, kinds)
             ],

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+import statistics
 from collections.abc import Callable
 from typing import Any
 
@@ -46,6 +48,23 @@ def traced_work(trace: Trace, file: str, name: str, over: str) -> Markup:
     """A row's counted operations over another row's."""
     above, below = (Place((file,), f"rows:name={of}:operations") for of in (name, over))
     return trace.number(above, over=below)
+
+
+def with_scalar(bench: Bench, reference: str) -> list[Row]:
+    """All timed rows but the reference's: the scalar text's among them, which Bench.rows leaves out."""
+    return [row for row in map(Row, bench.data["rows"]) if row.timed and row.backend != reference]
+
+
+def ranked(rows: list[Row]) -> list[str]:
+    """The labels of rows, the fastest first: by the mean, over fractals, precisions and modes, of the kernel time's logarithm."""
+    best: dict[tuple[str, ...], float] = {}
+    for row in rows:
+        kind = (row.fractal, row.precision, row.mode)
+        best[kind] = min(best.get(kind, math.inf), row.kernel.median)
+    logs: dict[str, list[float]] = {}
+    for row in rows:
+        logs.setdefault(label(row), []).append(math.log(row.kernel.median / best[row.fractal, row.precision, row.mode]))
+    return sorted(logs, key=lambda name: statistics.mean(logs[name]))
 
 
 class Costs:

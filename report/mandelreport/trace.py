@@ -3,7 +3,7 @@
 
 A place is a path of steps with ":" between them. `rows` is a key, `proof.level` keys of keys, `0` an element of a list.
 `mode=fast&backend!=reference` keeps the elements of a list that are like that ("*" stands for any text, > and < compare), and
-`a/b` is a quotient of two keys. In a text file `mandelbulb float:-2` is the last but one word of the line that begins so."""
+`a/b` is a quotient of two keys. In a text file `mandelbulb float:-2` is the last but one word of the line that begins so, "*" any word."""
 
 from __future__ import annotations
 
@@ -63,7 +63,8 @@ def found(data: Any, path: str) -> list[Any]:
         words, _, index = path.rpartition(":")
         begin = words.split()
         lines = [line.split() for line in data.splitlines()]
-        return [float(line[int(index)].rstrip("%")) for line in lines if line[: len(begin)] == begin]
+        like = [line for line in lines if len(line) > len(begin) and all(map(fnmatch.fnmatchcase, line, begin))]
+        return [float(line[int(index)].rstrip("%")) for line in like]
     values = [data]
     for step in path.split(":"):
         values = _step(values, step)

@@ -167,6 +167,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     box, bulb = (name_of(f, "double", "exact") for f in FRACTALS[::-1])
     pairs = [[name_of(f, p, m) for f in FRACTALS[::-1]] for p, m in (("double", "exact"), ("float", "fast"))]
     factors = [main.work(box, bulb, *keys) for keys in (("de_calls",), ("iterations", "de_calls"), ("operations", "iterations"), ("operations",))]
+    factors.insert(3, next(c["pixels"] for c in main.data["counts"] if (c["fractal"], c["precision"], c["mode"]) == tuple(box.split("/")[:3])))
     digits = [[main.ratio(name_of(f, "double", m), name_of(f, "float", m)) for f in FRACTALS] for m in ("exact", "fast")]
     sums = {(s["fractal"], s["precision"]): s["all"]["off_percent"] for s in json.loads((folder / "random.json").read_text())["sums"]}
     paper = {line.split()[0]: float(line.split()[7]) for line in (folder / "k40_expected.txt").read_text().splitlines() if " float " in line and " fast " in line}
@@ -188,8 +189,8 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         (f"The next best takes {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
         *((f"In {p} and {m} mode the Mandelbox takes ~ times", main.ratio(*pair).numbers()) for pair in pairs for p, m in [pair[0].split("/")[1:3]]),
         ("These are pictures of # x # pixels", side),
-        ("a pixel takes # times as many calls of the estimator, a call # times as many iterations, an iteration # times as many "
-         "operations. Their product is # times the operations.", factors),
+        ("a pixel takes # times as many calls of the estimator and a call # times as many iterations, counted over all pixels; an iteration "
+         "takes # times as many operations, counted in a sample of #. Their product is # times the operations.", factors),
         ("double take ~ and ~ times as long in exact mode, ~ and ~ in fast mode", [n for two in digits for one in two for n in one.numbers()]),
         ("# and # % of the fast pixels are visibly off in float, # and # % in double", [sums[f, p] for p in ("float", "double") for f in ("bulb", "box")]),
         ("float and fast mode, # x # pixels: # ms for the Mandelbulb where openmp takes ~ ms, # times as long; # ms for the Mandelbox "

@@ -11,4 +11,5 @@ if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, jsonschema, mark
 fi
 $python tests/report/front_test.py
 $python tests/report/numbers_test.py
+$python tests/report/models_test.py
 exec $python tests/report/report_test.py

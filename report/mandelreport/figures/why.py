@@ -13,8 +13,8 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations. These are counted over
-    all pixels, the shares of lanes in a sample."""
+    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations. Calls and
+    iterations are counted over all pixels, operations an iteration and the shares of lanes in a sample."""
 
     fractal: str
     precision: str
@@ -95,21 +95,21 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
             x = k + (number - (len(pairs) - 1) / 2) * width
             # From 1: what makes the box slower goes up, what makes it faster goes down.
             axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
-            axis.text(x, max(value, 1) * 1.03, digits(value, 2), ha="center", va="bottom", fontsize=6.5)
+            axis.text(x, max(value, 1) * 1.05, digits(value, 2), ha="center", va="bottom", fontsize=6.5, rotation=90)
             said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")
     axis.set_yscale("log", base=2)
-    axis.margins(y=0.12)
+    axis.margins(y=0.15)
     ticks = [t for t in (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32) if axis.get_ylim()[0] <= t <= axis.get_ylim()[1]]
     axis.set_yticks(ticks, [plain(t) for t in ticks])
     axis.axhline(1, color="black", linewidth=0.8)
     axis.set_xticks(range(len(names)), names)
     axis.grid(axis="x", visible=False)
     axis.set_ylabel("Mandelbox / Mandelbulb")
-    axis.legend(title="scene", fontsize=8, ncols=len(pairs))
+    figure.legend(loc="outside lower center", title="scene", fontsize=8, ncols=len(pairs))
     return style.block(
         figure,
         "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
         "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
-        f"wait: the shares of busy lanes, the other way round, in a sample of {pairs[0][0].sample:,} pixels of each picture; the other "
-        "factors are counted over all pixels. The first four multiply to the fifth.",
+        "wait: the shares of busy lanes, the other way round. Calls and iterations are counted over all pixels, operations and lanes in a "
+        f"sample of {pairs[0][0].sample:,} of each picture. The first four multiply to the fifth.",
     )

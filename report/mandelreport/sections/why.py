@@ -49,7 +49,7 @@ def factor_table(material: Material) -> Table | None:
             "file",
             "fractal",
             "scene",
-            "number",
+            "precision",
             "calls a pixel",
             "iterations a call",
             "operations an iteration",
@@ -61,10 +61,10 @@ def factor_table(material: Material) -> Table | None:
             "of peak",
         ],
         rows,
-        "What a picture of each scene costs, counted over all pixels. Calls: of the distance estimator. Busy lanes: of "
-        f"{found[0][1].lanes} neighbouring pixels that go on until the last is done, counted in a sample of {found[0][1].sample:,} "
-        "pixels. Sample's calls: calls a pixel in that sample over those in the whole picture; far from 1, the sample missed "
-        "a part of the picture, and the shares of lanes are those of the other part.",
+        "What a picture of each scene costs. Calls: of the distance estimator; they and iterations are counted over all pixels. "
+        f"Operations an iteration and busy lanes (of {found[0][1].lanes} neighbouring pixels that go on until the last is done) are counted in a "
+        f"sample of {found[0][1].sample:,} pixels. Sample's calls: calls a pixel in that sample over those in the whole picture; far "
+        "from 1 the sample missed a part of the picture.",
         list(range(4, 13)),
     )
 
