@@ -165,7 +165,7 @@ class Answers:
             "size": self.primary.size,
             "sample": self.trace.number(counted(name, "mandelbox", "double", "pixels"), "whole"),
             "ratios": [
-                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, _verdict(r)) for r, (p, m) in zip(ratios, kinds)
+                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, verdict(r)) for r, (p, m) in zip(ratios, kinds)
             ],
             **factors(self.trace, name, box, bulb),
         }
@@ -192,7 +192,7 @@ class Answers:
                 for p in ("float", "double")
             }
         return {
-            "float_wins": all(_verdict(ratio) == "slower" for two in ratios.values() for ratio in two),
+            "float_wins": all((ratio["ratio"]["interval"] or [0])[0] > 1 for two in ratios.values() for ratio in two),
             "exact": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["exact"]],
             "fast": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["fast"]],
             "off": off,
@@ -256,8 +256,15 @@ class Answers:
         return None
 
 
-def _verdict(ratio: dict[str, Any]) -> str:
-    interval = ratio["ratio"]["interval"]
-    if interval is None or interval[0] <= 1 <= interval[1]:
-        return "undecided"
-    return "slower" if interval[0] > 1 else "faster"
+MARGIN = 1.02  # as bench compare's
+
+
+def verdict(ratio: dict[str, Any] | None) -> Markup:
+    """Whether a ratio of times, whose interval says how certain it is, means slower, faster or neither."""
+    interval = ratio["ratio"]["interval"] if ratio else None
+    if interval is None:
+        return Markup("undecided")
+    low, high = interval
+    if 1 / MARGIN <= low and high <= MARGIN:
+        return Markup("the same within {}").format(named(f"{100 * (MARGIN - 1):.0f} %"))
+    return Markup("it is slower" if low > 1 else "it is faster" if high < 1 else "undecided")

@@ -187,7 +187,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         ("at most # % of an official scene's pixels", [100 * max(r["proof"]["visibly_differing"] / r["proof"]["pixels"] for r in fast)]),
         ("In # of # comparisons the other backend takes longer, at the level of # % for all", [*count, 5]),
         (f"The next best takes {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
-        *((f"In {p} and {m} mode the Mandelbox takes ~ times", main.ratio(*pair).numbers()) for pair in pairs for p, m in [pair[0].split("/")[1:3]]),
+        *(box_or_bulb(*pair[0].split("/")[1:3], main.ratio(*pair)) for pair in pairs),
         ("These are pictures of # x # pixels", side),
         ("a pixel takes # times as many calls of the estimator and a call # times as many iterations, counted over all pixels; an iteration "
          "takes # times as many operations, counted in a sample of #. Their product is # times the operations.", factors),
@@ -200,6 +200,13 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         ("together, on # threads of", [film["threads"]]),
         ("In brackets: # % intervals, each by itself, of # launches", [95, main.data["launches"]]),
     ]
+
+
+def box_or_bulb(precision: str, mode: str, times: Times) -> tuple[str, list[float]]:
+    low, high = times.ends
+    same = 1 / 1.02 <= low and high <= 1.02
+    said = "the same within # %" if same else "it is slower" if low > 1 else "it is faster" if high < 1 else "undecided"
+    return f"In {precision} and {mode} mode the Mandelbox takes ~ times as long: {said}.", times.numbers() + [2.0] * same
 
 
 def at(fractal: str) -> str:

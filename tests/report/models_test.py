@@ -14,6 +14,7 @@ sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 import front_numbers  # noqa: E402
 import made  # noqa: E402
 from mandelreport import holm  # noqa: E402
+from mandelreport.answers import verdict  # noqa: E402
 from mandelreport.bench import Bench, Row  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.models import Costs, label, ranked, with_scalar  # noqa: E402
@@ -53,6 +54,15 @@ class CostTest(unittest.TestCase):
     def test_a_baseline_beside_itself_has_no_interval(self) -> None:
         self.assertEqual(quotient_cell(Row(row("reference", 1, speed=1.0)), "over_scalar"), "1")
         self.assertEqual(quotient_cell(Row(row("reference", 1, speed=1.1)), "over_scalar"), "1.10 [0.99 – 1.21]")
+
+
+class VerdictTest(unittest.TestCase):
+    def test_there_are_four(self) -> None:
+        for interval, expected in (
+            ([0.4, 0.6], "it is faster"), ([1.1, 1.2], "it is slower"), ([0.5, 1.5], "undecided"), ([0.99, 1.01], "the same within"),
+            ([1.001, 1.01], "the same within"), ([1.001, 1.05], "it is slower"), (None, "undecided"),
+        ):
+            self.assertIn(expected, verdict({"ratio": {"interval": interval}}), interval)
 
 
 class HolmTest(unittest.TestCase):

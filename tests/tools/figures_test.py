@@ -88,6 +88,13 @@ class FiguresTest(unittest.TestCase):
         place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
+    def test_the_native_scalar_text_s_range_is_that_of_its_mode(self):
+        with open(os.path.join(self.folder, "native_scalar.txt"), "w", encoding="utf-8") as file:
+            file.write("scalar text with -march=native: x\nmandelbulb double exact 1.040 1.026 1.054 same bits\n"
+                       "mandelbox float exact 0.979 0.971 0.987 same bits\nmandelbox float fast 1.056 1.044 1.069 -\n")
+        place = "It is <!-- figures: native exact -->0.98 to 1.04<!-- end -->, <!-- figures: native fast -->1.06<!-- end --> times as fast.\n"
+        self.assertEqual(self.figures(place, "--check"), (0, "", place))
+
     def test_what_is_fresh_passes_the_check(self):
         self.assertEqual(self.figures(WORTH + TABLE, "--check"), (0, "", WORTH + TABLE))
 

@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from ..answers import counted
 from ..answers import factors as traced_factors
+from ..answers import verdict
 from ..bench import Bench
 from ..blocks import Missing, Table
 from ..figures import timings
@@ -84,9 +85,12 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     def kernel(name: str) -> Place:
         return Place((file,), f"rows:name={name}:figures:kernel_seconds:median")
 
+    def paired(question: str, numerator: str) -> dict[str, Any] | None:
+        return next((entry for entry in bench.data["questions"].get(question, []) if entry["numerator"] == numerator), None)
+
     def ratio(question: str, numerator: str, denominator: str) -> Markup:
         """Paired by round where the file has it."""
-        if any(entry["numerator"] == numerator for entry in bench.data["questions"].get(question, [])):
+        if paired(question, numerator):
             return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
         return trace.number(kernel(numerator), over=kernel(denominator))
 
@@ -104,7 +108,7 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         "backend": host,
         "ratio": ratio("mandelbox_to_mandelbulb", box_row, bulb_row),
         "slower": times > 1,
-        "close": 0.95 < times < 1.05,
+        "verdict": verdict(paired("mandelbox_to_mandelbulb", box_row)),
         "size": bench.size,
         "sample": trace.number(counted(file, "mandelbox", precision, "pixels"), "whole"),
         **traced_factors(trace, file, box_row, bulb_row),
