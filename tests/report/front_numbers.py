@@ -138,7 +138,7 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
 def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     """What the page says of these results: `#` stands for a number, `~` for one with its interval. Names of cases follow from
     the results, too."""
-    main, wide = (File(json.loads((folder / name).read_text(encoding="utf-8"))) for name in ("bench.json", "resolution_fast.json"))
+    main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)
     exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
     same = [sum(row["proof"]["level"] == "same bits" for row in exact), len(exact)]
@@ -169,11 +169,6 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     factors = [main.work(box, bulb, *keys) for keys in (("de_calls",), ("iterations", "de_calls"), ("operations", "iterations"), ("operations",))]
     factors.insert(3, next(c["pixels"] for c in main.data["counts"] if (c["fractal"], c["precision"], c["mode"]) == tuple(box.split("/")[:3])))
     digits = [[main.ratio(name_of(f, "double", m), name_of(f, "float", m)) for f in FRACTALS] for m in ("exact", "fast")]
-    sums = {(s["fractal"], s["precision"]): s["all"]["off_percent"] for s in json.loads((folder / "random.json").read_text())["sums"]}
-    paper = {line.split()[0]: float(line.split()[7]) for line in (folder / "k40_expected.txt").read_text().splitlines() if " float " in line and " fast " in line}
-    film_size = [wide.rows[at("mandelbulb")]["setting"][key] for key in ("width", "height")]
-    film = json.loads((folder / "film.json").read_text())
-    gpu = [n for f in FRACTALS for ms in [wide.kernel(at(f)).numbers(1e3)] for n in (paper[f], *ms, ms[0] / paper[f])]
     return [
         ("it: # of # exact pictures have the same bits.", same),
         ("run at ~ to ~ times the speed of the same text", every),
@@ -192,13 +187,26 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         ("a pixel takes # times as many calls of the estimator and a call # times as many iterations, counted over all pixels; an iteration "
          "takes # times as many operations, counted in a sample of #. Their product is # times the operations.", factors),
         ("double take ~ and ~ times as long in exact mode, ~ and ~ in fast mode", [n for two in digits for one in two for n in one.numbers()]),
+        *other_files(folder),
+        ("In brackets: # % intervals, each by itself, of # launches", [95, main.data["launches"]]),
+    ]
+
+
+def other_files(folder: Path) -> list[tuple[str, list[float]]]:
+    """Random scenes, the GPU on paper and the film."""
+    wide = File(json.loads((folder / "resolution_fast.json").read_text(encoding="utf-8")))
+    sums = {(s["fractal"], s["precision"]): s["all"]["off_percent"] for s in json.loads((folder / "random.json").read_text())["sums"]}
+    paper = {line.split()[0]: float(line.split()[7]) for line in (folder / "k40_expected.txt").read_text().splitlines() if " float " in line and " fast " in line}
+    film_size = [wide.rows[at("mandelbulb")]["setting"][key] for key in ("width", "height")]
+    film = json.loads((folder / "film.json").read_text())
+    gpu = [n for f in FRACTALS for ms in [wide.kernel(at(f)).numbers(1e3)] for n in (paper[f], *ms, ms[0] / paper[f])]
+    return [
         ("# and # % of the fast pixels are visibly off in float, # and # % in double", [sums[f, p] for p in ("float", "double") for f in ("bulb", "box")]),
         ("float and fast mode, # x # pixels: # ms for the Mandelbulb where openmp takes ~ ms, # times as long; # ms for the Mandelbox "
          "where openmp takes ~ ms, # times as long", film_size + gpu),
         ("# minutes: # frames of # x # pixels (float, fast, # x # samples a pixel) in # s, # s a frame",
          [film["seconds"] / 60, film["frames_rendered"], film["width"], film["height"], film["samples"], film["samples"], film["seconds"], film["seconds"] / film["frames_rendered"]]),
         ("together, on # threads of", [film["threads"]]),
-        ("In brackets: # % intervals, each by itself, of # launches", [95, main.data["launches"]]),
     ]
 
 
