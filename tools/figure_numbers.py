@@ -56,7 +56,7 @@ def over_scalar(results, packs, fractal, precision, mode):
 
 
 def model_cost(results, study, *backends):
-    """How fast backends are that compile the text as it is, beside openmp's scalar text: the least and the most, thread for thread."""
+    """Speeds of backends that compile the text as it is, over openmp's scalar text: the least and the most, thread for thread."""
     speeds = []
     for row in results.rows(study):
         if row["backend"] in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
@@ -68,7 +68,7 @@ def model_cost(results, study, *backends):
 
 
 def native(results, mode):
-    """What -march=native gives the scalar text, by mode: the least and the most of its ratios."""
+    """The scalar text's speed with -march=native over its present one, in a mode: the least and the most."""
     lines = [line.split() for line in results.text("native_scalar.txt").splitlines()]
     ratios = [float(words[3]) for words in lines if len(words) >= 7 and words[0] in FRACTALS.values() and words[2] == mode]
     if not ratios:

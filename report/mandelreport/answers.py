@@ -32,7 +32,7 @@ FACTORS = {"calls": "work.de_calls", "iterations": "work.iterations/work.de_call
 
 
 def factors(trace: Trace, file: str, box: str, bulb: str) -> dict[str, Markup]:
-    """What one row needs over another of the same size, factor by factor, and `work`, their product."""
+    """Factors of one row's operations over another's of the same size, and `work`, their product."""
 
     def over(what: str, style: str) -> Markup:
         above, below = (Place((file,), f"rows:name={name}:{what}") for name in (box, bulb))
@@ -112,7 +112,7 @@ class Answers:
         }
 
     def cost(self) -> dict[str, Any] | None:
-        """What the models cost that compile the scalar text as it is."""
+        """Speeds of the models that compile the scalar text as it is, beside that text."""
         return Costs(self.primary, self.backends).answer(self.trace) if self.primary else None
 
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
@@ -260,7 +260,7 @@ MARGIN = 1.02  # as bench compare's
 
 
 def verdict(ratio: dict[str, Any] | None) -> Markup:
-    """Whether a ratio of times, whose interval says how certain it is, means slower, faster or neither."""
+    """The words for a ratio of times: slower, faster, the same within the margin, or undecided."""
     interval = ratio["ratio"]["interval"] if ratio else None
     if interval is None:
         return Markup("undecided")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How many of a study's comparisons are decided, all of them together at 5 %: Student's t of the launches' ratios, and Holm's
+"""Counts the comparisons of a study that are decided, all of them together at 5 %: Student's t of the launches' ratios, and Holm's
 correction for their number, as bench compare and duel do it."""
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def both_tails(t: float, freedom: int) -> float:
 
 
 def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
-    """Of one ratio, paired by round: that its launches' medians differ from 1 by chance. 1 where the ratio is not above 1."""
+    """The p-value of one ratio, paired by round: that its launches' medians differ from 1 by chance. 1 where the ratio is not above 1."""
     above, below = (
         {(s["launch"], s["round"]): s["kernel"] for row in data["rows"] if row["name"] == entry[end] for s in row["samples"]}
         for end in ("numerator", "denominator")
@@ -39,7 +39,7 @@ def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
 
 
 def greater(data: dict[str, Any], entries: list[dict[str, Any]]) -> int:
-    """How many of the ratios are above 1."""
+    """Counts the ratios that are above 1."""
     p_values = sorted(_p_greater(data, entry) for entry in entries)
     missed = [k for k, p in enumerate(p_values) if p > LEVEL / (len(p_values) - k)]
     return missed[0] if missed else len(p_values)

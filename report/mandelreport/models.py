@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a programming model costs: its rows beside the same kernel source as plain scalar C++, with the same work, thread for thread."""
+"""The cost of a programming model: its rows beside the same kernel source as plain scalar C++, with the same work, thread for thread."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def one_thread(row: Row) -> bool:
 
 
 def label(row: Row) -> str:
-    """What tables and charts call a row of the standard study."""
+    """The name of a row of the standard study in tables and charts."""
     scalar = ", scalar" if row.point == SCALAR else ""
     return f"{where(row)}{scalar}{' (1 thread)' if one_thread(row) else ''}"
 

@@ -71,7 +71,7 @@ class Results:
         return max(self.whole(), key=Bench.rank, default=None)
 
     def host_compilers(self) -> list[str]:
-        """Of the standard studies: those that compile C++ for the host, by name without version."""
+        """Compilers of C++ for the host in the standard studies, by name without version."""
         built = [b["compiler"] for bench in self.study("standard") for b in bench.environment["backends"]]
         return list(dict.fromkeys(name for compiler in built if (name := compiler.split()[0] if compiler else "") in ("GNU", "Clang")))
 

@@ -22,7 +22,7 @@ T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.3
 
 
 def text_of(page: str) -> str:
-    """What a reader sees of the front page, without its figure."""
+    """The front page as a reader sees it, without its figure."""
     page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
 
@@ -72,13 +72,13 @@ class File:
         return Times(statistics.median(sum(launches, [])), [statistics.median(one) for one in launches])
 
     def speed(self, name: str, base: str) -> Times:
-        """How many times as fast as `base`, in wall time."""
+        """The speed over `base`, in wall time."""
         own, other = self.launches(name, "wall"), self.launches(base, "wall")
         ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
         return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
 
     def ratio(self, above: str, below: str) -> Times:
-        """Of kernel times, paired by round."""
+        """The ratio of kernel times, paired by round."""
         a, b = ({(s["launch"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
         launches: dict[int, list[float]] = {}
         for at in [at for at in a if at in b]:
@@ -122,7 +122,7 @@ def comparisons(file: File) -> dict[str, Times]:
 
 
 def decided(times: list[Times]) -> int:
-    """How many are above 1, with Holm's correction."""
+    """Counts those that are above 1, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -136,7 +136,7 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
 
 @functools.cache
 def sentences(folder: Path) -> list[tuple[str, list[float]]]:
-    """What the page says of these results: `#` stands for a number, `~` for one with its interval. Names of cases follow from
+    """The sentences of the page for these results: `#` stands for a number, `~` for one with its interval. Names of cases follow from
     the results, too."""
     main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)

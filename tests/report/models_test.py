@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model costs, which comparisons are decided, and what was measured nowhere: on made results."""
+"""Costs of models, comparisons that are decided, verdicts and the metric's zeros, on made results."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ HOST_COMPILERS = ("GNU", "Clang")
 
 
 def _baseline(material: Material) -> str:
-    """For which processor the compilers of the host's backends made code, and what the scalar text gains with another."""
+    """The instruction sets that the host's backends were compiled for, and the scalar text's gain from the processor's own."""
     bench = material.answers.primary
     if bench is None:
         return ""
