@@ -111,7 +111,7 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
         if j == 0:
             axis.set_ylabel("share of the peak [%]")
             handles = [Patch(label=name, **style.look(backends.number_of(name.split()[0]))) for name in names]
-            figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+            figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
     return style.block(
         figure,
         "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
