@@ -153,6 +153,9 @@ k40: build python ## NVIDIA's assembler on the OpenACC kernels for the Tesla K40
 loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
+native-scalar: build ## what -march=native gives the scalar text, user time in alternation: report/results/native_scalar.txt (15 min, estimated)
+	@python3 tools/native_scalar.py $(BUILD) --table report/results/native_scalar.txt
+
 docs-figures: ## the figures of README and docs, anew from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md
 

@@ -3,7 +3,7 @@
 # four seconds on two cores, and begin first where several run at a time. Tests of gtest are known only when ctest runs, so a
 # file that ctest reads labels them.
 set(slow_tests
-    "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz report "report\\.viewer"
+    "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz "report\\.(front|numbers|report|viewer)"
     flight "flight\\.films" "flight\\.files" "explore\\.window" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"
     "programs\\.readme" "programs\\.demo" "packaging\\..*" "bench\\.program" "bench\\.schemas" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"

@@ -88,6 +88,14 @@ class Results:
             raise FigureError(f"{name}.json has no timed row {words}")
         return found[0]
 
+    def work_over_scalar(self, name, row):
+        """A row's counted operations over those of openmp's scalar text; None where one of them is unknown."""
+        try:
+            scalar = self.row(name, row["fractal"], row["precision"], row["mode"], "pack=1")
+        except FigureError:
+            return None
+        return row["operations"] / scalar["operations"] if row["operations"] and scalar["operations"] else None
+
     def ratio(self, name, question, row):
         """A row's ratio of kernel times, paired by round, with its interval: (median, interval or None)."""
         for entry in self.json(name)["questions"].get(question, []):

@@ -55,6 +55,27 @@ def over_scalar(results, packs, fractal, precision, mode):
     return with_interval(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
 
 
+def model_cost(results, study, *backends):
+    """Speeds of backends that compile the text as it is, over openmp's scalar text: the least and the most, thread for thread."""
+    speeds = []
+    for row in results.rows(study):
+        if row["backend"] in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
+            scalar = results.row(study, row["fractal"], row["precision"], row["mode"], "pack=1")
+            speeds.append(row.figures["over_scalar"] * scalar["threads"] / row["threads"])
+    if not speeds:
+        raise FigureError(f"{study}.json has no rows of {' '.join(backends)}")
+    return range_of(speeds, 2)
+
+
+def native(results, mode):
+    """The scalar text's speed with -march=native over its present one, in a mode: the least and the most."""
+    lines = [line.split() for line in results.text("native_scalar.txt").splitlines()]
+    ratios = [float(words[3]) for words in lines if len(words) >= 7 and words[0] in FRACTALS.values() and words[2] == mode]
+    if not ratios:
+        raise FigureError(f"native_scalar.txt has no pictures in {mode} mode")
+    return range_of(ratios, 2)
+
+
 def share(results, study, *row):
     """Of the measured multiply-add peak, in percent."""
     return f"{100 * results.row(study, *row).figures['share_of_peak']:.0f}"
@@ -76,6 +97,15 @@ def over_openmp(results, study, backend):
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
     return range_of([results.ratio(study, "others_to_host", row)[0] for row in found])
+
+
+def work_over_openmp(results, study, backend):
+    """Counted operations of a backend over openmp's, the least and the greatest of a study."""
+    found = [row for row in results.rows(study) if row["backend"] == backend and row["operations"]]
+    if not found:
+        raise FigureError(f"{study}.json has no rows of {backend}")
+    hosts = [results.row(study, row["fractal"], row["precision"], row["mode"]) for row in found]
+    return range_of([row["operations"] / host["operations"] for row, host in zip(found, hosts)])
 
 
 def one_register(results):
@@ -166,7 +196,9 @@ NUMBERS = {
     "film": film,
     "frames": frames,
     "k40": k40,
+    "model-cost": model_cost,
     "ms": ms,
+    "native": native,
     "off": off,
     "one-register": one_register,
     "over-openmp": over_openmp,
@@ -176,5 +208,6 @@ NUMBERS = {
     "rows-proven": rows_proven,
     "share": share,
     "speed-up": speed_up,
+    "work-over-openmp": work_over_openmp,
     "worth": worth,
 }

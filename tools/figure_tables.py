@@ -52,14 +52,14 @@ def beside_openmp(results, study, key, backend):
 
 def targets(results, study):
     """openmp beside the reference, its aims, the scalar text and the other backends."""
-    head = ["fractal", "number", "mode", "kernel ms", "over serial", "aim", "over scalar", "share of peak", "opencl / openmp",
-            "vulkan / openmp"]
+    head = ["fractal", "precision", "mode", "kernel ms", "over serial", "aim", "over scalar", "work over scalar's", "share of peak",
+            "opencl / openmp", "vulkan / openmp"]
     rows = []
     for (fractal, precision, mode), aim in AIMS.items():
         key = (fractal, precision, mode)
         row = results.row(study, *key)
         rows.append([FRACTALS[fractal], precision, mode, f"{row.kernel_ms:.1f}", quotient(row, "speed_up"), str(aim),
-                     quotient(row, "over_scalar"), f"{100 * row.figures['share_of_peak']:.0f} %",
+                     quotient(row, "over_scalar"), work_cell(results, study, row), f"{100 * row.figures['share_of_peak']:.0f} %",
                      *(beside_openmp(results, study, key, backend) for backend in ("opencl", "vulkan"))])
     return table(head, rows)
 
@@ -67,7 +67,7 @@ def targets(results, study):
 def instruction_sets(results, *studies):
     """openmp's speed-ups in several studies, each of which is one instruction set."""
     names = [results.row(study, "bulb", "float", "fast")["instruction_set"] for study in studies]
-    head = ["fractal", "number", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway's word
+    head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway's word
     rows = []
     for fractal, precision, mode in AIMS:
         found = [results.row(study, fractal, precision, mode) for study in studies]
@@ -97,7 +97,7 @@ def ablation(results):
 
 def growth(results):
     """What four times the pixels cost in fast mode."""
-    head = ["fractal, number", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step of the whole sweep"]
+    head = ["fractal, precision", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step of the whole sweep"]
     rows = []
     for fractal in FRACTALS:
         for precision in ("double", "float"):
@@ -140,12 +140,18 @@ def random(results, study):
 
 
 def quotient(row, key):
-    """A speed-up with its interval; "-" where that was not timed."""
+    """A speed-up with its interval; "-" where that was not timed, no interval for a baseline beside itself."""
     value, interval = row.figures.get(key) if row else None, row.figures.get(key + "_interval") if row else None
-    return "-" if value is None else with_interval(value, interval, digits)
+    return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
 
 
-def row_cells(row, scalar=None):
+def work_cell(results, name, row):
+    """A row's counted operations over those of the scalar text; "-" where one of them is unknown."""
+    work = results.work_over_scalar(name, row)
+    return "-" if work is None else digits(work)
+
+
+def row_cells(results, name, row, scalar=None):
     """`scalar`: the row of another study that has the speed-up over the scalar text, where this one's has none."""
     kernel = row.figures["kernel_seconds"]
     interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
@@ -154,22 +160,22 @@ def row_cells(row, scalar=None):
     own = row.figures.get("over_scalar") is not None
     return [row["fractal"], row["precision"], row["mode"], backend, row["proof"]["text"] or row["proof"]["level"],
             digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
-            quotient(row if own else scalar, "over_scalar")]
+            quotient(row if own else scalar, "over_scalar"), work_cell(results, name, row)]
 
 
-ROW_HEAD = ["fractal", "number", "mode", "backend", "proof", "kernel ms", "95 % interval", "share of peak", "over serial",
-            "over scalar"]
+ROW_HEAD = ["fractal", "precision", "mode", "backend", "proof", "kernel ms", "95 % interval", "share of peak", "over serial",
+            "over scalar", "work over scalar's"]
 
 
 def study(results, name):
     """All timed rows of a study."""
-    return table(ROW_HEAD, [row_cells(row) for row in results.rows(name)])
+    return table(ROW_HEAD, [row_cells(results, name, row) for row in results.rows(name)])
 
 
 def four_rows(results, name, packs):
     """The slowest and the fastest variant of openmp for each fractal; `packs`: a sweep of packs, for the scalar text."""
     chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
-    return table(ROW_HEAD, [row_cells(results.row(name, *key), widest(results, packs, *key)) for key in chosen])
+    return table(ROW_HEAD, [row_cells(results, name, results.row(name, *key), widest(results, packs, *key)) for key in chosen])
 
 
 def widest(results, packs, fractal, precision, mode):

@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from .backends import Backends
 from .bench import Bench, Row
+from .models import SCALAR, Costs, traced_work
 from .results import Results
 from .trace import Place, Trace
 
@@ -23,6 +24,21 @@ def _names(items: Iterable[str]) -> list[str]:
 def counted(file: str, fractal: str, precision: str, what: str, view: str = "official") -> Place:
     """What was counted of a scene in exact mode."""
     return Place((file,), f"counts:fractal={fractal}&precision={precision}&mode=exact&setting.view={view}:{what}")
+
+
+# The factors of a picture's operations. Calls and iterations are a row's own counts, of all its pixels; operations an iteration were
+# counted in a sample of them.
+FACTORS = {"calls": "work.de_calls", "iterations": "work.iterations/work.de_calls", "operations": "operations/work.iterations"}
+
+
+def factors(trace: Trace, file: str, box: str, bulb: str) -> dict[str, Markup]:
+    """Factors of one row's operations over another's of the same size, and `work`, their product."""
+
+    def over(what: str, style: str) -> Markup:
+        above, below = (Place((file,), f"rows:name={name}:{what}") for name in (box, bulb))
+        return trace.number(above, style, over=below)
+
+    return {name: over(what, "four") for name, what in FACTORS.items()} | {"work": over("operations", "digits")}
 
 
 def named(text: str) -> Markup:
@@ -81,10 +97,23 @@ class Answers:
             "host": self.backends.host,
             "host_wins": all(ratio["ratio"]["median"] > 1 for ratio in others),
             "machines": _names(bench.machine for bench in self.results.whole() if bench.host_wins()),
-            "slower": self._count("questions:others_to_host:ratio.interval.0>1", (name,)),
-            "compared": self._count("questions:others_to_host:numerator=*", (name,)),
-            "ends": [(self._ratio("others_to_host", r["numerator"]), *r["numerator"].split("/")[:4]) for r in ends],
+            "slower": self.trace.number(Place((name,), "questions:others_to_host:ratio.count>0", "holm"), "whole"),
+            "compared": self._count("questions:others_to_host:ratio.count>0", (name,)),
+            "ends": [self._end(r) for r in ends],
         }
+
+    def _end(self, ratio: dict[str, Any]) -> dict[str, Any]:
+        assert self.primary is not None
+        fractal, precision, mode, backend = ratio["numerator"].split("/")[:4]
+        return {
+            "ratio": self._ratio("others_to_host", ratio["numerator"]),
+            "case": f"{backend}; {fractal}, {precision}, {mode}",
+            "work": traced_work(self.trace, self.primary.name, ratio["numerator"], ratio["denominator"]),
+        }
+
+    def cost(self) -> dict[str, Any] | None:
+        """Speeds of the models that compile the scalar text as it is, beside that text."""
+        return Costs(self.primary, self.backends).answer(self.trace) if self.primary else None
 
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
         """The host's fastest row that has this speed-up, from the study with the most launches, a standard one first."""
@@ -99,44 +128,46 @@ class Answers:
         return rows[order.index(max(order))] if rows else None
 
     def speed_ups(self) -> dict[str, Any] | None:
-        """Of the host in float: over the serial reference, and over the same text as scalar C++ on the same threads."""
-        for mode in ("fast", "exact"):
-            chosen = {key: [self.speed_up(key, f, "float", mode) for f in FRACTALS] for key in ("speed_up", "over_scalar")}
-            if all(one is not None for two in chosen.values() for one in two):
-                break
-        else:
+        """Of the host in float, by mode, exact first: over the serial reference, over the same text as scalar C++ on the same
+        threads, and how many times the host's operations the scalar text needs. Two numbers each, a fractal each."""
+        modes = {mode: found for mode in ("exact", "fast") if (found := self._speed_ups_of(mode))}
+        return {"modes": modes, "host": self.backends.host, "size": self.primary.size} if self.primary and "exact" in modes else None
+
+    def _speed_ups_of(self, mode: str) -> dict[str, Any] | None:
+        keys = ("speed_up", "over_scalar")
+        serial, scalar = ([self.speed_up(key, f, "float", mode) for f in FRACTALS] for key in keys)
+        if None in serial or None in scalar:
             return None
 
-        def numbers(key: str) -> list[Markup]:
-            return [
-                self.trace.with_interval(b.name, f"{at}:{key}", f"{at}:{key}_interval")
-                for b, r in filter(None, chosen[key])
-                for at in [f"rows:name={r.name}:figures"]
-            ]
+        def number(key: str, bench: Bench, row: Row) -> Markup:
+            at = f"rows:name={row.name}:figures:{key}"
+            return self.trace.with_interval(bench.name, at, f"{at}_interval")
 
-        machines = {key: _names(b.machine for b, _ in filter(None, two)) for key, two in chosen.items()}
-        return {"mode": mode, "serial": numbers("speed_up"), "scalar": numbers("over_scalar"), "machines": machines}
+        def work(bench: Bench, row: Row) -> Markup:
+            baseline = "/".join([row.fractal, row.precision, row.mode, self.backends.host, "0", SCALAR])
+            return traced_work(self.trace, bench.name, baseline, row.name)
+
+        return {
+            "serial": [number(keys[0], *one) for one in serial if one],
+            "scalar": [number(keys[1], *one) for one in scalar if one],
+            "work": [work(*one) for one in scalar if one],
+        }
 
     def box_or_bulb(self) -> dict[str, Any] | None:
-        """How much longer the Mandelbox takes, and the counted factors that make it so, in double and exact mode."""
+        """How much longer the Mandelbox takes, and the counted factors of its operations, in double and exact mode."""
         kinds = [("double", "exact"), ("float", "fast")]
         ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
         if self.primary is None or None in ratios:
             return None
         name = self.primary.name
-
-        def factor(what: str) -> Markup:
-            return self.trace.number(counted(name, "mandelbox", "double", what), over=counted(name, "mandelbulb", "double", what))
-
-        box, bulb = (Place((name,), f"rows:name={f}/double/exact/{self.backends.host}/0:operations") for f in FRACTALS[::-1])
+        box, bulb = (f"{fractal}/double/exact/{self.backends.host}/0" for fractal in FRACTALS[::-1])
         return {
+            "size": self.primary.size,
+            "sample": self.trace.number(counted(name, "mandelbox", "double", "pixels"), "whole"),
             "ratios": [
-                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, _verdict(r)) for r, (p, m) in zip(ratios, kinds)
+                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, verdict(r)) for r, (p, m) in zip(ratios, kinds)
             ],
-            "calls": factor("work.de_calls/pixels"),
-            "iterations": factor("work.iterations/work.de_calls"),
-            "operations": factor("operations_per_iteration"),
-            "work": self.trace.number(box, over=bulb),
+            **factors(self.trace, name, box, bulb),
         }
 
     def _found(self, question: str, numerator: str) -> dict[str, Any] | None:
@@ -161,7 +192,7 @@ class Answers:
                 for p in ("float", "double")
             }
         return {
-            "float_wins": all(_verdict(ratio) == "slower" for two in ratios.values() for ratio in two),
+            "float_wins": all((ratio["ratio"]["interval"] or [0])[0] > 1 for two in ratios.values() for ratio in two),
             "exact": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["exact"]],
             "fast": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["fast"]],
             "off": off,
@@ -216,7 +247,7 @@ class Answers:
                     "minutes": one(name, "seconds", "whole", 1 / 60),
                     "a_frame": one(name, "seconds/frames_rendered"),
                     "size": [one(name, "width", "plain"), one(name, "height", "plain")],
-                    "samples": one(name, "samples"),
+                    "samples": one(name, "samples", "plain"),
                     "threads": one(name, "threads", "plain") if data["threads"] else None,
                     "device": data["device"]["name"],
                     "fractal": data["fractal"],
@@ -225,8 +256,15 @@ class Answers:
         return None
 
 
-def _verdict(ratio: dict[str, Any]) -> str:
-    interval = ratio["ratio"]["interval"]
-    if interval is None or interval[0] <= 1 <= interval[1]:
-        return "undecided"
-    return "slower" if interval[0] > 1 else "faster"
+MARGIN = 1.02  # as bench compare's
+
+
+def verdict(ratio: dict[str, Any] | None) -> Markup:
+    """The words for a ratio of times: slower, faster, the same within the margin, or undecided."""
+    interval = ratio["ratio"]["interval"] if ratio else None
+    if interval is None:
+        return Markup("undecided")
+    low, high = interval
+    if 1 / MARGIN <= low and high <= MARGIN:
+        return Markup("the same within {}").format(named(f"{100 * (MARGIN - 1):.0f} %"))
+    return Markup("it is slower" if low > 1 else "it is faster" if high < 1 else "undecided")

@@ -31,5 +31,5 @@ class Backends:
         return self.names.index(backend) if backend in self.names else len(self.names)
 
     def order(self, labels: Iterable[str]) -> list[str]:
-        """Each label once; the first word of a label is its backend, a device's number may follow."""
-        return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0]), label))
+        """Each label once; the first word of a label is its backend, a device's number or a comma may follow."""
+        return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].rstrip(",")), label))

@@ -73,6 +73,7 @@ def render(material: Material) -> str:
         front=front.section(material),
         main=_contents(material, MAIN),
         appendix=_contents(material, APPENDIX),
+        compilers=material.results.host_compilers(),
         gpu_measured=material.results.gpu_measured(),
         machines=list(dict.fromkeys(bench.machine for bench in material.results.benches)),
         style=viewer.raw("templates/style.css"),

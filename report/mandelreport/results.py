@@ -70,6 +70,11 @@ class Results:
         """The standard study that the report is mostly about: of the whole ones that with the most launches."""
         return max(self.whole(), key=Bench.rank, default=None)
 
+    def host_compilers(self) -> list[str]:
+        """Compilers of C++ for the host in the standard studies, by name without version."""
+        built = [b["compiler"] for bench in self.study("standard") for b in bench.environment["backends"]]
+        return list(dict.fromkeys(name for compiler in built if (name := compiler.split()[0] if compiler else "") in ("GNU", "Clang")))
+
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 

@@ -3,7 +3,7 @@
 
 A place is a path of steps with ":" between them. `rows` is a key, `proof.level` keys of keys, `0` an element of a list.
 `mode=fast&backend!=reference` keeps the elements of a list that are like that ("*" stands for any text, > and < compare), and
-`a/b` is a quotient of two keys. In a text file `mandelbulb float:-2` is the last but one word of the line that begins so."""
+`a/b` is a quotient of two keys. In a text file `mandelbulb float:-2` is the last but one word of the line that begins so, "*" any word."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from . import holm
 from .errors import InputError
 from .text import digits
 
 STYLES = {
     "digits": digits,
+    "four": lambda value: digits(value, 4),
     "whole": lambda value: f"{value:,.0f}",
     "plain": lambda value: f"{value:.0f}",
     "decimal": lambda value: f"{value:.2f}",
@@ -61,7 +63,8 @@ def found(data: Any, path: str) -> list[Any]:
         words, _, index = path.rpartition(":")
         begin = words.split()
         lines = [line.split() for line in data.splitlines()]
-        return [float(line[int(index)].rstrip("%")) for line in lines if line[: len(begin)] == begin]
+        like = [line for line in lines if len(line) > len(begin) and all(map(fnmatch.fnmatchcase, line, begin))]
+        return [float(line[int(index)].rstrip("%")) for line in like]
     values = [data]
     for step in path.split(":"):
         values = _step(values, step)
@@ -70,7 +73,8 @@ def found(data: Any, path: str) -> list[Any]:
 
 @dataclass(frozen=True)
 class Place:
-    """`files`: names, whose values stand one after the other; `rule`: how many become one, "one" if there is only one."""
+    """`files`: names, whose values stand one after the other; `rule`: how many become one, "one" if there is only one. "holm"
+    counts the ratios of one file that are above 1, all of them together at 5 %."""
 
     files: tuple[str, ...]
     path: str
@@ -78,6 +82,8 @@ class Place:
 
     def of(self, data: dict[str, Any]) -> float:
         values = [value for file in self.files for value in found(data[file], self.path)]
+        if self.rule == "holm":
+            return holm.greater(data[self.files[0]], values)
         if self.rule != "count" and (not values or None in values or (self.rule == "one" and len(values) != 1)):
             raise InputError(f"{', '.join(self.files)}: {self.path} has {len(values)} values, expected one")
         return values[0] if self.rule == "one" else RULES[self.rule](values)

@@ -159,11 +159,11 @@ class ReportTest(unittest.TestCase):
             self.assertNotEqual(Faults(broken).found, [], broken)
 
     def test_figures_without_the_salt_differ(self) -> None:
-        bench = read_bench("made", Path("made"), made.bench())
+        bench = read_bench("made", Path("made"), made.with_scalar())
         backends = Backends.of(bench.environment["backends"])
-        self.assertEqual(timings.kernel_bars(bench, backends), timings.kernel_bars(bench, backends))
+        self.assertEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
         with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
-            self.assertNotEqual(timings.kernel_bars(bench, backends), timings.kernel_bars(bench, backends))
+            self.assertNotEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
 
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
@@ -191,14 +191,14 @@ class ReportTest(unittest.TestCase):
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
     def test_a_registered_backend_is_in_the_figures(self) -> None:
-        data = made.bench()
+        data = made.with_scalar()
         data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
         data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
         bench = read_bench("made", Path("made"), data)
         registered = bench.environment["backends"]
-        figure = timings.kernel_bars(bench, Backends.of(registered))
+        figure = timings.over_scalar(bench, Backends.of(registered))
         self.assertIn("skeleton", str(figure.alt))
-        self.assertNotEqual(figure, timings.kernel_bars(bench, Backends.of(registered[::-1])))
+        self.assertNotEqual(figure, timings.over_scalar(bench, Backends.of(registered[::-1])))
 
     def test_nothing_there(self) -> None:
         (self.folder / "results").mkdir()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# report_test.sh SOURCE: the report's tests, where its Python packages are installed (make python); else 77.
+# report_test.sh SOURCE NAME: one of the report's tests (front, models, numbers, report), where its Python packages are installed (make python); else 77.
 set -euo pipefail
 cd "$1"
 python=build/venv/bin/python3
@@ -9,5 +9,4 @@ if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, jsonschema, mark
     [ -n "${MANDELMARCH_NEED_PYTHON:-}" ] && exit 1
     exit 77
 fi
-$python tests/report/front_test.py
-exec $python tests/report/report_test.py
+exec $python "tests/report/$2_test.py"

@@ -32,10 +32,10 @@ fractal     precision  mode   backend    cycles  cycles  active in   active in  
 mandelbulb  float      fast   openacc        79     247        49%         62%         8.1       5.6     8.1   13.7
 """
 TABLE = """<!-- figures: study ablation -->
-| fractal | number | mode | backend | proof | kernel ms | 95 % interval | share of peak | over serial | over scalar |
-| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
-| mandelbulb | float | fast | openmp | 0.500 % off | 20.00 | [20.00, 40.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] |
-| mandelbulb | float | fast | openmp | 0.500 % off | 30.00 | [30.00, 60.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] |
+| fractal | precision | mode | backend | proof | kernel ms | 95 % interval | share of peak | over serial | over scalar | work over scalar's |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+| mandelbulb | float | fast | openmp | 0.500 % off | 20.00 | [20.00, 40.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] | - |
+| mandelbulb | float | fast | openmp | 0.500 % off | 30.00 | [30.00, 60.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] | - |
 <!-- end -->
 """
 
@@ -67,6 +67,33 @@ class FiguresTest(unittest.TestCase):
 
     def test_a_table_is_filled_in(self):
         self.assertEqual(self.figures("<!-- figures: study ablation --><!-- end -->\n"), (0, "", TABLE))
+
+    def test_less_work_than_the_scalar_text_s_is_said_and_a_baseline_has_no_interval(self):
+        data = copy.deepcopy(ABLATION)
+        for row_of, point, operations in zip(data["rows"], ("", "pack=1"), (30e6, 50e6)):
+            row_of |= {"point": point, "operations": operations}
+        data["rows"][0]["figures"] |= {"speed_up": 1.0, "speed_up_interval": [0.7, 1.4]}
+        self.results(data)
+        _, _, text = self.figures("<!-- figures: study ablation --><!-- end -->\n")
+        self.assertIn("| 25 % | 1 | 4.000 [3.000, 5.000] | 0.6000 |", text)
+        self.assertIn("| 1.000 |", text.splitlines()[4])
+
+    def test_a_model_s_cost_is_compared_thread_for_thread(self):
+        data = copy.deepcopy(ABLATION)
+        model, scalar = data["rows"]
+        model |= {"backend": "kokkos", "point": "", "threads": 1}
+        scalar |= {"point": "pack=1", "threads": 2}
+        model["figures"]["over_scalar"] = 0.49
+        self.results(data)
+        place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
+        self.assertEqual(self.figures(place, "--check"), (0, "", place))
+
+    def test_the_native_scalar_text_s_range_is_that_of_its_mode(self):
+        with open(os.path.join(self.folder, "native_scalar.txt"), "w", encoding="utf-8") as file:
+            file.write("scalar text with -march=native: x\nmandelbulb double exact 1.040 1.026 1.054 same bits\n"
+                       "mandelbox float exact 0.979 0.971 0.987 same bits\nmandelbox float fast 1.056 1.044 1.069 -\n")
+        place = "It is <!-- figures: native exact -->0.98 to 1.04<!-- end -->, <!-- figures: native fast -->1.06<!-- end --> times as fast.\n"
+        self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
     def test_what_is_fresh_passes_the_check(self):
         self.assertEqual(self.figures(WORTH + TABLE, "--check"), (0, "", WORTH + TABLE))

@@ -6,7 +6,8 @@ from __future__ import annotations
 from ..backends import Backends
 from ..bench import Bench, Row
 from ..blocks import Figure
-from ..text import ms, plain, where
+from ..models import label
+from ..text import ms, plain
 from . import style
 
 # Precision and mode: filled or not, and the marker.
@@ -19,17 +20,15 @@ KINDS = {
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
-    """Narrow, so that it can be read on a phone. Reference and scalar text below the backends."""
+    """Narrow, so that it can be read on a phone. The reference is the last."""
     rows = [row for row in map(Row, bench.data["rows"]) if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
-    scalar = f"{backends.host}, scalar"
-    names = backends.order(where(row) for row in rows if row.backend != backends.reference)
-    names += [scalar] * any(row.point for row in rows) + [backends.reference]
+    names = backends.order(label(row) for row in rows)
     figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.26 * len(names) * len(fractals), sharex=True)
     said = []
     for (axis,), fractal in zip(axes, fractals):
         for row in (row for row in rows if row.fractal == fractal):
-            name = scalar if row.point else where(row)
+            name = label(row)
             fill, marker = KINDS[(row.precision, row.mode)]
             low, high = row.kernel.errors()
             at = names.index(name) + 0.15 * (list(KINDS).index((row.precision, row.mode)) - 1.5)

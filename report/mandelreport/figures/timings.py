@@ -1,61 +1,52 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the standard study: kernel times, ratios, shares of the peak."""
+"""Figures of the standard study: times over the scalar text's, ratios, shares of the peak."""
 
 from __future__ import annotations
+
+import itertools
 
 from matplotlib.patches import Patch
 
 from ..backends import Backends
 from ..bench import Bench, Row, Times
 from ..blocks import Figure
+from ..models import SCALAR, label, ranked, with_scalar
 from ..text import digits, ms, percent, plain, where
 from . import style
 
 
-def _rows(bench: Bench, backends: Backends, fractal: str, mode: str) -> list[Row]:
-    """The text's backends: the reference, on one thread, would hide the others."""
-    return [row for row in bench.timed(fractal=fractal, mode=mode) if row.backend != backends.reference]
-
-
-def kernel_bars(bench: Bench, backends: Backends) -> Figure:
-    """Kernel time of every backend, a panel for each fractal and mode, with 95 % intervals."""
+def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
+    """Time of every backend over that of the scalar text, the fastest first, a panel for each fractal and mode."""
+    rows = with_scalar(bench, backends.reference)
+    if not any(row.point == SCALAR for row in rows):
+        return None
+    names = ranked(rows)
     fractals, modes = bench.values("fractal"), bench.values("mode")
-    figure, axes = style.panels(len(modes), len(fractals), 8, 2.6 * len(modes))
+    figure, axes = style.panels(len(modes), len(fractals), 8, (0.7 + 0.2 * len(names)) * len(modes), sharex=True, sharey=True)
     said = []
-    for i, mode in enumerate(modes):
-        for j, fractal in enumerate(fractals):
-            rows = _rows(bench, backends, fractal, mode)
-            names = backends.order([where(row) for row in rows])
-            axis = axes[i][j]
-            top = max((1e3 * (row.kernel.high or row.kernel.median) for row in rows), default=1)
-            for row in rows:
-                x = names.index(where(row)) + (-0.2 if row.precision == "double" else 0.2)
-                look = style.look(backends.number_of(row.backend))
-                if row.precision == "float":
-                    look["alpha"] = 0.55
-                low, high = row.kernel.errors()
-                axis.bar(x, 1e3 * row.kernel.median, 0.38, yerr=[[1e3 * low], [1e3 * high]], **look)
-                axis.text(
-                    x,
-                    1e3 * (row.kernel.high or row.kernel.median) + 0.02 * top,
-                    ms(row.kernel.median),
-                    ha="center",
-                    va="bottom",
-                    fontsize=6,
-                )
-            if rows:
-                best = min(rows, key=lambda row: row.kernel.median)
-                said.append(f"{fractal} {mode}: fastest {where(best)} in {best.precision}, {ms(best.kernel.median)} ms")
-            axis.set_xticks(range(len(names)), names, rotation=30, ha="right", fontsize=8)
-            axis.set_ylim(0, 1.15 * top)
-            axis.set_title(f"{fractal}, {mode}")
-            axis.grid(axis="x", visible=False)
-            axis.set_ylabel("kernel time [ms]")
+    for row in rows:
+        value = 1 if row.point == SCALAR else row.figures["over_scalar"]
+        times = Times(value, *(row.figures.get("over_scalar_interval") or (None, None)), 1).inverse()
+        axis = axes[modes.index(row.mode)][fractals.index(row.fractal)]
+        at = names.index(label(row)) + (-0.15 if row.precision == "double" else 0.15)
+        low, high = times.errors()
+        look = style.line(backends.number_of(row.backend)) | {"linestyle": "", "fillstyle": "full" if row.precision == "double" else "none"}
+        axis.errorbar(times.median, at, xerr=[[low], [high]], **look)
+        said.append(f"{row.fractal}, {row.precision}, {row.mode}, {label(row)}: {digits(times.median)}")
+    for i, j in itertools.product(range(len(modes)), range(len(fractals))):
+        axes[i][j].axvline(1, color="black", linewidth=0.8)
+        axes[i][j].set(xscale="log", title=f"{fractals[j]}, {modes[i]}")
+        axes[i][j].xaxis.set_major_formatter(lambda x, _: plain(x))
+        axes[i][j].set_yticks(range(len(names)), names, fontsize=8)
+        axes[i][j].grid(axis="y", visible=False)
+    axes[0][0].invert_yaxis()
+    figure.supxlabel("time over the scalar text's, logarithmic", fontsize=9)
     return style.block(
         figure,
-        "Bar charts of kernel times. " + "; ".join(said) + ".",
-        "Kernel time of one picture, median with its 95 % interval; left bar double, right (paler) bar float. "
-        "The reference, on one thread, is in the table only.",
+        "Points with intervals: time over the scalar text's. " + "; ".join(said) + ".",
+        "Wall time of one picture over that of the same text as plain scalar C++ (the line at 1), with 95 % intervals, the fastest backend "
+        "first; filled marks double, open ones float. The scalar text has as many threads as the processor, those marked "
+        "(1 thread) have one: twice the time is the same speed, thread for thread.",
     )
 
 
@@ -104,15 +95,15 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
     for j, fractal in enumerate(fractals):
         axis = axes[0][j]
         of_fractal = [row for row in rows if row.fractal == fractal]
-        names = backends.order([where(row) for row in of_fractal])
+        names = backends.order([label(row) for row in of_fractal])
         width = 0.8 / len(names)
         for row in of_fractal:
-            x = groups.index((row.precision, row.mode)) + (names.index(where(row)) - (len(names) - 1) / 2) * width
+            x = groups.index((row.precision, row.mode)) + (names.index(label(row)) - (len(names) - 1) / 2) * width
             share = 100 * row.figures["share_of_peak"]
             axis.bar(x, share, width, **style.look(backends.number_of(row.backend)))
         best = max(of_fractal, key=lambda row: row.figures["share_of_peak"])
         said.append(
-            f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {where(best)}, {best.precision}, {best.mode}"
+            f"{fractal}: at most {percent(best.figures['share_of_peak'])}, {label(best)}, {best.precision}, {best.mode}"
         )
         axis.set_xticks(range(len(groups)), ["\n".join(group) for group in groups])
         axis.set_title(fractal)
@@ -120,7 +111,7 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
         if j == 0:
             axis.set_ylabel("share of the peak [%]")
             handles = [Patch(label=name, **style.look(backends.number_of(name.split()[0]))) for name in names]
-            figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+            figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
     return style.block(
         figure,
         "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",

@@ -13,7 +13,8 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations."""
+    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations. Calls and
+    iterations are counted over all pixels, operations an iteration and the shares of lanes in a sample."""
 
     fractal: str
     precision: str
@@ -24,6 +25,8 @@ class Factors:
     active: float  # share of lanes that are busy in the estimator's iterations
     active_steps: float
     lanes: int
+    sample: int  # pixels
+    sampled_calls: float  # a pixel of the sample
     kernel: float | None  # seconds a picture
     share_of_peak: float | None
 
@@ -33,26 +36,29 @@ class Factors:
 
 
 def factors(bench: Bench, backend: str) -> list[Factors]:
-    """Of every scene that the study box-vs-bulb counted, in its rows' order; times are `backend`'s."""
+    """Of every scene of the study box-vs-bulb that `backend` drew, in its rows' order."""
     found = []
     rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
     for count in bench.data["counts"]:
         view = count["setting"]["view"]
         row = rows.get((count["fractal"], count["precision"], view))
-        timed = row if row is not None and row.timed else None
+        if row is None or not row.work["iterations"]:
+            continue
         found.append(
             Factors(
                 count["fractal"],
                 count["precision"],
                 view,
-                count["work"]["de_calls"] / count["pixels"],
-                count["work"]["iterations"] / max(1, count["work"]["de_calls"]),
-                count["operations_per_iteration"],
+                row.work["de_calls"] / row.pixels,
+                row.work["iterations"] / row.work["de_calls"],
+                row.operations / row.work["iterations"],
                 count["active_in_iterations"],
                 count["active_in_steps"],
                 count["lanes"],
-                timed.kernel.median if timed else None,
-                timed.figures["share_of_peak"] if timed else None,
+                count["pixels"],
+                count["work"]["de_calls"] / count["pixels"],
+                row.kernel.median if row.timed else None,
+                row.figures["share_of_peak"] if row.timed else None,
             )
         )
     order = {key: number for number, key in enumerate(rows)}
@@ -67,7 +73,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
         "calls\na pixel",
         "iterations\na call",
         "operations\nan iteration",
-        "lanes\nthat wait",
+        "lanes that\nwait (sample)",
         "all four",
         "measured\ntime",
     ]
@@ -89,20 +95,21 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
             x = k + (number - (len(pairs) - 1) / 2) * width
             # From 1: what makes the box slower goes up, what makes it faster goes down.
             axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
-            axis.text(x, max(value, 1) * 1.03, digits(value, 2), ha="center", va="bottom", fontsize=6.5)
+            axis.text(x, max(value, 1) * 1.05, digits(value, 2), ha="center", va="bottom", fontsize=6.5, rotation=90)
             said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")
     axis.set_yscale("log", base=2)
-    axis.margins(y=0.12)
+    axis.margins(y=0.15)
     ticks = [t for t in (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32) if axis.get_ylim()[0] <= t <= axis.get_ylim()[1]]
     axis.set_yticks(ticks, [plain(t) for t in ticks])
     axis.axhline(1, color="black", linewidth=0.8)
     axis.set_xticks(range(len(names)), names)
     axis.grid(axis="x", visible=False)
     axis.set_ylabel("Mandelbox / Mandelbulb")
-    axis.legend(title="scene", fontsize=8, ncols=len(pairs))
+    figure.legend(loc="outside lower center", title="scene", fontsize=8, ncols=len(pairs))
     return style.block(
         figure,
         "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
         "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
-        "wait: the shares of busy lanes, the other way round. The first four multiply to the fifth.",
+        "wait: the shares of busy lanes, the other way round. Calls and iterations are counted over all pixels, operations and lanes in a "
+        f"sample of {pairs[0][0].sample:,} of each picture. The first four multiply to the fifth.",
     )

@@ -25,10 +25,13 @@ MODELS = {
 
 def section(material: Material) -> dict[str, Any]:
     answers = material.answers
+    cost = answers.cost()
     timed = answers.primary.values("backend") if answers.primary else []
     return {
         "models": join([MODELS.get(name, name) for name in timed if name != material.backends.reference] or ["several models"]),
         "same": answers.same(),
+        "cost": cost and cost | {"backends": join(cost["backends"])},
+        "gpu_measured": material.results.gpu_measured(),
         "fastest": answers.fastest(),
         "speed_ups": answers.speed_ups(),
         "fractals": answers.box_or_bulb(),

@@ -14,7 +14,7 @@ from .tables import time_cell
 
 SIZE = (1920, 1080)  # pixels, of the prediction
 PAPER = re.compile(r"(\w+) on paper,")
-HEADERS = ["fractal", "number", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak", "with lanes that refill, ms"]
+HEADERS = ["fractal", "precision", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak", "with lanes that refill, ms"]
 
 
 def _host(material: Material, fractal: str, precision: str, mode: str) -> str:

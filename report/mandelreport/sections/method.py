@@ -5,14 +5,46 @@ from __future__ import annotations
 
 from typing import Any
 
+from markupsafe import Markup
+
+from ..answers import named
 from ..bench import Bench
 from ..blocks import Missing, Table
+from ..text import join
+from ..trace import Place
 from . import Material
 
 
 def instructions(bench: Bench, host: str) -> str:
     rows = [row for row in bench.timed(backend=host) if row.instruction_set]
     return ", ".join(dict.fromkeys(row.instruction_set for row in rows))
+
+
+HOST_COMPILERS = ("GNU", "Clang")
+
+
+def _baseline(material: Material) -> str:
+    """The instruction sets that the host's backends were compiled for, and the scalar text's gain from the processor's own."""
+    bench = material.answers.primary
+    if bench is None:
+        return ""
+    backends = [b for b in bench.environment["backends"] if b["compiler"].startswith(HOST_COMPILERS)]
+    plain = [b["name"] for b in backends if "-march" not in b["flags_exact"] + b["flags_fast"] and b["name"] != material.backends.host]
+    if not plain:
+        return ""
+    host, trace = material.backends.host, material.answers.trace
+    text = Markup(
+        "The scalar text and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs choose their "
+        "instructions at run time; OpenCL and Vulkan compile for the processor that they find."
+    ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
+    file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
+    if file is None:
+        return text
+    ends = [trace.number(Place((file,), f"* * {mode}:3", rule)) for mode in ("exact", "fast") for rule in ("least", "most")]
+    machine = next(line for line in str(material.results.files[file]).splitlines() if line.startswith("processor")).split(maxsplit=1)[1]
+    return text + Markup(
+        " With -march=native the scalar text is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
+    ).format(*ends, named(machine), file)
 
 
 def section(material: Material) -> dict[str, Any]:
@@ -36,4 +68,4 @@ def section(material: Material) -> dict[str, Any]:
         "Results of the standard study; tables below call them by their letters.",
         [4],
     )
-    return {"table": table if rows else Missing("The results", "make bench"), "backends": material.backends.names[:-1]}
+    return {"table": table if rows else Missing("The results", "make bench"), "baseline": _baseline(material)}

@@ -78,7 +78,7 @@ def section(material: Material) -> dict[str, Any]:
     march = _march(material)
     return {
         "march": march,
-        "profiles": _with(profiles, f"{march}, in every fractal, number and mode." if march else "")
+        "profiles": _with(profiles, f"{march}, in every fractal, precision and mode." if march else "")
         or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
         "threads": _with(sweep(material, *THREADS), _scaling(material)),
         "ablation": _with(ablations, _worth(material))

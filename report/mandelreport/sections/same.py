@@ -36,7 +36,7 @@ def _proofs(material: Material) -> Block:
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
     said = {(row.fractal, row.precision, row.mode, row.backend): row.proof["text"] or "yardstick" for row in bench.rows if row.timed}
     return Table(
-        ["fractal", "number", "mode", *names],
+        ["fractal", "precision", "mode", *names],
         [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],
         f"What the proofs found ({bench.name}). Same bits: every bit of colour and depth is the scalar text's. Off: a byte is off "
         "by more than 2 of 255.",

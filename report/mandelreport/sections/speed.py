@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who is fastest: the primary study's backends as columns, beside both baselines."""
+"""Who is fastest: the primary study's backends beside both baselines."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from ..answers import named
 from ..bench import Bench
 from ..blocks import Block, Figure, Missing, Table
 from ..figures import timings
-from ..text import join, where
+from ..models import label, ranked, with_scalar, work_over_scalar
+from ..text import digits, join, where
 from ..trace import Place
 from . import Material
 from .tables import quotient_cell, time_cell
@@ -23,24 +24,27 @@ def _see(figure: Figure | None, text: str) -> Figure | None:
 
 
 def _table(material: Material, bench: Bench) -> Table:
+    """Backends as lines, the fastest first, then the host beside both baselines."""
     host, backends = material.backends.host, material.backends
-    rows = [row for row in bench.rows if row.timed and row.backend != backends.reference]
-    names = backends.order(where(row) for row in rows)
+    rows = with_scalar(bench, backends.reference)
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in rows))
-    by = {(row.fractal, row.precision, row.mode, where(row)): row for row in rows}
-    cells = []
-    for kind in kinds:
-        own = by.get((*kind, host))
-        ups = [quotient_cell(own, key) if own else "–" for key in ("speed_up", "over_scalar")]
-        if ups[1] == "–":
-            ups[1] = _elsewhere(material, *kind)
-        cells.append([*kind, *(time_cell(by.get((*kind, name))) for name in names), *ups])
+    by = {(row.fractal, row.precision, row.mode, label(row)): row for row in rows}
+    lines = [[name, *(time_cell(by.get((*kind, name))) for kind in kinds)] for name in ranked(rows)]
+    own = [by.get((*kind, host)) for kind in kinds]
+    over = [quotient_cell(row, "over_scalar") if row else "–" for row in own]
+    work = [work_over_scalar(bench, row, host) if row else None for row in own]
+    lines += [
+        [f"{host} over serial", *(quotient_cell(row, "speed_up") if row else "–" for row in own)],
+        [f"{host} over scalar", *(_elsewhere(material, *kind) if cell == "–" else cell for cell, kind in zip(over, kinds))],
+        ["of it less work", *("–" if share is None else digits(1 / share) for share in work)],
+    ]
     return Table(
-        ["fractal", "number", "mode", *(f"{name}, ms" for name in names), f"{host} over serial", f"{host} over scalar"],
-        cells,
-        f"Kernel time with its 95 % interval ({bench.name}), and the host's wall-time speed-up over the serial reference in double and "
-        "exact mode and over the same text in scalar C++ on the same threads (* from another file, which Appendix B names).",
-        list(range(3, 5 + len(names))),
+        ["ms", *(", ".join(kind) for kind in kinds)],
+        lines,
+        f"Kernel time with its 95 % interval ({bench.name}, {bench.size} pixels), the fastest backend first. Below it the host's wall-time "
+        "speed-up over the serial reference in double and exact mode, and over the same text in scalar C++ on the same threads (* from "
+        "another file, which Appendix B names); of the latter, the scalar text's counted operations over the host's.",
+        list(range(1, 1 + len(kinds))),
     )
 
 
@@ -67,12 +71,16 @@ def _peak_see(material: Material, bench: Bench) -> str:
     ).format(share, where(best), best.fractal, best.precision, best.mode)
 
 
-def _bars_see(material: Material, bench: Bench) -> str:
-    path = f"rows:backend={material.backends.host}&point=&figures!=null:figures.kernel_seconds.median"
-    least, most = (material.answers.trace.number(Place((bench.name,), path, rule), scale=1e3) for rule in ("least", "most"))
+def _cost_see(material: Material, bench: Bench) -> str:
+    cost = material.answers.cost()
+    if cost is None:
+        return ""
+    path = f"rows:backend={material.backends.host}&point=&figures!=null:figures.over_scalar"
+    least, most = (material.answers.trace.number(Place((bench.name,), path, rule)) for rule in ("least", "most"))
     return Markup(
-        "{} takes {} to {} ms. {} has the lowest bars. Where intervals of two bars overlap, their ratio may still be sure, as it is taken round by round."
-    ).format(material.backends.host, least, most, fastest(bench))
+        "{} stay near the line, thread for thread at {} to {} times the scalar text's speed: the loop that a model writes costs little. {} is {} to {} times as "
+        "fast as that text, in fast mode partly by less work. Where two intervals overlap, the ratio may still be distinguishable, as it is taken round by round."
+    ).format(join(cost["backends"]), cost["least"], cost["most"], material.backends.host, least, most)
 
 
 def _machines_see(machines: list[Bench]) -> str:
@@ -90,7 +98,7 @@ def section(material: Material) -> dict[str, Any]:
     machines = material.results.machines()
     blocks: list[Block | None] = [
         _table(material, bench),
-        _see(timings.kernel_bars(bench, backends), _bars_see(material, bench)),
+        _see(timings.over_scalar(bench, backends), _cost_see(material, bench)),
         _see(timings.share_of_peak(bench, backends), _peak_see(material, bench)),
         _see(timings.machines(machines), _machines_see(machines)),
     ]

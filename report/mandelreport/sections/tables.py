@@ -8,11 +8,13 @@ import subprocess
 from collections.abc import Callable
 from typing import Any
 
-from ..bench import Row, read_portability
+from ..bench import Bench, Row, read_portability
 from ..blocks import Missing, Table
 from ..errors import InputError
 from ..figures import portability
-from ..text import digits, interval_ms, ms, percent, where
+from ..models import label, work_over_scalar
+from ..portability import measured, platforms
+from ..text import digits, interval_ms, ms, percent
 from . import Material
 from .why import factor_table
 
@@ -25,22 +27,24 @@ def time_cell(row: Row | None) -> str:
 
 
 def quotient_cell(row: Row, key: str) -> str:
-    """A speed-up and its interval."""
+    """A speed-up and its interval; none for a baseline beside itself."""
     value, interval = row.figures.get(key), row.figures.get(f"{key}_interval")
     if value is None:
         return "–"
+    if value == 1:
+        return "1"
     return digits(value) + (f" [{digits(interval[0])} – {digits(interval[1])}]" if interval else "")
 
 
-def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Table | None:
+def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
     """A line for each fractal, precision, mode and backend, a column for each result; lines that say nothing are left out."""
     benches = material.results.study("standard")
     found: dict[tuple[str, ...], dict[str, str]] = {}
     for bench in benches:
         for row in map(Row, bench.data["rows"]):
             if row.fractal != "all":
-                name = f"{where(row)}{', scalar' if row.point else ''}"
-                text = cell(row) if row.timed else "–" if row.unavailable else "FAILED"
+                name = label(row)
+                text = cell(bench, row) if row.timed else "–" if row.unavailable else "FAILED"
                 found.setdefault((row.fractal, row.precision, row.mode, name), {})[bench.name] = text
     fractals = dict.fromkeys(key[0] for key in found)
     order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
@@ -57,7 +61,7 @@ def _columns(material: Material, cell: Callable[[Row], str], caption: str) -> Ta
     if not lines:
         return None
     letters = [material.letter(bench.name) for bench in benches]
-    return Table(["fractal", "number", "mode", "backend", *letters], lines, caption, list(range(4, 4 + len(letters))))
+    return Table(["fractal", "precision", "mode", "backend", *letters], lines, caption, list(range(4, 4 + len(letters))))
 
 
 def _reasons(material: Material) -> list[str]:
@@ -74,7 +78,7 @@ def _peaks(material: Material) -> Table | None:
             rate = digits(peak["operations_per_second"] / 1e9)
             found.setdefault((peak["backend"], peak["precision"]), {}).setdefault(bench.name, rate)
     rows = [[*key, *(cells.get(bench.name, "–") for bench in benches)] for key, cells in found.items()]
-    headers = ["backend", "number", *(material.letter(bench.name) for bench in benches)]
+    headers = ["backend", "precision", *(material.letter(bench.name) for bench in benches)]
     caption = "Measured multiply-add peaks [GFLOP/s]; a platform's peak is the highest that any backend reaches."
     return Table(headers, rows, caption, list(range(2, len(headers)))) if rows else None
 
@@ -100,7 +104,7 @@ def _portability(material: Material) -> list[dict[str, Any]]:
     return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
 
 
-def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
+def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
     rows = []
     for entry in entries:
 
@@ -122,10 +126,12 @@ def _portability_table(entries: list[dict[str, Any]]) -> Table | None:
     if not rows:
         return None
     return Table(
-        ["fractal", "number", "mode", "backend", "platforms", "PP by application", "PP by share of peak"],
+        ["fractal", "precision", "mode", "backend", "platforms", "PP by application", "PP by share of peak"],
         rows,
         "Pennycook's performance portability: by application efficiency (the best backend's time on the platform over "
-        "this one's) and by architectural efficiency (share of the measured peak), with intervals by generalized pivots (Weerahandi).",
+        "this one's; the backend that is the fastest everywhere has 1) and by architectural efficiency (share of the measured peak), with "
+        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms(entries))}}}. 0: unavailable on one of H, or a "
+        "wrong picture there." + "".join(f" {name} was not measured on {' and '.join(without)} and has no value." for name, without in missing.items()),
         [4, 5, 6],
     )
 
@@ -138,7 +144,7 @@ def _packs(material: Material) -> Table | None:
         for row in bench.timed(backend=material.backends.host)
         if row.figures.get("over_scalar") is not None
     ]
-    headers = ["file", "fractal", "number", "mode", "pixels at once", "wall ms", "over scalar"]
+    headers = ["file", "fractal", "precision", "mode", "pixels at once", "wall ms", "over scalar"]
     return Table(headers, rows, "Packs over the same text in scalar C++ on the same threads.", [4, 5, 6]) if rows else None
 
 
@@ -175,14 +181,19 @@ def _race(race: dict[str, Any]) -> Table:
 
 
 def section(material: Material) -> dict[str, Any]:
-    metric = _portability(material)
+    def work(bench: Bench, row: Row) -> str:
+        share = work_over_scalar(bench, row, material.backends.host)
+        return "–" if share is None or abs(share - 1) < 0.01 else digits(share)
+
+    metric, not_measured = measured(_portability(material), material.results.machines())
     tables = [
-        _columns(material, time_cell, "Kernel time and its 95 % interval [ms]; without brackets the samples are too few for one."),
-        _columns(material, lambda row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
-        _columns(material, lambda row: quotient_cell(row, "over_scalar"), "Speed-up over the same text in scalar C++, wall times."),
+        _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets the samples are too few for one."),
+        _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
+        _columns(material, lambda _, row: quotient_cell(row, "over_scalar"), "Speed-up over the same text in scalar C++, wall times."),
+        _columns(material, work, "Counted operations over the scalar text's, where they differ by more than 1 %: there a part of the speed-up is less work."),
         _packs(material),
-        _columns(material, lambda row: percent(row.figures["share_of_peak"]), "Counted operations a second, of the measured peak."),
-        _columns(material, lambda row: row.proof["text"] or "yardstick", "What the proofs found."),
+        _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations a second, of the measured peak."),
+        _columns(material, lambda _, row: row.proof["text"] or "yardstick", "What the proofs found."),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),
@@ -192,7 +203,7 @@ def section(material: Material) -> dict[str, Any]:
         "tables": [table for table in tables if table],
         "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
-        "portability": _portability_table(metric),
+        "portability": _portability_table(metric, not_measured),
         "cascade": portability.cascade(metric, material.backends),
         "lines_of_code": _lines_of_code(divergence) if divergence else None,
         "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,

@@ -9,6 +9,8 @@ from typing import Any
 from markupsafe import Markup
 
 from ..answers import counted
+from ..answers import factors as traced_factors
+from ..answers import verdict
 from ..bench import Bench
 from ..blocks import Missing, Table
 from ..figures import timings
@@ -33,6 +35,7 @@ def factor_table(material: Material) -> Table | None:
             digits(f.iterations),
             digits(f.operations),
             digits(f.per_pixel, 4),
+            digits(f.sampled_calls / f.calls),
             percent(f.active_steps, 0),
             percent(f.active, 0),
             "–" if f.kernel is None else ms(f.kernel),
@@ -47,20 +50,23 @@ def factor_table(material: Material) -> Table | None:
             "file",
             "fractal",
             "scene",
-            "number",
+            "precision",
             "calls a pixel",
             "iterations a call",
             "operations an iteration",
             "operations a pixel",
+            "sample's calls",
             "busy lanes, steps",
             "busy lanes, iterations",
             "kernel ms",
             "of peak",
         ],
         rows,
-        "What a picture of each scene costs. Calls: of the distance estimator. Busy lanes: of "
-        f"{found[0][1].lanes} neighbouring pixels that go on until the last is done.",
-        list(range(4, 12)),
+        "What a picture of each scene costs. Calls: of the distance estimator; they and iterations are counted over all pixels. "
+        f"Operations an iteration and busy lanes (of {found[0][1].lanes} neighbouring pixels that go on until the last is done) are counted in a "
+        f"sample of {found[0][1].sample:,} pixels. Sample's calls: calls a pixel in that sample over those in the whole picture; far "
+        "from 1 the sample missed a part of the picture.",
+        list(range(4, 13)),
     )
 
 
@@ -79,14 +85,14 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     def kernel(name: str) -> Place:
         return Place((file,), f"rows:name={name}:figures:kernel_seconds:median")
 
+    def paired(question: str, numerator: str) -> dict[str, Any] | None:
+        return next((entry for entry in bench.data["questions"].get(question, []) if entry["numerator"] == numerator), None)
+
     def ratio(question: str, numerator: str, denominator: str) -> Markup:
         """Paired by round where the file has it."""
-        if any(entry["numerator"] == numerator for entry in bench.data["questions"].get(question, [])):
+        if paired(question, numerator):
             return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
         return trace.number(kernel(numerator), over=kernel(denominator))
-
-    def factor(what: str, above: str = "mandelbox", below: str = "mandelbulb") -> Markup:
-        return trace.number(counted(file, above, precision, what), over=counted(file, below, precision, what))
 
     def lanes(fractal: str) -> Markup:
         return trace.number(counted(file, fractal, precision, "active_in_iterations"), "plain", 100)
@@ -102,11 +108,10 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         "backend": host,
         "ratio": ratio("mandelbox_to_mandelbulb", box_row, bulb_row),
         "slower": times > 1,
-        "close": 0.95 < times < 1.05,
-        "calls": factor("work.de_calls/pixels"),
-        "iterations": factor("work.iterations/work.de_calls"),
-        "operations": factor("operations_per_iteration", "mandelbulb", "mandelbox"),
-        "work": trace.number(Place((file,), f"rows:name={box_row}:operations"), over=Place((file,), f"rows:name={bulb_row}:operations")),
+        "verdict": verdict(paired("mandelbox_to_mandelbulb", box_row)),
+        "size": bench.size,
+        "sample": trace.number(counted(file, "mandelbox", precision, "pixels"), "whole"),
+        **traced_factors(trace, file, box_row, bulb_row),
         "box_lanes": lanes("mandelbox"),
         "bulb_lanes": lanes("mandelbulb"),
         "box_peak": peak(box_row),
@@ -115,7 +120,7 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     if angles is not None and angles.kernel is not None:
         angles_row = rows["mandelbulb", "angles"]
         answer["angles"] = ratio("to_first_point", angles_row, bulb_row)
-        of = [counted(file, "mandelbulb", precision, "operations_per_iteration", view) for view in ("angles", "official")]
+        of = [Place((file,), f"rows:name={name}:operations/work.iterations") for name in (angles_row, bulb_row)]
         answer["angle_operations"] = trace.number(of[0], over=of[1])
         answer["against_angles"] = trace.number(kernel(box_row), over=kernel(angles_row))
         answer["box_beats_angles"] = box.kernel < angles.kernel

@@ -1,0 +1,258 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""front_numbers.py PAGE RESULTS: computes every number of the front page again, from the raw samples, counts and tables of the
+result files. It shares no code with the report and follows no path that the page names: the sentences below say what each number
+must be. A number that no sentence covers is a fault, and so is a sentence that the page lacks. Exit codes: 0 fine, 1 faults."""
+
+from __future__ import annotations
+
+import functools
+import html
+import json
+import math
+import re
+import statistics
+import sys
+from pathlib import Path
+from typing import Any
+
+FRACTALS = ("mandelbulb", "mandelbox")
+NUMBER = r"\d[\d,]*(?:\.\d+)?"
+T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
+
+
+def text_of(page: str) -> str:
+    """The front page as a reader sees it, without its figure."""
+    page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
+
+
+def two_sided(t: float, freedom: int) -> float:
+    """Student's t, by Abramowitz and Stegun's finite sums, 26.7.3 and 26.7.4."""
+    angle = math.atan(t / math.sqrt(freedom))
+    term, total = (1.0, 1.0) if freedom % 2 == 0 else (math.cos(angle), math.cos(angle))
+    for k in range(2 if freedom % 2 == 0 else 3, freedom, 2):
+        term *= (k - 1) / k * math.cos(angle) ** 2
+        total += term
+    if freedom % 2 == 0:
+        return 1 - math.sin(angle) * total
+    return 1 - 2 / math.pi * (angle + (math.sin(angle) * total if freedom > 1 else 0))
+
+
+class Times:
+    """A value and, of several launches, its interval: Student's t of the logarithms of what the launches find, widened to the value."""
+
+    def __init__(self, value: float, launches: list[float]):
+        logs = [math.log(one) for one in launches]
+        half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
+        mean = statistics.mean(logs)
+        self.value = value
+        self.p = 1 if mean <= 0 else two_sided(T_95[len(logs) - 1] * mean / half, len(logs) - 1)  # that it is 1 by chance
+        self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
+
+    def numbers(self, scale: float = 1) -> list[float]:
+        return [scale * number for number in (self.value, *self.ends)]
+
+
+class File:
+    """A result of bench: its rows by name."""
+
+    def __init__(self, data: dict[str, Any]):
+        self.data = data
+        self.rows = {row["name"]: row for row in data["rows"]}
+
+    def launches(self, name: str, clock: str) -> list[list[float]]:
+        found: dict[int, list[float]] = {}
+        for sample in self.rows[name]["samples"]:
+            found.setdefault(sample["launch"], []).append(sample[clock])
+        return list(found.values())
+
+    def kernel(self, name: str) -> Times:
+        launches = self.launches(name, "kernel")
+        return Times(statistics.median(sum(launches, [])), [statistics.median(one) for one in launches])
+
+    def speed(self, name: str, base: str) -> Times:
+        """The speed over `base`, in wall time."""
+        own, other = self.launches(name, "wall"), self.launches(base, "wall")
+        ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
+        return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
+
+    def ratio(self, above: str, below: str) -> Times:
+        """The ratio of kernel times, paired by round."""
+        a, b = ({(s["launch"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
+        launches: dict[int, list[float]] = {}
+        for at in [at for at in a if at in b]:
+            launches.setdefault(at[0], []).append(a[at] / b[at])
+        return Times(statistics.median(sum(launches.values(), [])), [statistics.median(one) for one in launches.values()])
+
+    def work(self, above: str, below: str, *keys: str) -> float:
+        def of(name: str) -> float:
+            values = [self.rows[name]["work"].get(key) or self.rows[name][key] for key in keys]
+            return values[0] / (values[1] if len(values) > 1 else 1)
+
+        return of(above) / of(below)
+
+
+def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", point: str = "") -> str:
+    return f"{fractal}/{precision}/{mode}/{backend}/0{point and '/' + point}"
+
+
+def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
+    """By model that compiles the text as it is: per-thread speed over the scalar text, the times, and the factor for threads."""
+    found: dict[str, list[tuple[float, Times, float]]] = {}
+    for model in ("stdpar", "omptarget", "kokkos", "openacc"):
+        for row in file.rows.values():
+            if row["backend"] == model and row["samples"]:
+                scalar = name_of(row["fractal"], row["precision"], row["mode"], "openmp", "pack=1")
+                assert abs(file.work(row["name"], scalar, "operations") - 1) < 1e-3, row["name"]
+                factor = file.rows[scalar]["threads"] / row["threads"]
+                speed = file.speed(row["name"], scalar)
+                found.setdefault(model, []).append((factor * speed.value, speed, factor))
+    return found
+
+
+def ends(speeds: list[tuple[float, Times, float]]) -> list[float]:
+    return [n for pick in (min, max) for _, times, factor in [pick(speeds, key=lambda one: one[0])] for n in times.numbers(factor)]
+
+
+def comparisons(file: File) -> dict[str, Times]:
+    """Every other backend's kernel time over openmp's."""
+    rows = [row for row in file.rows.values() if row["samples"] and row["backend"] not in ("openmp", "reference")]
+    return {row["name"]: file.ratio(row["name"], name_of(row["fractal"], row["precision"], row["mode"])) for row in rows}
+
+
+def decided(times: list[Times]) -> int:
+    """Counts those that are above 1, with Holm's correction."""
+    p_values = sorted(one.p for one in times)
+    return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
+
+
+def standard_rows(folder: Path) -> list[dict[str, Any]]:
+    """The timed rows of all results of the standard study, without the reference's and the scalar text's."""
+    files = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.json"))]
+    studies = [f for f in files if isinstance(f, dict) and f.get("schema") == "mandelmarch-bench" and f["study"] == "standard"]
+    return [r for f in studies for r in f["rows"] if r["samples"] and not r["point"] and r["backend"] != "reference"]
+
+
+@functools.cache
+def sentences(folder: Path) -> list[tuple[str, list[float]]]:
+    """The sentences of the page for these results: `#` stands for a number, `~` for one with its interval. Names of cases follow from
+    the results, too."""
+    main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
+    rows = standard_rows(folder)
+    exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
+    same = [sum(row["proof"]["level"] == "same bits" for row in exact), len(exact)]
+    cost = models(main)
+    every = ends(sum(cost.values(), []))
+    others = comparisons(main)
+    count = [decided(list(others.values())), len(others)]
+    side = [main.rows[name_of("mandelbulb", "double", "exact")]["setting"][key] for key in ("width", "height")]
+
+    def case(name: str) -> tuple[str, list[float]]:
+        fractal, precision, mode, backend = name.split("/")[:4]
+        work = main.work(name, name_of(fractal, precision, mode), "operations")
+        return f"~ times as long ({backend}; {fractal}, {precision}, {mode}), with # times the operations", [*others[name].numbers(), work]
+
+    best: dict[str, str] = {}
+    for name in others:
+        kind = name.rpartition("/0")[0].rpartition("/")[0]
+        best[kind] = min(best.get(kind, name), name, key=lambda n: others[n].value)
+    nearest, farthest = (case(pick(best.values(), key=lambda n: others[n].value)) for pick in (min, max))
+
+    def simd(mode: str) -> list[float]:
+        rows = [(name_of(f, "float", mode), name_of(f, "float", mode, "openmp", "pack=1")) for f in FRACTALS]
+        return [n for row, scalar in rows for n in main.speed(row, scalar).numbers()] + [main.work(s, r, "operations") for r, s in rows]
+
+    serial = [main.speed(name_of(f, "float", "exact"), name_of(f, "double", "exact", "reference")) for f in FRACTALS]
+    box, bulb = (name_of(f, "double", "exact") for f in FRACTALS[::-1])
+    pairs = [[name_of(f, p, m) for f in FRACTALS[::-1]] for p, m in (("double", "exact"), ("float", "fast"))]
+    factors = [main.work(box, bulb, *keys) for keys in (("de_calls",), ("iterations", "de_calls"), ("operations", "iterations"), ("operations",))]
+    factors.insert(3, next(c["pixels"] for c in main.data["counts"] if (c["fractal"], c["precision"], c["mode"]) == tuple(box.split("/")[:3])))
+    digits = [[main.ratio(name_of(f, "double", m), name_of(f, "float", m)) for f in FRACTALS] for m in ("exact", "fast")]
+    return [
+        ("it: # of # exact pictures have the same bits.", same),
+        ("run at ~ to ~ times the speed of the same text", every),
+        ("is faster than another backend in # of # comparisons", count),
+        ("the slowest to the fastest of # cases of # x # pixels", [len(next(iter(cost.values()))), *side]),
+        *((f"{model} ~ to ~", ends(speeds)) for model, speeds in cost.items()),
+        ("for Mandelbulb and Mandelbox in float, # x # pixels", side),
+        *((f"in {m} mode openmp is ~ and ~ times as fast as the scalar text on as many threads, of which # and # is less work", simd(m)) for m in ("exact", "fast")),
+        ("takes ~ and ~ times as long as openmp in exact mode", [n for one in serial for n in one.numbers()]),
+        ("in exact mode: # of # exact pictures", same),
+        ("at most # % of an official scene's pixels", [100 * max(r["proof"]["visibly_differing"] / r["proof"]["pixels"] for r in fast)]),
+        ("In # of # comparisons the other backend takes longer, at the level of # % for all", [*count, 5]),
+        (f"The next best takes {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
+        *(box_or_bulb(*pair[0].split("/")[1:3], main.ratio(*pair)) for pair in pairs),
+        ("These are pictures of # x # pixels", side),
+        ("a pixel takes # times as many calls of the estimator and a call # times as many iterations, counted over all pixels; an iteration "
+         "takes # times as many operations, counted in a sample of #. Their product is # times the operations.", factors),
+        ("double take ~ and ~ times as long in exact mode, ~ and ~ in fast mode", [n for two in digits for one in two for n in one.numbers()]),
+        *other_files(folder),
+        ("In brackets: # % intervals, each by itself, of # launches", [95, main.data["launches"]]),
+    ]
+
+
+def other_files(folder: Path) -> list[tuple[str, list[float]]]:
+    """Random scenes, the GPU on paper and the film."""
+    wide = File(json.loads((folder / "resolution_fast.json").read_text(encoding="utf-8")))
+    sums = {(s["fractal"], s["precision"]): s["all"]["off_percent"] for s in json.loads((folder / "random.json").read_text())["sums"]}
+    paper = {line.split()[0]: float(line.split()[7]) for line in (folder / "k40_expected.txt").read_text().splitlines() if " float " in line and " fast " in line}
+    film_size = [wide.rows[at("mandelbulb")]["setting"][key] for key in ("width", "height")]
+    film = json.loads((folder / "film.json").read_text())
+    gpu = [n for f in FRACTALS for ms in [wide.kernel(at(f)).numbers(1e3)] for n in (paper[f], *ms, ms[0] / paper[f])]
+    return [
+        ("# and # % of the fast pixels are visibly off in float, # and # % in double", [sums[f, p] for p in ("float", "double") for f in ("bulb", "box")]),
+        ("float and fast mode, # x # pixels: # ms for the Mandelbulb where openmp takes ~ ms, # times as long; # ms for the Mandelbox "
+         "where openmp takes ~ ms, # times as long", film_size + gpu),
+        ("# minutes: # frames of # x # pixels (float, fast, # x # samples a pixel) in # s, # s a frame",
+         [film["seconds"] / 60, film["frames_rendered"], film["width"], film["height"], film["samples"], film["samples"], film["seconds"], film["seconds"] / film["frames_rendered"]]),
+        ("together, on # threads of", [film["threads"]]),
+    ]
+
+
+def box_or_bulb(precision: str, mode: str, times: Times) -> tuple[str, list[float]]:
+    low, high = times.ends
+    same = 1 / 1.02 <= low and high <= 1.02
+    said = "the same within # %" if same else "it is slower" if low > 1 else "it is faster" if high < 1 else "undecided"
+    return f"In {precision} and {mode} mode the Mandelbox takes ~ times as long: {said}.", times.numbers() + [2.0] * same
+
+
+def at(fractal: str) -> str:
+    return name_of(fractal, "float", "fast", "openmp", "size=1920x1080")
+
+
+def is_written(text: str, value: float) -> bool:
+    """Rounded to the digits that are printed."""
+    return abs(float(text.replace(",", "")) - value) <= 0.5001 * 10.0 ** -len(text.partition(".")[2])
+
+
+def faults(page: str, folder: Path) -> list[str]:
+    """Sentences that are not on the page, numbers that are not what they must be, and numbers that no sentence covers."""
+    text, found = text_of(page), []
+    for name in names(folder):
+        text = text.replace(name, "*" * len(name))
+    covered = list(text)
+    for sentence, values in sentences(folder):
+        pattern = re.escape(sentence.replace("~", "# [#, #]")).replace(r"\#", f"({NUMBER})")
+        matches = list(re.finditer(pattern, text))
+        if not matches:
+            found.append(f"the page does not say: {sentence}")
+        for match in matches:
+            wrong = [(said, value) for said, value in zip(match.groups(), values, strict=True) if not is_written(said, value)]
+            found += [f"{sentence}: the page says {said}, the results {value}" for said, value in wrong]
+            covered[match.start() : match.end()] = "*" * (match.end() - match.start())
+    rest = "".join(covered)
+    return found + [f"no sentence covers {m[0]}: ...{text[max(0, m.start() - 40) : m.end() + 20]}..." for m in re.finditer(NUMBER, rest)]
+
+
+def names(folder: Path) -> list[str]:
+    """Names with digits: machines, files, and what is called so."""
+    cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
+    machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
+    return [*machines, "bench.json", "Tesla K40"]
+
+
+if __name__ == "__main__":
+    wrong = faults(Path(sys.argv[1]).read_text(encoding="utf-8"), Path(sys.argv[2]))
+    print(*wrong, sep="\n", end="\n" if wrong else "")
+    sys.exit(1 if wrong else 0)

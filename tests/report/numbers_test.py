@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed product, and
+who has the CSV alone finds the winner that the page names. Each check is tried on something wrong, too."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+RESULTS = ROOT / "report" / "results"
+sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
+
+from front_numbers import faults, is_written, text_of  # noqa: E402
+from mandelreport.page import front_page, sections_of  # noqa: E402
+from mandelreport.pictures import Cache, Studio  # noqa: E402
+from mandelreport.results import read_results  # noqa: E402
+from mandelreport.sections import Material  # noqa: E402
+
+NONE = Path("/nonexistent")
+MATERIAL = Material(read_results(RESULTS), Studio(NONE, Cache(NONE)), NONE)
+FRONT = front_page(MATERIAL)
+FACTORS = re.compile(
+    r"([\d.]+) times as many calls.*?([\d.]+) times as many iterations.*?([\d.]+) times as many operations.*?product is ([\d.]+) times", re.S
+)
+
+
+def multiply(printed: list[str]) -> bool:
+    """The last is the product of the others, as far as their digits go."""
+    *factors, product = map(float, printed)
+    slack = sum(0.5 * 10.0 ** -len(text.partition(".")[2]) / float(text) for text in printed)
+    return abs(math.prod(factors) / product - 1) <= slack
+
+
+def winners(text: str) -> set[str]:
+    """The backend with the least kernel time for each fractal, precision and mode of a CSV of the standard study."""
+    best: dict[tuple[str, ...], tuple[float, str]] = {}
+    for row in csv.DictReader(io.StringIO(text)):
+        if row["kernel_s"] and row["proof_fine"] == "1":
+            kind = (row["fractal"], row["precision"], row["mode"])
+            best[kind] = min(best.get(kind, (math.inf, "")), (float(row["kernel_s"]), row["application"]))
+    return {backend for _, backend in best.values()}
+
+
+class NumbersTest(unittest.TestCase):
+    def test_every_number_of_the_front_page_is_computed_again(self) -> None:
+        self.assertEqual(faults(FRONT, RESULTS), [])
+
+    def test_each_number_that_is_changed_is_seen(self) -> None:
+        numbers = list(re.finditer(r"(?<=>)[\d,.]*\d(?=</data>)", FRONT))
+        self.assertGreater(len(numbers), 90)
+        for number in numbers:
+            value = float(number[0].replace(",", ""))
+            other = f"{FRONT[: number.start()]}{value * 1.03 + 0.01:.5f}{FRONT[number.end() :]}"
+            self.assertNotEqual(faults(other, RESULTS), [], number[0])
+
+    def test_a_number_that_nothing_computes_is_seen(self) -> None:
+        self.assertEqual(len(faults(FRONT.replace("It was made once", "It was made once, in 12 parts"), RESULTS)), 1)
+
+    def test_a_sentence_that_is_missing_is_seen(self) -> None:
+        self.assertIn("the page does not say", " ".join(faults(FRONT.replace("times as many calls", "more calls"), RESULTS)))
+
+    def test_rounding_is_checked_to_the_last_digit(self) -> None:
+        self.assertTrue(is_written("1.76", 1.7602) and is_written("1,138", 1137.99) and is_written("2", 2))
+        self.assertFalse(is_written("1.76", 1.7657) or is_written("1,138", 1139.1) or is_written("48", 47))
+
+
+class FactorsTest(unittest.TestCase):
+    """Why one fractal is slower: calls x iterations x operations, on the front page and in both precisions of the section."""
+
+    def test_printed_factors_multiply_to_the_printed_product(self) -> None:
+        found = FACTORS.findall(text_of(FRONT)) + FACTORS.findall(text_of(sections_of(MATERIAL, ["why"])))
+        self.assertEqual(len(found), 3)
+        for printed in found:
+            self.assertTrue(multiply(printed), printed)
+
+    def test_factors_of_a_sample_and_work_of_all_pixels_do_not(self) -> None:
+        self.assertFalse(multiply(["1.37", "3.99", "0.359", "1.76"]))
+        self.assertFalse(multiply(["1.33", "3.99", "0.359", "1.76"]))
+
+
+class CsvTest(unittest.TestCase):
+    """A reader who has bench.csv and nothing else."""
+
+    def setUp(self) -> None:
+        self.named = set(re.findall(r"(\w+), for whoever has a processor", text_of(FRONT)))
+        self.text = (RESULTS / "bench.csv").read_text(encoding="utf-8")
+
+    def test_the_winner_is_the_one_that_the_page_names(self) -> None:
+        self.assertEqual(len(self.named), 1)
+        self.assertEqual(winners(self.text), self.named)
+
+    def test_another_winner_is_seen(self) -> None:
+        table = list(csv.DictReader(io.StringIO(self.text)))
+        for row in table:
+            if row["backend"] == "vulkan" and row["fractal"] == "mandelbox":
+                row["kernel_s"] = "0.0001"
+        other = io.StringIO()
+        writer = csv.DictWriter(other, table[0])
+        writer.writeheader()
+        writer.writerows(table)
+        self.assertNotEqual(winners(other.getvalue()), self.named)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""native_scalar_test.py: the ratio of two programs' user times, and the message where there is no build."""
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
+sys.path.insert(0, TOOLS)
+import native_scalar  # noqa: E402
+
+CASE = ("mandelbulb", "double", "exact")
+
+
+class NativeScalarTest(unittest.TestCase):
+    def ratio(self, factor):
+        """The ratio of made times: the second program takes `factor` of the first one's, each with an error of 1 %."""
+        noise = random.Random(1)
+
+        def seconds(program, _):
+            return (factor if program == "native" else 1) * noise.gauss(1, 0.01)
+
+        with mock.patch.object(native_scalar, "user_seconds", seconds):
+            return native_scalar.measured(["present", "native"], CASE, 16, "/nonexistent")
+
+    def test_a_faster_program_is_found(self):
+        ratio, low, high = self.ratio(1 / 1.1)
+        self.assertTrue(1.05 < low < ratio < high < 1.15, (low, ratio, high))
+
+    def test_equal_programs_have_an_interval_around_one(self):
+        _, low, high = self.ratio(1)
+        self.assertTrue(low < 1 < high, (low, high))
+
+    def test_user_time_is_that_of_the_process(self):
+        busy = native_scalar.user_seconds(sys.executable, ["-c", "sum(range(10**7))"])
+        self.assertGreater(busy, native_scalar.user_seconds(sys.executable, ["-c", "import time; time.sleep(0.3)"]))
+
+    def test_no_build_is_one_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, os.path.join(TOOLS, "native_scalar.py"), folder], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("native_scalar: ", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
