@@ -214,7 +214,7 @@ class Answers:
             return None
         pairs = []
         for fractal, (bench, row) in zip(FRACTALS, rows):
-            place = Place((expected,), f"{fractal} float fast:7")
+            place = Place((expected,), f"{fractal} float fast openacc:10")
             at = f"rows:name={row.name}:figures:kernel_seconds"
             pairs.append(
                 {

@@ -302,19 +302,19 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(found.primary().name, "a.json")
 
     def test_a_gpu_that_was_measured_stands_beside_its_prediction(self) -> None:
-        line = "mandelbulb  float   fast          1393     0.04          1.75     43%       0.4     10%       62%       0.3\n"
-        files: dict[str, object] = {"h.txt": f"H200 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
+        line = "mandelbulb float fast cuda 79 247 63% 49% 0.4 0.3 0.4 0.7\n"
+        files: dict[str, object] = {"h.txt": f"H100 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
         data = made.bench()
         row = next(r for r in data["rows"] if (r["fractal"], r["precision"], r["mode"]) == ("mandelbulb", "float", "fast"))
-        row |= {"is_gpu": True, "device_name": "NVIDIA H200"}
+        row |= {"is_gpu": True, "device_name": "NVIDIA H200", "backend": "cuda"}
         row["setting"] |= {"width": 1920, "height": 1080}
         row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
         files["bench.json"] = data
         results = read_results(made.write(self.folder / "results", files))
         found = gpu.section(SimpleNamespace(results=results, backends=results.backends()))["tables"]
-        self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H200"])
+        self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H100"])
         self.assertNotIn("measured ms", found[0].headers)
-        self.assertEqual(found[1].rows[0][9:12], [row["backend"], "0.8", "2.00"])
+        self.assertEqual(found[1].rows[0][11:14], ["0.7", "0.8", "2.00"])
 
     def test_both_tables_of_the_k40(self) -> None:
         folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a GPU would do, a table for each that is reckoned or measured: predicted, measured, and how far apart they are."""
+"""Expected and measured times of GPUs, a table for each."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from .tables import time_cell
 
 SIZE = (1920, 1080)  # pixels, of the prediction
 PAPER = re.compile(r"(\w+) on paper,")
-HEADERS = ["fractal", "precision", "mode", "operations a pixel", "instructions an operation", "lanes active", "predicted ms", "of peak", "with lanes that refill, ms"]
+NAMES = {"H100": ("H100", "H200")}  # GPUs with the same multiprocessors
+HEADERS = ["fractal", "precision", "mode", "backend", "cycles a round", "cycles a step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
 
 
 def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
@@ -31,35 +32,34 @@ def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
     return f"{time_cell(row)}{' *' if bench.study != 'standard' else ''}"
 
 
-def _measured(material: Material, gpu: str, kind: tuple[str, ...]) -> list[Row]:
-    """The rows of this GPU at the prediction's size, the fastest first."""
+def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
+    """The fastest row of this GPU at the expected size, of a fractal, precision, mode and backend."""
     rows = [
         row
         for bench in material.results.benches
-        for row in bench.timed(fractal=kind[0], precision=kind[1], mode=kind[2])
-        if row.is_gpu and gpu in row.device_name and (row.setting["width"], row.setting["height"]) == SIZE
+        for row in bench.timed(fractal=kind[0], precision=kind[1], mode=kind[2], backend=kind[3])
+        if row.is_gpu
+        and any(name in row.device_name for name in NAMES.get(gpu, (gpu,)))
+        and (row.setting["width"], row.setting["height"]) == SIZE
     ]
-    return sorted(rows, key=lambda row: row.kernel.median)
+    return min(rows, key=lambda row: row.kernel.median, default=None)
 
 
 def _table(material: Material, gpu: str, text: str) -> Table | None:
-    lines = [line.split() for line in text.splitlines()]
-    kinds = [words for words in lines if len(words) in (9, 11) and words[1] in ("float", "double")]  # 9: before lanes were refilled
-    measured = any(_measured(material, gpu, tuple(words[:3])) for words in kinds)
+    lines = [words for words in map(str.split, text.splitlines()) if len(words) == len(HEADERS) and words[1] in ("float", "double")]
+    found = [_measured(material, gpu, words) for words in lines]
     rows = []
-    for words in kinds:
-        cells = [*words[:4], *words[5:9], words[10] if len(words) == 11 else "–"]
-        if measured:
-            best = next(iter(_measured(material, gpu, tuple(words[:3]))), None)
-            over = digits(1e3 * best.kernel.median / float(words[7])) if best else "–"
-            cells += [best.backend if best else "–", time_cell(best), over]
+    for words, row in zip(lines, found, strict=True):
+        cells = list(words)
+        if any(found):
+            cells += [time_cell(row), digits(1e3 * row.kernel.median / float(words[-2]))] if row else ["–", "–"]
         rows.append([*cells, _host(material, *words[:3])])
-    headers = [*HEADERS, *(["fastest backend", "measured ms", "measured / predicted"] if measured else []), f"{material.backends.host} on the host, ms"]
+    headers = [*HEADERS, *(["measured ms", "measured / from"] if any(found) else []), f"{material.backends.host} on the host, ms"]
     return Table(
         headers,
         rows,
-        f"{gpu}: kernel time predicted at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's, measured on two threads of a processor (* in the study of resolutions).",
-        list(range(3, len(headers))),
+        f"{gpu}: kernel time of the march expected at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's time, measured on two threads of a processor (* in the study of resolutions).",
+        list(range(4, len(headers))),
     ) if rows else None
 
 
