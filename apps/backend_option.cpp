@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/console.h"
+#include "core/base/error.h"
 
 namespace mandelmarch {
 
@@ -23,10 +24,36 @@ void add_isolation_option(CLI::App& app)
     app.add_flag("--no-isolation")->description("run device drivers in this process, for profilers and debuggers");
 }
 
-const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells)
+std::string unheeded(const Backend& backend, const RendererOptions& options)
+{
+    const Facts facts = backend.facts();
+    if (options.threads > 0 && !facts.threads) return "--threads";
+    if (options.pack > 0 && !facts.pack) return "--pack";
+    return {};
+}
+
+void refuse_unheeded(const Registry& registry, const Backend& backend, const RendererOptions& options)
+{
+    const std::string option = unheeded(backend, options);
+    if (option.empty()) return;
+    std::vector<std::string_view> heeding;
+    for (const auto& other : registry.backends()) {
+        if (unheeded(*other, option == "--threads" ? RendererOptions{.threads = 1} : RendererOptions{.pack = 1})
+                .empty())
+            heeding.push_back(other->name());
+    }
+    throw InputError(fmt::format("{}: backend {} cannot heed it, expected one of {}", option, backend.name(),
+                                 fmt::join(heeding, ", ")));
+}
+
+const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
+                              const RendererOptions& options)
 {
     if (name != "auto") return *registry.find(name);
-    const AutomaticChoice choice = registry.automatic();
+    AutomaticChoice choice = registry.automatic();
+    if (const std::string option = unheeded(*choice.backend, options); !option.empty()) {
+        choice = {&registry.with(Role::host), fmt::format("{} is given", option)};
+    }
     if (tells) say("backend {}: {}\n", choice.backend->name(), choice.reason);
     return *choice.backend;
 }

@@ -16,6 +16,10 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 void add_isolation_option(CLI::App& app);
 
 // The backend of that name. What `auto` chose, and why, is said where `tells`.
-const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells);
+const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
+                              const RendererOptions& options = {});
+
+// Throws InputError where the options ask for a number of threads or a pack width of a backend that takes none.
+void refuse_unheeded(const Registry& registry, const Backend& backend, const RendererOptions& options);
 
 }  // namespace mandelmarch

@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
-#include <thread>
 
 #include "apps/demo_folder.h"
 #include "apps/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -183,7 +183,7 @@ int body(int argc, char** argv)
     const int side = whole_option("side", side_text, 16, 4096);
 
     const Registry registry = program_backends(argc, argv);
-    print("{}, {} threads\n", cpu_name(), std::thread::hardware_concurrency());
+    print("{}, {} threads\n", cpu_name(), usable_threads());
     print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {} 1: the text as scalar C++\n", side, side,
           repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());
     print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms", "speed-up",

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
@@ -39,7 +39,7 @@ void DemoFolder::table(const std::vector<DemoRow>& rows, int side, int repetitio
         {"version", project_version()},
         {"revision", source_revision()},
         {"cpu", cpu_name()},
-        {"threads", std::thread::hardware_concurrency()},
+        {"threads", usable_threads()},
         {"side", side},
         {"repetitions", repetitions},
     };

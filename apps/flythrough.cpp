@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // flythrough: plans a flight through a fractal, audits it and makes a film of it.
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,10 +16,12 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
+#include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/map.h"
+#include "flight/field/hull.h"
 #include "flight/film/film.h"
 #include "flight/film/ranks_one.h"
 #include "flight/film/summary.h"
@@ -32,14 +35,29 @@ using namespace mandelmarch;
 constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
 
 // The scene whose fractal is flown through: a parameter file's, or the official one. Each frame has its own camera.
-Scene scene_of(const Flythrough& options)
+// `warns`: what is odd about the file is said.
+Scene scene_of(const Flythrough& options, bool warns = false)
 {
     const Fractal& fractal = fractal_named(options.fractal);
-    Scene scene = options.parameters.empty() ? official_scene(fractal, 16, 9)
-                                             : read_parameters(options.parameters, fractal).scene;
+    Scene scene = official_scene(fractal, 16, 9);
+    if (!options.parameters.empty()) {
+        const ParameterFile file = read_parameters(options.parameters, fractal);
+        if (warns) {
+            for (const std::string& warning : file.warnings) say("{}\n", printable(warning));
+        }
+        scene = file.scene;
+    }
     scene.colouring = options.look.value_or(film_look);
     scene.conservative = options.conservative;
     return scene;
+}
+
+// Throws InputError where it cannot be flown through.
+void check_shape(const Flythrough& options, const Scene& scene)
+{
+    const std::string objection = flight_objection(scene);
+    if (objection.empty()) return;
+    throw InputError(options.parameters.empty() ? objection : fmt::format("{}: {}", options.parameters, objection));
 }
 
 // Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
@@ -54,6 +72,7 @@ Schedule schedule_of(const Flythrough& options)
     const Scene scene = scene_of(options);
     if (!options.power.empty()) return parse_schedule("power", options.power, scene, options.frames);
     if (!options.scale.empty()) return parse_schedule("scale", options.scale, scene, options.frames);
+    check_shape(options, scene);
     return {};
 }
 
@@ -110,7 +129,9 @@ void check_outputs(const Flythrough& options)
     for (const NamedFile& file : written) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
-    if (options.command == Command::plan || options.command == Command::film) schedule_of(options);
+    if (options.command != Command::plan && options.command != Command::film) return;
+    static_cast<void>(scene_of(options, true));
+    schedule_of(options);
 }
 
 int plan_command(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)

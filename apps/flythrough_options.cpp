@@ -2,16 +2,15 @@
 #include "apps/flythrough_options.h"
 
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <thread>
 #include <tuple>
 
 #include "apps/backend_option.h"
 #include "apps/option_values.h"
 #include "apps/scene_options.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
@@ -23,9 +22,8 @@ namespace {
 constexpr int most_frames = 10'000'000;
 
 struct Texts {
-    std::string command, seed = "1", frames = "7200", size = "1920x1080", samples = "1", device, threads = "0", look,
-                         segments, every = "1", precision = "float", mode = "fast", kind = "png",
-                         estimate{conservative_estimate};
+    std::string command, seed = "1", frames = "7200", size, samples = "1", device, threads = "0", look, segments,
+                         every = "1", precision = "float", mode = "fast", kind = "png", estimate{conservative_estimate};
 };
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)
@@ -47,7 +45,8 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     add_estimate_option(app, texts.estimate);
     app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
         ->capture_default_str();
-    app.add_option("--size", texts.size, "of the film: WxH, even; 720p, 1080p or 4k")->capture_default_str();
+    app.add_option("--size", texts.size,
+                   "of the film: WxH, even; 720p, 1080p or 4k (1920x1080; equirectangular: 2160x1080)");
     add_projection_option(app, options.projection);
     app.add_flag("--stereo", options.stereo, "film, render: two eyes side by side, the left one's picture on the left");
     app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
@@ -59,7 +58,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--mode", texts.mode, "exact or fast")
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
-    app.add_option("--threads", texts.threads, "threads on the host, 0: one a core");
+    app.add_option("--threads", texts.threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--look", texts.look, "colouring type instead of the film's own");
     app.add_option("--output", options.output,
                    "plan: the path file (path.json); film and render: the film (video.mp4)");
@@ -128,7 +127,10 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     fractal_named(options.fractal);
     options.seed = large_option("seed", texts.seed, 1ULL << 53);
     options.frames = whole_option("frames", texts.frames, 2, most_frames);
-    std::tie(options.width, options.height) = size_option(texts.size);
+    const bool panorama = options.projection == Projection::equirectangular;
+    const std::string usual_size = panorama ? "2160x1080" : "1920x1080";
+    std::tie(options.width, options.height) = size_option(texts.size.empty() ? usual_size : texts.size);
+    check_panorama(options.projection, options.width, options.height);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
     if (options.stereo && options.projection != Projection::perspective) {
@@ -170,10 +172,10 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
 
 int threads_for(int local)
 {
-    const int all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    cpu_set_t set;
-    const int allowed = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : all;
-    return allowed < all ? allowed : std::max(1, all / std::max(1, local));
+    const Cores mine = cores();
+    // What a rank was given for itself, by its affinity or by OMP_NUM_THREADS, is not shared out.
+    if (mine.asked || mine.given < mine.machine) return mine.threads();
+    return std::max(1, mine.threads() / std::max(1, local));
 }
 
 void check_film_tools() { check_ffmpeg(); }

@@ -14,6 +14,7 @@
 #include "apps/scene_json.h"
 #include "apps/scene_options.h"
 #include "apps/stats.h"
+#include "apps/survey.h"
 #include "apps/trace/trace.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -91,7 +92,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
-    app.add_option("--threads", threads, "threads on the host, 0: one a core");
+    app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(
         "--without", without,
@@ -206,7 +207,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
         throw InputError(fmt::format("--pixel: '{}' given, expected {}", options.pixel, expected));
     }
     if (is_tried(options.renderer)) {
-        const Backend& backend = chosen_backend(registry, options.backend, true);
+        const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
         const Trial trial = try_steps(scene, backend, options.renderer);
         scene.limits.stride = trial.stride;
         print("a trial on {} chose the stride\n", backend.name());
@@ -235,6 +236,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     apply_size(options.size, scene);
     scene.conservative = options.conservative;
     scene.projection = options.projection;
+    check_panorama(scene.projection, scene.width, scene.height);
     if (options.print_scene) {
         print(std::string_view(scene_json(scene, options.renderer)));
         return exit_fine;
@@ -253,16 +255,23 @@ int render_program(const Registry& registry, const char* program, const char* fr
     if (!options.stats.empty()) OutputFile::check(options.stats);
     check_memory(scene, format, OutputFile::is_stream(output));
 
-    const auto renderer = chosen_backend(registry, options.backend, true).create(options.renderer);
+    const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
+    const auto renderer = backend.create(options.renderer);
+    refuse_unheeded(registry, backend, options.renderer);
     Image image(scene.width, scene.height, layers_of(format));
     ProgressBar bar(program);
     const Progress progress = [&bar](double share) { bar.show(share); };
     const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, scene, options.eyes, image, progress)
                                                  : renderer->render(scene, image, progress);
     bar.finish();
-    if (report.unsettled > 0) warn_unsettled(program, report.unsettled, options.renderer.precision);
+    const Survey survey = survey_of(scene, options.eyes, options.renderer, *renderer, registry.with(Role::host));
+    const bool one_colour = has_one_colour(image);
+    refuse_solid(survey, one_colour, options.parameters);
+    const std::vector<std::string> words = words_of(survey, scene, one_colour);
+    for (const std::string& word : words) say("{}: {}\n", program, word);
+    if (report.unsettled > 0 && words.empty()) warn_unsettled(program, report.unsettled, options.renderer.precision);
     write_image(output, format, image);
-    if (!options.stats.empty()) write_stats(options.stats, scene, report);
+    if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
     return exit_fine;
 }
 

@@ -2,9 +2,13 @@
 // What a scene is told beside its parameter file: --estimate, --projection, --eyes.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 
+#include "core/base/error.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
@@ -28,6 +32,16 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
         // Of what was given, before: Transformer lets other words through.
         ->transform(CLI::IsMember({"perspective", "equirectangular"}))
         ->default_str("perspective");
+}
+
+// Throws InputError for a picture of all directions that is not 360 by 180 degrees.
+inline void check_panorama(Projection projection, int width, int height)
+{
+    if (projection != Projection::equirectangular || width == 2 * height) return;
+    throw InputError(
+        fmt::format("--projection equirectangular: {} x {} pixels given, expected twice as wide as high (360 "
+                    "by 180 degrees), --size 2160x1080, say",
+                    width, height));
 }
 
 }  // namespace mandelmarch

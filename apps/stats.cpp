@@ -8,7 +8,8 @@
 
 namespace mandelmarch {
 
-void write_stats(const std::string& path, const Scene& scene, const RenderReport& report)
+void write_stats(const std::string& path, const Scene& scene, const RenderReport& report, const Survey& survey,
+                 const std::vector<std::string>& warnings)
 {
     const Timings& t = report.timings;
     auto kernels = nlohmann::ordered_json::array();
@@ -33,6 +34,13 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
         {"instruction_set", report.instruction_set},
         {"stride", report.stride > 0 ? nlohmann::ordered_json(report.stride) : nlohmann::ordered_json()},
         {"unsettled", report.unsettled},
+        {"survey",
+         {{"rays", survey.rays},
+          {"hit", survey.hit},
+          {"out_of_steps", survey.out_of_steps},
+          {"in_solid", survey.inside},
+          {"lost_in_float", survey.lost}}},
+        {"warnings", warnings},
         {"seconds",
          {{"context", t.context},
           {"build", t.build},

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "apps/survey.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch {
 
 // Times in seconds. Throws Error if the file cannot be written.
-void write_stats(const std::string& path, const Scene& scene, const RenderReport& report);
+void write_stats(const std::string& path, const Scene& scene, const RenderReport& report, const Survey& survey,
+                 const std::vector<std::string>& warnings);
 
 }  // namespace mandelmarch

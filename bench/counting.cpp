@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/counting_kernel.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
@@ -83,7 +84,7 @@ Count counted(const Scene& scene, const CountOptions& options, CountPixel count_
 {
     const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode, options.techniques);
     const Blocks blocks(scene, options.most_pixels);
-    std::vector<Sum> sums(std::max(1U, std::thread::hardware_concurrency()), Sum(options));
+    std::vector<Sum> sums(static_cast<std::size_t>(usable_threads()), Sum(options));
     std::atomic<int> next = 0;
     {
         std::vector<std::jthread> threads;

@@ -3,7 +3,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sched.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -13,9 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "bench/build_info.h"
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/memory.h"
 #include "core/base/version.h"
@@ -63,9 +62,7 @@ Json caches()
 
 Json cpu()
 {
-    cpu_set_t allowed;
-    CPU_ZERO(&allowed);
-    const int usable = sched_getaffinity(0, sizeof(allowed), &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
+    const Cores mine = cores();
     const fs::path frequency = "/sys/devices/system/cpu/cpu0/cpufreq";
     const Cpu cpu = host_cpu();
     const auto number = [](const std::optional<int>& value) { return value ? Json(*value) : Json(); };
@@ -78,8 +75,11 @@ Json cpu()
               {"vector_extensions", cpu.vectors},
               {"flags", cpu.flags},
               {"caches", caches()},
-              {"cores", std::thread::hardware_concurrency()},
-              {"cores_usable", usable},
+              {"cores", mine.machine},
+              {"cores_given", mine.given},
+              {"quota", mine.quota ? Json(*mine.quota) : Json()},
+              {"cores_usable", mine.threads()},
+              {"binding", or_null(binding())},
               {"governor", or_null(text_of(frequency / "scaling_governor"))},
               {"turbo_disabled", or_null(text_of("/sys/devices/system/cpu/intel_pstate/no_turbo"))},
               {"megahertz", or_null(value_in("/proc/cpuinfo", "cpu MHz", ':'))},

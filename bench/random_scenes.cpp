@@ -13,6 +13,7 @@
 #include "bench/environment.h"
 #include "bench/study.h"
 #include "bench/views.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/random_scene.h"
@@ -87,7 +88,7 @@ void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
     };
     {
         std::vector<std::jthread> others;
-        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) others.emplace_back(work, false);
+        for (int i = 1; i < usable_threads(); ++i) others.emplace_back(work, false);
         work(true);
     }
     if (failure) std::rethrow_exception(failure);

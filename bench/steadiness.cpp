@@ -8,10 +8,11 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <thread>
+#include <utility>
 
 #include "bench/family_time.h"
 #include "bench/figures.h"
+#include "core/base/cores.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -44,6 +45,26 @@ double fastest_clock()
     return fastest;
 }
 
+// "openmp 1, opencl 2": of backends on the CPU that were to take all threads, where they took unlike numbers; or
+// nothing.
+std::string unlike_threads(const Result& result)
+{
+    std::vector<std::pair<std::string, int>> known;
+    bool unlike = false;
+    for (const Row& row : result.rows) {
+        if (!row.timed() || row.is_gpu || row.setting.threads > 0 || row.proof.level == "yardstick") continue;
+        const std::pair<std::string, int> here{row.backend, row.threads};
+        if (std::ranges::find(known, here) != known.end()) continue;
+        unlike = unlike || (!known.empty() && known.front().second != row.threads);
+        known.push_back(here);
+    }
+    std::string text;
+    for (const auto& [backend, threads] : known) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", backend, threads);
+    }
+    return unlike ? text : std::string();
+}
+
 }  // namespace
 
 Steadiness::Steadiness() : start_(look()) {}
@@ -62,6 +83,7 @@ Steadiness::Look Steadiness::look()
     const auto per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
     for (const double value : ticks) now.processors += value / per_second;
     now.stolen = ticks[7] / per_second;
+    now.throttling = throttling();
     now.others = (ticks[0] + ticks[1] + ticks[2]) / per_second - family_seconds();
     return now;
 }
@@ -75,14 +97,18 @@ nlohmann::ordered_json Steadiness::during() const
             {"megahertz_at_start", start_.frequency},
             {"megahertz_at_end", end.frequency},
             {"stolen_share", (end.stolen - start_.stolen) / processors},
-            {"others_share", std::max(0.0, (end.others - start_.others) / processors)}};
+            {"others_share", std::max(0.0, (end.others - start_.others) / processors)},
+            {"quota_periods", end.throttling.periods - std::min(end.throttling.periods, start_.throttling.periods)},
+            {"throttled_periods",
+             end.throttling.throttled - std::min(end.throttling.throttled, start_.throttling.throttled)}};
 }
 
 std::vector<std::string> Steadiness::warnings(const Result& result) const
 {
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
-    const double cores = std::max(1U, std::thread::hardware_concurrency());
+    const Cores mine = mandelmarch::cores();
+    const double cores = mine.machine;  // what the load is of
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
@@ -92,6 +118,20 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     }
     if (const double stolen = now["stolen_share"]; stolen > much_stolen) {
         found.push_back(fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
+    }
+    if (const std::uint64_t throttled = now["throttled_periods"]; throttled > 0) {
+        found.push_back(fmt::format("quota: the program was stopped in {} of {} periods", throttled,
+                                    now["quota_periods"].get<std::uint64_t>()));
+    } else if (mine.quota && *mine.quota < mine.given) {
+        found.push_back(fmt::format("quota: {:.2g} cores' time for {} cores", *mine.quota, mine.given));
+    }
+    if (const std::string bound = binding(); !bound.empty()) {
+        found.push_back(fmt::format(
+            "binding: {} keeps OpenMP's threads on their cores, those of other backends run on all {} given", bound,
+            mine.given));
+    }
+    if (const std::string unlike = unlike_threads(result); !unlike.empty()) {
+        found.push_back(fmt::format("threads: the CPU's rows were drawn by unlike numbers of them: {}", unlike));
     }
     const double before = start_.frequency;
     const double after = now["megahertz_at_end"];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/result.h"
+#include "core/base/control_group.h"
 
 namespace mandelmarch::bench {
 
@@ -16,7 +17,8 @@ public:
     Steadiness();
 
     // A warning for each reason to doubt the times: other load before the start, processors that were busy with other
-    // work or taken away by a hypervisor, clocks that moved or may move, rows whose samples spread.
+    // work or taken away by a hypervisor or a quota, backends whose threads differ in number or in where they may run,
+    // clocks that moved or may move, rows whose samples spread.
     std::vector<std::string> warnings(const Result& result) const;
 
     // The figures that the warnings come from.
@@ -29,6 +31,7 @@ private:
         double stolen = 0;      // seconds that a hypervisor took from the processors, since boot, all together
         double processors = 0;  // seconds of all processors since boot
         double others = 0;      // seconds of them that other processes used
+        Throttling throttling;  // by a quota of control groups
     };
     static Look look();
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <regex>
-#include <thread>
 #include <tuple>
 
 #include "apps/option_values.h"
 #include "bench/views.h"
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
@@ -89,7 +89,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     }
     if (study == "threads") {
         std::vector<Point> made;
-        const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+        const int cores = usable_threads();
         for (int threads = 1; threads < cores; threads *= 2) {
             made.push_back({fmt::format("threads={}", threads), {.threads = threads}});
         }

@@ -5,7 +5,7 @@
 set(slow_tests
     "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz "report\\.(front|numbers|report|viewer)"
     flight "flight\\.films" "flight\\.files" "explore\\.window" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"
-    "programs\\.readme" "programs\\.demo" "packaging\\..*" "bench\\.program" "bench\\.schemas" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
+    "programs\\.readme" "programs\\.demo" "programs\\.machine" "programs\\.survey" "flight\\.shapes" "packaging\\..*" "bench\\.program" "bench\\.schemas" "bench\\.race" "bench\\.equivalence" "bench\\.Random\\..*"
     "bench\\..*FastDrawsTheCanonicalPicture/bulb.*" "bench\\.BenchProgram\\.AblationProvesWhatIsHit"
     "bench\\.BenchProgram\\.LinesAreAtMost120Characters" "Equivalence\\.EveryBackendDrawsTheSamePicture"
     "RandomScenes\\..*" ".*Models\\.ExactHasTheBits.*" ".*SameBits\\.BytesAlone/.*" ".*Vulkan\\.DrawsTheBitsOfTheScalarText/.*" ".*Opencl\\.VectorsDrawTheBits.*"

@@ -7,6 +7,8 @@
 #include "apps/explore/commands.h"
 #include "apps/explore/explorer.h"
 #include "apps/explore/panels.h"
+#include "apps/explore/sight.h"
+#include "apps/survey.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -44,6 +46,12 @@ std::string of(const Pane& pane)
     return text;
 }
 
+std::string word_of(const Pane& pane, const Explorer& explorer)
+{
+    const bool at_rest = pane.whole.pixels() > 0 && pane.whole_view == pane.view;
+    return word_on(explorer.scene, explorer.clearance(), pane.setup.precision, at_rest && has_one_colour(pane.whole));
+}
+
 }  // namespace
 
 void show_statistics(Explorer& explorer)
@@ -60,7 +68,8 @@ void show_statistics(Explorer& explorer)
                                                     {right, static_cast<float>(place.y + place.h)}, edge);
         }
         if (explorer.settings.statistics) y = line(of(*all[i]), x, y, width, letters);
-        if (!all[i]->failure.empty()) line(all[i]->failure, x, y, width, warning);
+        if (!all[i]->failure.empty()) y = line(all[i]->failure, x, y, width, warning);
+        if (const std::string word = word_of(*all[i], explorer); !word.empty()) line(word, x, y, width, warning);
     }
     const SDL_Rect area = area_beside_panels(explorer);
     const float x = static_cast<float>(area.x);

@@ -20,7 +20,8 @@ inline Ray traced_march(const Scene& scene, Ray ray, Trace& trace)
         const Ray before = ray;
         const Estimate here = probe(scene, before, true);
         ray = advanced(scene, before, here, true);
-        trace.marching.push_back({before.t, here.distance, tolerance(scene, ray), decision(scene, before, ray), ray.t});
+        trace.marching.push_back({before.t, here.distance, tolerance(scene, ray), decision(scene, before, ray), ray.t,
+                                  static_cast<int>(here.iterations)});
     }
     return ray;
 }

@@ -36,7 +36,8 @@ enum class Refined {
 struct TracedSample {
     double t, distance, tolerance;
     Decision decision;
-    double next;  // t of the sample that follows while marching
+    double next;         // t of the sample that follows while marching
+    int iterations = 0;  // of its estimate; all that there are: its orbit has not escaped
 };
 
 struct Trace {

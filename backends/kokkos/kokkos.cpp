@@ -6,6 +6,7 @@
 #include <Kokkos_Core.hpp>
 
 #include "backends/kokkos/loop.h"
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/job/model.h"
 
@@ -16,6 +17,18 @@ job::Kernels kernels();
 
 namespace {
 
+// As many threads as the process may use; KOKKOS_NUM_THREADS comes before that.
+auto settings()
+{
+#if KOKKOS_VERSION >= 30700
+    return Kokkos::InitializationSettings().set_num_threads(usable_threads());
+#else
+    Kokkos::InitArguments arguments;
+    arguments.num_threads = usable_threads();
+    return arguments;
+#endif
+}
+
 // From the first use to the program's end, unless the program itself sees to that.
 void initialize()
 {
@@ -23,7 +36,7 @@ void initialize()
         bool ours = !Kokkos::is_initialized();
         Runtime()
         {
-            if (ours) Kokkos::initialize();
+            if (ours) Kokkos::initialize(settings());
         }
         ~Runtime()
         {
@@ -40,8 +53,9 @@ public:
     std::string_view name() const override { return "kokkos"; }
     Facts facts() const override
     {
-        return {.variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES"},
-                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+        return {
+            .variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PROC_BIND", "OMP_PLACES"},
+            .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return kokkos::kernels(); }
 

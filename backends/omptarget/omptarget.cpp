@@ -5,7 +5,10 @@
 #include <omp.h>
 #include <openacc.h>
 
+#include <algorithm>
+
 #include "backends/omptarget/library.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
@@ -42,8 +45,8 @@ public:
     {
         return {.has_driver = true,
                 .threads = true,
-                .variables = {"OMP_TARGET_OFFLOAD", "OMP_DEFAULT_DEVICE", "OMP_NUM_THREADS", "OMP_PROC_BIND",
-                              "OMP_PLACES", "CUDA_VISIBLE_DEVICES"},
+                .variables = {"OMP_TARGET_OFFLOAD", "OMP_DEFAULT_DEVICE", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT",
+                              "OMP_PROC_BIND", "OMP_PLACES", "CUDA_VISIBLE_DEVICES"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override
@@ -73,7 +76,7 @@ public:
                            .vendor = "OpenMP run-time library",
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
-                .threads = omp_get_max_threads(),
+                .threads = usable_threads(),
                 .peak_threads = 1 << 10,
                 .note = fmt::format("runs on the {}", name)};
     }
@@ -83,14 +86,15 @@ public:
         const int device = omp_get_default_device();
         const int threads = omp_get_max_threads();
         omp_set_default_device(options.device);
-        if (options.threads > 0) omp_set_num_threads(options.threads);
+        omp_set_num_threads(options.threads > 0 ? options.threads : usable_threads());
         draw();
         omp_set_num_threads(threads);
         omp_set_default_device(device);
     }
     int threads(const RendererOptions& options, const job::Opened& opened) const override
     {
-        return options.threads == 0 || opened.device.is_gpu ? opened.threads : options.threads;
+        if (options.threads == 0 || opened.device.is_gpu) return opened.threads;
+        return std::min(options.threads, omp_get_thread_limit());
     }
 
     double seconds_of(const std::function<void()>& launch) const override

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "backends/opencl/pocl_cache.h"
+#include "core/base/cores.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::opencl {
@@ -45,6 +46,7 @@ Error explained(const char* doing, const cl::Error& error)
 std::vector<cl::Device> all_devices()
 {
     provide_pocl_cache();
+    limit_driver_threads("POCL_MAX_PTHREAD_COUNT");
     std::vector<cl::Device> devices;
     try {
         std::vector<cl::Platform> platforms;

@@ -13,9 +13,11 @@
 #include "backends/openmp/instructions.h"
 #include "backends/openmp/peak.h"
 #include "backends/openmp/picture.h"
+#include "backends/openmp/place.h"
 #include "backends/openmp/stack_size.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
@@ -67,6 +69,7 @@ public:
             {
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
                 TileQueue::Share share{queue};
+                if (omp_get_thread_num() == 0) team = std::max(team, omp_get_num_threads());
                 const openmp::Spent spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
                 add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
             }
@@ -95,6 +98,7 @@ public:
 
     Timings timings;
     Work work;
+    int team = 1;  // threads that drew; OMP_DYNAMIC and OMP_THREAD_LIMIT may leave fewer than were asked for
 
 private:
     // Bytes go straight to the image.
@@ -130,7 +134,7 @@ public:
     explicit OpenmpRenderer(const RendererOptions& options) : options_(options), targets_(openmp::instructions())
     {
         openmp::check_stack_size();
-        if (options_.threads == 0) options_.threads = omp_get_num_procs();
+        if (options_.threads == 0) options_.threads = usable_threads();
         memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));
     }
 
@@ -144,6 +148,7 @@ private:
     template <class Real>
     RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
     {
+        const openmp::OwnPlace place;
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, !bytes_alone(image, options_));
         BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_), progress);
@@ -152,7 +157,7 @@ private:
                             .device = host_device(),
                             .precision = options_.precision,
                             .mode = options_.mode,
-                            .threads = options_.threads,
+                            .threads = executor.team,
                             .pack = variant.pack,
                             .instruction_set = openmp::usual_name(variant.instruction_set),
                             .timings = executor.timings,
@@ -194,8 +199,8 @@ public:
                 .threads = true,
                 .pack = true,
                 .chunk = true,
-                .variables = {"OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES", "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY",
-                              "GOMP_SPINCOUNT"},
+                .variables = {"OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_DYNAMIC", "OMP_PROC_BIND", "OMP_PLACES",
+                              "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }

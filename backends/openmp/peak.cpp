@@ -4,6 +4,8 @@
 #include <omp.h>
 
 #include "backends/openmp/instructions.h"
+#include "backends/openmp/place.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/render/peak.h"
@@ -14,17 +16,23 @@ double multiply_add_peak(Precision precision, int threads)
 {
     const PeakKernel kernel =
         precision == Precision::f32 ? peak_kernel_float(instructions()) : peak_kernel_double(instructions());
-    const int team = threads == 0 ? omp_get_num_procs() : threads;
+    const OwnPlace place;
+    const int asked = threads == 0 ? usable_threads() : threads;
     const PeakRun run = [&](int rounds) {
         const auto start = Clock::now();
         double sum = 0;
-#pragma omp parallel num_threads(team) reduction(+ : sum)
-        sum += kernel.run(rounds);
-        const double seconds = seconds_since(start);
+        int team = 1;
+#pragma omp parallel num_threads(asked) reduction(+ : sum) reduction(max : team)
+        {
+            team = omp_get_num_threads();
+            sum += kernel.run(rounds);
+        }
+        // A smaller team (OMP_THREAD_LIMIT, OMP_DYNAMIC) would have needed longer for the work that was asked for.
+        const double seconds = seconds_since(start) * asked / team;
         if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
         return seconds;
     };
-    return highest_rate(run, static_cast<double>(kernel.lanes) * team);
+    return highest_rate(run, static_cast<double>(kernel.lanes) * asked);
 }
 
 }  // namespace mandelmarch::openmp

@@ -6,6 +6,9 @@
 #include <tbb/info.h>
 #include <tbb/version.h>
 
+#include <algorithm>
+
+#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/job/model.h"
 
@@ -32,15 +35,15 @@ public:
                             .vendor = cpu_vendor(),
                             .driver = fmt::format("TBB {}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR),
                             .is_gpu = false};
-        return {.device = device, .threads = tbb::info::default_concurrency()};
+        // Without an option TBB starts no more than one thread for each core that it finds.
+        return {.device = device, .threads = std::min(usable_threads(), tbb::info::default_concurrency())};
     }
 
     // The standard has no word for the number of threads; TBB has.
     void run(const RendererOptions& options, const std::function<void()>& draw) const override
     {
-        if (options.threads == 0) return draw();
-        const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                          static_cast<std::size_t>(options.threads));
+        const int most = options.threads == 0 ? usable_threads() : options.threads;
+        const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
         draw();
     }
     int threads(const RendererOptions& options, const job::Opened& opened) const override

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/cores.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::vulkan {
@@ -30,6 +31,7 @@ vk::raii::Context open_loader()
 vk::raii::Instance open_instance(const vk::raii::Context& context)
 {
     try {
+        limit_driver_threads("LP_NUM_THREADS");
         if (context.enumerateInstanceVersion() < VK_API_VERSION_1_1) {
             throw Unavailable("the Vulkan loader knows version 1.0 only, expected 1.1");
         }

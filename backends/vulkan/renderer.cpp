@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "backends/vulkan/executor.h"
+#include "core/base/cores.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::vulkan {
@@ -92,6 +95,8 @@ private:
                             .device = gpu.facts().device,
                             .precision = options_.precision,
                             .mode = options_.mode,
+                            // lavapipe's; it names them and tells their number nowhere.
+                            .threads = gpu.facts().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                             .instruction_set = instruction_set_,
                             .timings = {},
                             .work = {}};

@@ -13,6 +13,7 @@
 #include <new>
 
 #include "core/base/console.h"
+#include "core/base/cores.h"
 #include "core/base/text.h"
 #include "core/scene/number.h"
 
@@ -49,6 +50,7 @@ double device_timeout()
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
 {
     hold_standard_descriptors();
+    restore_affinity();
     // A reader that goes away and a file size limit become errors of the write that meets them.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace mandelmarch {
 
-// Bytes that can be had: the smallest of what the system calls available, what the control group leaves (version 2 or
-// 1) and what the address space limit (RLIMIT_AS) leaves.
-std::uint64_t available_memory();
+// Bytes that can be had: the smallest of what the system calls available, what the control groups leave
+// (core/base/control_group.h) and what the address space limit (RLIMIT_AS) leaves. `root`: the folder that stands for
+// /.
+std::uint64_t available_memory(const std::string& root = {});
 
 }  // namespace mandelmarch

@@ -72,7 +72,7 @@ private:
 
 bool Trial::settled() const { return off <= most_off; }
 
-Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
+Scene trial_scene(const Scene& scene)
 {
     Scene small = scene;
     const double pixels = static_cast<double>(scene.width) * scene.height;
@@ -84,6 +84,12 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
         small.part = {scaled(scene.part.left), scaled(scene.part.bottom), std::max(1, scaled(scene.part.whole_width)),
                       std::max(1, scaled(scene.part.whole_height))};
     }
+    return small;
+}
+
+Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
+{
+    Scene small = trial_scene(scene);
     const auto drawn = [&](double stride) {
         small.limits.stride = stride;
         Image image(small.width, small.height, Image::Layers::bytes);

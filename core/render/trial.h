@@ -19,6 +19,9 @@ struct Trial {
     bool settled() const;  // shorter steps would change little
 };
 
+// The scene in about a thousand pixels.
+Scene trial_scene(const Scene& scene);
+
 // Which stride of fast mode draws the scene. `draw` draws a small picture. The usual stride is compared with the next
 // of shorter_strides (core/render/stepping.h):
 // 1. The two pictures differ in a few pixels at most: the longer stride is fine.

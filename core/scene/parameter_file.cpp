@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
@@ -43,6 +47,40 @@ std::string_view without_comment(std::string_view line)
         if (line[i] == '#' && (i == 0 || blanks.find(line[i - 1]) != std::string_view::npos)) return line.substr(0, i);
     }
     return line;
+}
+
+// How many of the numbers of lines 7 and 8 lie where a fractal's files seldom have them: outside the range in which its
+// pictures are worth looking at, or not 0 where they are ignored. nullopt where it refuses them.
+std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
+{
+    int count = 0;
+    const auto look = [&](double value, const Meaning& meaning) {
+        if (meaning.name == ignored_number.name) {
+            count += value != 0 ? 1 : 0;
+            return true;
+        }
+        if (const auto& usual = meaning.slider) count += value < usual->low || value > usual->high ? 1 : 0;
+        return value <= meaning.high && (meaning.open_low ? value > meaning.low : value >= meaning.low);
+    };
+    bool fine = look(scene.escape, fractal.escape);
+    for (std::size_t i = 0; i < scene.shape.size(); ++i) fine = look(scene.shape[i], fractal.shape[i]) && fine;
+    Scene as_that = scene;
+    as_that.fractal = &fractal;
+    return fine && fractal.objection(as_that).empty() ? std::optional(count) : std::nullopt;
+}
+
+// Another fractal that has fewer oddities, or nullptr.
+const Fractal* likelier(const Scene& scene)
+{
+    const Fractal* best = nullptr;
+    int least = oddities(scene, *scene.fractal).value_or(0);
+    for (const Fractal& other : fractals()) {
+        const auto here = oddities(scene, other);
+        if (!here || *here >= least) continue;
+        least = *here;
+        best = &other;
+    }
+    return best;
 }
 
 class Parser {
@@ -82,10 +120,26 @@ public:
         scene.image_file = file_name();
         if (next_line()) fail(fmt::format("{} follows the last entry, expected the end of the file", quoted(line_)));
         check_scene(scene, [this](Item item) { return place(lines_.at(static_cast<std::size_t>(item))); });
+        warn_of_another_fractal();
         return std::move(result_);
     }
 
 private:
+    // Comments name the fractal, or its numbers tell it.
+    void warn_of_another_fractal()
+    {
+        if (names(fractal_)) return;
+        const auto named = std::ranges::find_if(fractals(), [this](const Fractal& one) { return names(one); });
+        const Fractal* other = named != fractals().end() ? &*named : likelier(result_.scene);
+        if (other == nullptr) return;
+        result_.warnings.push_back(
+            fmt::format("{}: warning: these {} suit a {} better than a {}, expected the file of a {}",
+                        place(lines_.at(static_cast<std::size_t>(Item::shape))),
+                        named != fractals().end() ? "comments" : "numbers", other->name, fractal_.name, fractal_.name));
+    }
+
+    bool names(const Fractal& fractal) const { return comments_.find(fractal.name) != std::string::npos; }
+
     std::string place(int line) const { return fmt::format("{}:{}", name_, line); }
 
     [[noreturn]] void fail(const std::string& text) const { throw InputError(place(number_) + ": " + text); }
@@ -99,7 +153,10 @@ private:
             rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
             ++number_;
             if (line_.find('\0') != std::string_view::npos) fail("the line holds a NUL byte, expected text");
-            line_ = trimmed(without_comment(line_));
+            const std::string_view entry = without_comment(line_);
+            std::ranges::transform(line_.substr(entry.size()), std::back_inserter(comments_),
+                                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            line_ = trimmed(entry);
             if (!line_.empty()) return true;
         }
         return false;
@@ -198,16 +255,34 @@ private:
     std::string_view fields_;  // what is left of its values
     int number_ = 0;           // the current line's number, from 1
     std::array<int, item_count> lines_{};
+    std::string comments_;  // all, in lower case
     const std::string& name_;
     const Fractal& fractal_;
     ParameterFile result_;
 };
 
+bool reads_as(std::string_view text, const std::string& name, const Fractal& fractal)
+{
+    try {
+        return Parser(text, name, fractal).parse().warnings.empty();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 ParameterFile parse_parameters(std::string_view text, const std::string& name, const Fractal& fractal)
 {
-    return Parser(text, name, fractal).parse();
+    try {
+        return Parser(text, name, fractal).parse();
+    } catch (const InputError& error) {
+        for (const Fractal& other : fractals()) {
+            if (&other == &fractal || !reads_as(text, name, other)) continue;
+            throw InputError(fmt::format("{} (the file reads as one of a {})", error.what(), other.name));
+        }
+        throw;
+    }
 }
 
 ParameterFile read_parameters(const std::string& path, const Fractal& fractal)

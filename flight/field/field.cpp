@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
 
+#include "core/base/cores.h"
 #include "core/scene/fractal.h"
 #include "flight/field/threads.h"
 
@@ -40,12 +40,13 @@ double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 }  // namespace
 
-Field::Field(const Scene& scene, int threads)
+Field::Field(const Scene& scene, int threads, const Budget* budget)
     : scene_(scene),
       kernel_(field::kernel_of(scene.fractal->name)),
       data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
       safety_(scene.fractal->flight.trust_of(scene).safety),
-      threads_(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+      threads_(threads > 0 ? threads : usable_threads()),
+      budget_(budget),
       hull_(hull_of(scene, *this))
 {
 }
@@ -62,6 +63,7 @@ void Field::distances(std::span<const Vector> points, std::span<double> out) con
     parallel(points.size(), 4096, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t at = first; at < last; at += block) {
             const std::size_t count = std::min(block, last - at);
+            if (budget_ != nullptr && points.size() > block) budget_->check();
             const std::size_t whole = padded(count, kernel_.lanes);
             const Block in(points.subspan(at, count), whole);
             std::array<double, block> result;
@@ -77,6 +79,7 @@ void Field::casts(std::span<const Vector> from, std::span<const Vector> along, c
     parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t at = first; at < last; at += block) {
             const std::size_t count = std::min(block, last - at);
+            if (budget_ != nullptr && from.size() > block) budget_->check();
             const std::size_t whole = padded(count, kernel_.lanes);
             const Block origin(from.subspan(at, count), whole);
             const Block direction(along.subspan(at, count), whole);

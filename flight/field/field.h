@@ -7,6 +7,7 @@
 
 #include "core/render/kernel_scene.h"
 #include "core/scene/scene.h"
+#include "flight/field/budget.h"
 #include "flight/field/hull.h"
 #include "flight/field/kernel.h"
 
@@ -14,12 +15,14 @@ namespace mandelmarch {
 
 class Field {
 public:
-    // `threads`: 0 for one a core. Throws Unavailable for a fractal that is not built.
-    Field(const Scene& scene, int threads);
+    // `threads`: 0 for all that the process may use. `budget`, where there is one, outlives the field; it is checked
+    // while many distances are computed. Throws Unavailable for a fractal that is not built.
+    Field(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
     const Hull& hull() const { return hull_; }
     int threads() const { return threads_; }
+    const Budget* budget() const { return budget_; }
 
     // The share of an estimate that is surely free.
     double safety() const { return safety_; }
@@ -51,6 +54,7 @@ private:
     layout_f64::Scene data_;
     double safety_;
     int threads_;
+    const Budget* budget_;
     Hull hull_;
 };
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/field/hull.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/scene/parameter_file.h"
 #include "flight/field/field.h"
 
 namespace mandelmarch {
@@ -34,6 +38,28 @@ Hull sphere_by_rays(const Field& field)
 }
 
 }  // namespace
+
+std::string flight_objection(const Scene& scene)
+{
+    const Fractal& fractal = *scene.fractal;
+    // A row that has a function for its bodies and knows none: the shape has no end, or no inside.
+    if (fractal.flight.body == usual::unknown_body || fractal.flight.body(scene)) return {};
+    const Scene official = official_scene(fractal);
+    for (std::size_t i = 0; i < fractal.shape.size(); ++i) {
+        Scene other = scene;
+        other.shape[i] = official.shape[i];
+        if (!fractal.flight.body(other)) continue;
+        const std::string_view name = fractal.shape[i].name;
+        return fmt::format("a {} with {} {:.6g} cannot be flown through, expected another {}, {:.6g}, say",
+                           fractal.name, name, scene.shape[i], name, official.shape[i]);
+    }
+    return fmt::format("this {} cannot be flown through, expected another shape", fractal.name);
+}
+
+void check_flown(const Scene& scene)
+{
+    if (const std::string objection = flight_objection(scene); !objection.empty()) throw InputError(objection);
+}
 
 Hull hull_of(const Scene& scene, const Field& field)
 {

@@ -2,12 +2,21 @@
 // The body that holds a fractal, and its size.
 #pragma once
 
+#include <string>
+
 #include "core/scene/fractal.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
 
 class Field;
+
+// Why the scene's fractal cannot be flown through, in one line with what is expected; empty where it can be. Looks at
+// the scene's shape alone and computes no distance.
+std::string flight_objection(const Scene& scene);
+
+// Throws flight_objection() as an InputError.
+void check_flown(const Scene& scene);
 
 // What the fractal's row says, or a sphere found by rays from far outside.
 Hull hull_of(const Scene& scene, const Field& field);

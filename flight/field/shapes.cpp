@@ -7,7 +7,10 @@
 
 namespace mandelmarch {
 
-Shapes::Shapes(const Scene& scene, std::size_t number, int threads) : field_(scene, threads), number_(number) {}
+Shapes::Shapes(const Scene& scene, std::size_t number, int threads, const Budget* budget)
+    : field_(scene, threads, budget), number_(number)
+{
+}
 
 Scene Shapes::scene(double value) const
 {
@@ -19,7 +22,7 @@ Scene Shapes::scene(double value) const
 const Field& Shapes::at(double value, std::optional<Field>& room) const
 {
     if (value == usual()) return field_;
-    return room.emplace(scene(value), field_.threads());
+    return room.emplace(scene(value), field_.threads(), field_.budget());
 }
 
 Hull Shapes::hull(double value) const

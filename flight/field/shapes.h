@@ -12,13 +12,14 @@ namespace mandelmarch {
 class Shapes {
 public:
     // `number`: which of the scene's three shape numbers changes. The scene's own value is the usual one.
-    Shapes(const Scene& scene, std::size_t number, int threads);
+    Shapes(const Scene& scene, std::size_t number, int threads, const Budget* budget = nullptr);
 
     // At the usual value.
     const Field& field() const { return field_; }
     double usual() const { return field_.scene().shape[number_]; }
     std::size_t number() const { return number_; }
     int threads() const { return field_.threads(); }
+    const Budget* budget() const { return field_.budget(); }
 
     Scene scene(double value) const;
     // The field at a value; `room` holds it where the value is not the usual one.

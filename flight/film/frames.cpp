@@ -64,11 +64,15 @@ void check_picture(const Picture& picture)
     const int height = samples_along(picture.height, picture.samples);
     constexpr std::uint64_t beside = 300ULL << 20;  // bytes: the program, the encoder and frames in flight
     const std::uint64_t needed = 3ULL * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) + beside;
-    if (width <= max_side && height <= max_side && needed <= available_memory()) return;
-    throw InputError(
-        fmt::format("{} x {} pixels of {} x {} samples need {} MiB of memory and sides up to {}, expected "
-                    "a smaller size",
-                    picture.width, picture.height, picture.samples, picture.samples, needed >> 20, max_side));
+    const std::string size = fmt::format("{} x {} pixels of {} x {} samples", picture.width, picture.height,
+                                         picture.samples, picture.samples);
+    if (width > max_side || height > max_side) {
+        throw InputError(fmt::format("{} have a side of more than {}, expected a smaller size", size, max_side));
+    }
+    const std::uint64_t available = available_memory();
+    if (needed <= available) return;
+    throw InputError(fmt::format("{} need {} MiB of memory and {} MiB are available, expected a smaller size", size,
+                                 needed >> 20, available >> 20));
 }
 
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)

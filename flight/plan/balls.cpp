@@ -207,6 +207,7 @@ void Balls::link()
 // What does not hang together with the outside is never reached: its links are taken away, and its cells' owners.
 void Balls::keep_outside_component()
 {
+    if (balls_.empty()) return;
     std::vector<char> reached(balls_.size(), 0);
     std::vector<int> stack{0};  // the largest ball lies outside
     reached[static_cast<std::size_t>(stack[0])] = 1;

@@ -11,6 +11,8 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/passages.h"
+#include "flight/field/budget.h"
+#include "flight/field/hull.h"
 #include "flight/plan/band.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
@@ -32,14 +34,19 @@ constexpr double first_share = 0.6;  // of the pace that rides keep up, at first
 constexpr double usual_slow = 0.7;   // the mean of `slow` that tours are made for
 constexpr double most_off = 1;       // frames by which a ride may miss a knot
 
+// The most processor time for a plan: many times what the official shapes take.
+constexpr double usual_seconds = 60;
+constexpr double seconds_a_frame = 0.02;
+
 constexpr int audit_stride = 5;  // the same while tours are compared
 constexpr int view_stride = 10;  // frames between the views whose motion is looked at
 
 class Planner {
 public:
-    Planner(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads)
+    Planner(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
+            const Budget& budget)
         : schedule_(schedule),
-          shapes_(scene, schedule.number(), threads),
+          shapes_(scene, schedule.number(), threads, &budget),
           measures_(scene.fractal->flight.measures),
           seed_(seed),
           frames_(frames),
@@ -185,9 +192,34 @@ double faults(const Audit& audit)
     return sum;
 }
 
+// Before any tour: throws InputError where the roads lack what every tour needs.
+void check_roads(const Atlas& atlas, const Scene& scene, const Schedule& schedule)
+{
+    const auto fail = [&](const char* missing) {
+        constexpr int few_iterations = 8;
+        throw InputError(fmt::format(
+            "plan: this {} has {}; another seed does not help, expected another shape{}", scene.fractal->name, missing,
+            scene.iterations < few_iterations ? fmt::format(" or more iterations than {}", scene.iterations) : ""));
+    };
+    if (!atlas.has_space()) fail("no free space that a camera can reach (no balls)");
+    // Where the shape changes tours go on to wide places, too.
+    if (atlas.gates().empty() && !schedule.changes()) fail("no narrow places to fly through (no gates)");
+}
+
+// Of an audit: the promises that are not kept, by their names.
+std::string broken(const Audit& audit)
+{
+    std::string names;
+    for (const Row& row : audit.rows) {
+        if (row.promise && !row.kept()) names += (names.empty() ? "" : ", ") + row.name;
+    }
+    return names;
+}
+
 }  // namespace
 
-Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log)
+Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log,
+          double most_seconds)
 {
     const auto start = Clock::now();
     const auto seconds = [&] { return seconds_since(start); };
@@ -196,14 +228,19 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     };
     Scene first = scene;
     if (!schedule.knots().empty()) first.shape[schedule.number()] = schedule.value(0);
-    Planner planner(first, schedule, seed, frames, threads);
+    check_flown(first);
+    const Budget budget(most_seconds > 0 ? most_seconds : usual_seconds + seconds_a_frame * frames);
+    Planner planner(first, schedule, seed, frames, threads, budget);
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
                     planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
+    check_roads(planner.atlas(), first, schedule);
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
     Plan best;
     double least = 1e300;
+    std::string promises;
     for (int number = 0; number < most_attempts; ++number) {
+        budget.check();
         Path path = planner.attempt(number);
         ++best.attempts;
         if (path.frames.empty()) {
@@ -216,6 +253,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
                         table_of(path, result)));
         if (here < least) {
             least = here;
+            promises = broken(result);
             best.path = std::move(path);
         }
         if (least == 0 || (number + 1 >= usual_attempts && least < 1000)) break;
@@ -223,7 +261,18 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     best.seconds = seconds();
     best.balls = planner.atlas().balls();
     best.gates = planner.atlas().gates();
-    if (least >= 1000) throw Error(fmt::format("plan: no tour of seed {} keeps every promise", seed));
+    if (best.path.frames.empty()) {
+        throw Error(
+            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
+                        "frames, another seed or a shape with more gates",
+                        seed, frames, best.gates.size()));
+    }
+    if (least >= 1000) {
+        throw Error(
+            fmt::format("plan: no tour of seed {} among {} gates keeps every promise, the best breaks: {}; "
+                        "expected another seed or a shape with more gates",
+                        seed, best.gates.size(), promises));
+    }
     return best;
 }
 

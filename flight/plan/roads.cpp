@@ -52,8 +52,8 @@ double step_of_values(const Shapes& shapes, double low, double high)
 
 double fastest_clearance(const Hull& hull) { return 0.1 * hull.size; }
 
-Roads::Roads(const Scene& scene, const Effort& effort, const Roads* neighbour, int threads)
-    : field(scene, threads),
+Roads::Roads(const Scene& scene, const Effort& effort, const Roads* neighbour, int threads, const Budget* budget)
+    : field(scene, threads, budget),
       balls(field, scene.fractal->flight.measures.roads * field.hull().size, narrow * field.hull().size, effort.coarse)
 {
     find(neighbour, effort.tries);
@@ -76,7 +76,8 @@ Atlas::Atlas(const Shapes& shapes, const Schedule& schedule) : schedule_(schedul
 {
     if (!schedule.changes()) {
         low_ = high_ = shapes.usual();
-        roads_[0] = std::make_unique<Roads>(shapes.field().scene(), one_shape, nullptr, shapes.threads());
+        roads_[0] =
+            std::make_unique<Roads>(shapes.field().scene(), one_shape, nullptr, shapes.threads(), shapes.budget());
         return;
     }
     const auto [low, high] = std::ranges::minmax(schedule.knots(), {}, &Knot::value);
@@ -88,7 +89,7 @@ Atlas::Atlas(const Shapes& shapes, const Schedule& schedule) : schedule_(schedul
         Scene scene = shapes.scene(value_of(number));
         scene.iterations = std::min(scene.iterations, roads_iterations);
         roads_[number] = std::make_unique<Roads>(scene, neighbour == nullptr ? first_of_many : one_of_many, neighbour,
-                                                 shapes.threads());
+                                                 shapes.threads(), shapes.budget());
         neighbour = roads_[number].get();
     }
     // And back, for the gates that were there before others knew them.
@@ -111,6 +112,16 @@ std::vector<Stretch> Atlas::stretches(int frames) const
         before = number;
     }
     return all;
+}
+
+bool Atlas::has_space() const
+{
+    return std::ranges::all_of(roads_, [](const auto& entry) {
+        const Roads& roads = *entry.second;
+        return std::ranges::any_of(roads.balls.balls(), [&](const Ball& ball) {
+            return roads.field.hull().contains(ball.centre) && roads.balls.holding(ball.centre) >= 0;
+        });
+    });
 }
 
 std::vector<Ball> Atlas::balls() const

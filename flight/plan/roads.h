@@ -28,7 +28,7 @@ struct Roads {
         int coarse, tries;
     };
     // Gates are looked for where `neighbour`, the roads of a shape that is nearly the same, has some, too; or null.
-    Roads(const Scene& scene, const Effort& effort, const Roads* neighbour, int threads);
+    Roads(const Scene& scene, const Effort& effort, const Roads* neighbour, int threads, const Budget* budget);
     // Looks for more gates, where `neighbour` has some, too.
     void find(const Roads* neighbour, int tries);
     Roads(const Roads&) = delete;
@@ -53,6 +53,8 @@ public:
     std::size_t shapes() const { return roads_.size(); }
     double step() const { return step_; }  // from one value to the next
 
+    // Every shape's roads have balls inside the fractal's hull that hang together with the outside.
+    bool has_space() const;
     // Of all roads; a gate as its narrowest place.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "core/scene/number.h"
+#include "flight/field/hull.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -124,6 +125,7 @@ private:
                 there.shape[number_] = from + (to - from) * i / looks;
                 const std::string_view objection = there.fractal->objection(there);
                 if (!objection.empty()) fail(std::string(objection));
+                if (const std::string why = flight_objection(there); !why.empty()) fail(why);
                 if (from != to && !there.fractal->flight.body(there)) {
                     fail(fmt::format("at {:.4g} it is not known how large the {} is, expected values without it",
                                      there.shape[number_], there.fractal->name));

@@ -13,6 +13,7 @@
 #include "apps/explore/motion.h"
 #include "apps/explore/pace.h"
 #include "apps/explore/settings.h"
+#include "apps/explore/sight.h"
 #include "apps/explore/smooth.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
@@ -54,6 +55,27 @@ TEST(ExploreMotion, AFlightThroughWallsIsInside)
     Motion motion;
     motion.collides = false;
     EXPECT_LE(clearance_after_a_minute(motion, scene), 0);
+}
+
+TEST(ExploreSight, SaysWhatAPictureCannotShow)
+{
+    Scene scene = official("bulb");
+    const double clearance = Motion().clearance(scene);
+    for (const Precision precision : {Precision::f64, Precision::f32}) {
+        EXPECT_EQ(word_on(scene, clearance, precision, false), "");
+        EXPECT_NE(word_on(scene, clearance, precision, true).find("nothing is in view"), std::string::npos);
+    }
+    scene.detail = -8;
+    EXPECT_NE(word_on(scene, 1e-6, Precision::f32, false).find("double"), std::string::npos);
+    EXPECT_EQ(word_on(scene, 1e-6, Precision::f64, false), "");
+    for (const char* fractal : {"bulb", "box"}) {
+        Scene inside = official(fractal);
+        inside.eye = {0.1, 0.1, 0.1};
+        inside.target = {1, 2, 3};
+        EXPECT_NE(word_on(inside, Motion().clearance(inside), Precision::f64, true).find("in the solid"),
+                  std::string::npos)
+            << fractal;
+    }
 }
 
 TEST(ExploreMotion, TurningRoundFourTimesLooksTheSameWay)

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "flight/audit/audit.h"
+#include "flight/field/hull.h"
 #include "flight/plan/planner.h"
 #include "flight/plan/random.h"
 #include "tests/scenes.h"
@@ -59,6 +60,31 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     EXPECT_TRUE(back.changes());
     EXPECT_FALSE(scale("2.5").changes());
     EXPECT_FALSE(Schedule{}.changes());
+}
+
+// Asked of plan() itself, constant shapes, too.
+TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
+{
+    for (const double value : {0.5, -0.5, 0.9}) {
+        Scene box = official_scene("box", 16, 9);
+        box.shape[0] = value;
+        EXPECT_THROW(plan(box, {}, 1, frames, 0), InputError) << value;
+        EXPECT_NE(flight_objection(box).find("expected another scale"), std::string::npos);
+        EXPECT_THROW(scale(std::to_string(value)), InputError);
+    }
+    EXPECT_EQ(flight_objection(official_scene("box", 16, 9)), "");
+    EXPECT_EQ(flight_objection(official_scene("julia", 16, 9)), "");
+}
+
+TEST(Plan, EndsWhenItsProcessorTimeIsSpent)
+{
+    const Scene box = official_scene("box", 16, 9);
+    try {
+        plan(box, {}, 1, frames, 0, {}, 1e-3);
+        ADD_FAILURE() << "a plan within a millisecond";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("processor time"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Schedule, RefusesNonsenseInOneLine)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
@@ -147,6 +148,27 @@ TEST(ParameterFile, OldVariantWithSuperSamplingIsWarnedOf)
     EXPECT_EQ(file.scene.image_file, "old.bmp");
     ASSERT_EQ(file.warnings.size(), 1U);
     EXPECT_TRUE(file.warnings[0].starts_with("x.dat:11: warning: ")) << file.warnings[0];
+}
+
+// Its own official file, with and without comments, is fine; another's is not.
+TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
+{
+    const std::string_view box = fractal_named("box").official;
+    std::string bare;
+    std::istringstream lines{std::string(box)};
+    for (std::string line; std::getline(lines, line);) bare += line.starts_with('#') ? "" : line + "\n";
+    for (const std::string& text : {std::string(box), bare}) {
+        EXPECT_TRUE(parse_parameters(text, "x.dat", fractal_named("box")).warnings.empty());
+        const ParameterFile mixed = parse_parameters(text, "x.dat", fractal_named("bulb"));
+        ASSERT_EQ(mixed.warnings.size(), 1U);
+        EXPECT_NE(mixed.warnings[0].find("suit a mandelbox better than a mandelbulb"), std::string::npos);
+    }
+    try {
+        parse_parameters(fractal_named("bulb").official, "x.dat", fractal_named("box"));
+        ADD_FAILURE() << "a Mandelbulb's file for the Mandelbox";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("reads as one of a mandelbulb"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Fractals, ByNameAndNickname)

@@ -57,7 +57,7 @@ bool has_whole_power(const Scene& scene)
 // A sphere of radius 2^(1/(P - 1)).
 std::optional<Hull> body(const Scene& scene)
 {
-    if (!(scene.shape[2] > 1.2)) return {};
+    if (!(scene.shape[2] > 1.2F)) return {};  // shapes are in single precision
     return Hull{Hull::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
 }
 

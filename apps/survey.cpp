@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/survey.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/trace/trace.h"
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/render/kernel_scene.h"
+#include "core/render/stereo.h"
+#include "core/render/trial.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double many_out_of_steps = 0.02;  // of the rays
+constexpr double much_lost = 0.1;           // of the pixels
+
+Image drawn_by(Renderer& renderer, const Scene& scene)
+{
+    Image image(scene.width, scene.height, Image::Layers::all);
+    renderer.render(scene, image);
+    return image;
+}
+
+// In double and exact mode, by the ray of one pixel: its first sample is the eye's place.
+bool stands_in_solid(Scene scene)
+{
+    scene.limits = {};
+    const Trace trace = trace_pixel(scene, {.precision = Precision::f64, .mode = Mode::exact}, 0, 0);
+    return !trace.marching.empty() && trace.marching.front().iterations >= scene.iterations;
+}
+
+Survey survey_of_one(const Scene& scene, const RendererOptions& options, Renderer& renderer, const Backend& other)
+{
+    const Scene small = trial_scene(scene);
+    const Image picture = drawn_by(renderer, small);
+    Survey survey{.rays = static_cast<int>(picture.pixels())};
+    for (const PixelValue& pixel : picture.values()) {
+        const double share = 1.0 / survey.rays;
+        if (std::isfinite(pixel.depth)) {
+            survey.hit += share;
+        } else if (pixel.steps >= max_steps) {
+            survey.out_of_steps += share;
+        }
+    }
+    survey.inside = stands_in_solid(small);
+    if (options.precision == Precision::f32) {
+        const auto in_double = other.create({.mode = options.mode, .techniques = options.techniques});
+        const Comparison compared = compare(picture, drawn_by(*in_double, small));
+        survey.lost = static_cast<double>(compared.visibly_differing) / survey.rays;
+    }
+    return survey;
+}
+
+}  // namespace
+
+bool has_one_colour(const Image& image)
+{
+    const auto& bytes = image.bytes();
+    return std::equal(bytes.begin() + 3, bytes.end(), bytes.begin());
+}
+
+Survey survey_of(const Scene& scene, double eyes, const RendererOptions& options, Renderer& renderer,
+                 const Backend& other)
+{
+    if (eyes <= 0) return survey_of_one(scene, options, renderer, other);
+    const Survey left = survey_of_one(of_eye(scene, eyes, -1), options, renderer, other);
+    const Survey right = survey_of_one(of_eye(scene, eyes, 1), options, renderer, other);
+    return {.rays = left.rays + right.rays,
+            .hit = (left.hit + right.hit) / 2,
+            .out_of_steps = (left.out_of_steps + right.out_of_steps) / 2,
+            .inside = left.inside && right.inside,
+            .lost = (left.lost + right.lost) / 2};
+}
+
+void refuse_solid(const Survey& survey, bool one_colour, const std::string& where)
+{
+    if (!survey.inside || !one_colour) return;
+    throw InputError(fmt::format(
+        "{}: the camera stands in the solid, so that no ray sees anything, expected a place outside", where));
+}
+
+std::vector<std::string> words_of(const Survey& survey, const Scene& scene, bool one_colour)
+{
+    std::vector<std::string> words;
+    if (survey.lost > much_lost) {
+        words.push_back(fmt::format(
+            "float's digits are too few for this view: {:.0f} % of the picture is off, expected --precision double",
+            100 * survey.lost));
+    }
+    if (survey.inside && survey.hit > 0.99) words.emplace_back("the camera stands in the solid");
+    if (survey.out_of_steps > many_out_of_steps) {
+        words.push_back(fmt::format(
+            "{:.0f} % of the rays ran out of their {} steps and show the background: the detail level {:.6g} "
+            "may be too fine, or steps too short",
+            100 * survey.out_of_steps, max_steps, scene.detail));
+    } else if (one_colour && survey.hit == 0) {
+        words.push_back(
+            fmt::format("nothing was hit: the picture shows the background alone; the camera stands {:.4g} "
+                        "from the middle of the {}",
+                        length(scene.eye), scene.fractal->name));
+    } else if (one_colour) {
+        words.emplace_back("the picture has one colour");
+    }
+    return words;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/cores.h"
+
+#include <fmt/format.h>
+#include <sched.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string_view>
+
+#include "core/base/control_group.h"
+
+namespace mandelmarch {
+namespace {
+
+// The process's affinity as it was given: a bit for each core. Written once, before main() and before the constructors
+// of shared libraries, of which OpenMP's binds the first thread.
+struct Mask {
+    unsigned long bits[128] = {};  // 8192 cores
+    long bytes = 0;                // that the kernel has written; 0 or less: unknown
+};
+constinit Mask given;
+
+// Not instrumented: sanitizers are not ready yet.
+__attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
+{
+    given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);
+}
+
+__attribute__((section(".preinit_array"), used)) void (*before_libraries)() = note_affinity;
+
+int cores_given()
+{
+    if (given.bytes <= 0) note_affinity();
+    const auto words = static_cast<std::size_t>(std::max(0L, given.bytes)) / sizeof given.bits[0];
+    int count = 0;
+    for (const unsigned long word : std::span(given.bits).first(words)) count += std::popcount(word);
+    return std::max(1, count);
+}
+
+// The first number of a variable's list; nullopt where there is none above 0.
+std::optional<int> first_number(const char* variable)
+{
+    const char* text = std::getenv(variable);
+    if (text == nullptr) return std::nullopt;
+    char* end = nullptr;
+    const long value = std::strtol(text, &end, 10);
+    if (end == text || value < 1) return std::nullopt;
+    return static_cast<int>(std::min(value, 1L << 20));
+}
+
+}  // namespace
+
+int Cores::threads() const
+{
+    int threads = asked.value_or(given);
+    if (!asked && quota) threads = std::min(threads, static_cast<int>(std::ceil(*quota)));
+    return std::max(1, std::min(threads, limit.value_or(threads)));
+}
+
+Cores cores(const std::string& root)
+{
+    return {.machine = static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN))),
+            .given = cores_given(),
+            .quota = processor_quota(root),
+            .asked = first_number("OMP_NUM_THREADS"),
+            .limit = first_number("OMP_THREAD_LIMIT")};
+}
+
+int usable_threads() { return cores().threads(); }
+
+std::string binding()
+{
+    for (const char* variable : {"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY"}) {
+        const char* value = std::getenv(variable);
+        if (value == nullptr) continue;
+        const std::string_view text = value;
+        if (text == "false" || text == "FALSE") return {};
+        if (!text.empty()) return fmt::format("{}={}", variable, text);
+    }
+    return {};
+}
+
+void limit_driver_threads(const char* name)
+{
+    const Cores mine = cores();
+    if (mine.threads() < mine.machine) setenv(name, fmt::format("{}", mine.threads()).c_str(), 0);
+}
+
+int threads_named(const std::string& beginning)
+{
+    int count = 0;
+    std::error_code none;
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", none)) {
+        std::ifstream file(thread.path() / "comm");
+        std::string name;
+        std::getline(file, name);
+        count += name.starts_with(beginning) ? 1 : 0;
+    }
+    return count;
+}
+
+void restore_affinity()
+{
+    if (given.bytes > 0) syscall(SYS_sched_setaffinity, 0, static_cast<std::size_t>(given.bytes), given.bits);
+}
+
+}  // namespace mandelmarch

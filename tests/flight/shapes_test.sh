@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before any planning, by every way in.
+set -uo pipefail
+program=$(realpath "$1")
+source=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 500 stderr)"; }
+# Exit code 2, one line, no plan begun.
+refused() {
+    timeout 30 "$program" "$@" --output new.json >stdout 2>stderr </dev/null
+    [ $? = 2 ] || fail "not refused: $*: $(head -c 300 stderr)"
+    [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines: $*: $(head -c 500 stderr)"
+    [ ! -e new.json ] || fail "a file is left: $*"
+}
+params() { sed "s/^2 0.5 1$/$1/" "$source/paramsBox.dat"; }
+for scale in 0.5 0.9 0.3 -0.5 -1; do
+    params "$scale 0.5 1" >p.dat
+    refused plan --frames 120 --fractal box --params p.dat
+    says "p.dat: a mandelbox with scale $scale cannot be flown through, expected another scale"
+    refused plan --frames 120 --fractal box --scale "$scale"
+    says "^--scale: '$scale': .*cannot be flown through"
+    refused film --frames 120 --fractal box --scale "2:$scale"
+done
+refused film --frames 120 --fractal box --params p.dat
+for power in 0.5 1 1.1 1.2; do
+    sed "s/^0 4.0 8.0$/0 4.0 $power/" "$source/paramsBulb.dat" >p.dat
+    refused plan --frames 120 --params p.dat
+    says "a mandelbulb with power $power cannot be flown through, expected another power, 8, say"
+    refused plan --frames 120 --power "$power"
+    refused plan --frames 120 --power "8:$power"
+done
+# A number given for the shape takes the place of the file's.
+timeout 60 "$program" plan --frames 120 --params p.dat --power 8 --output new.json >stdout 2>stderr || fail "$(cat stderr)"
+rm -f new.json
+# A Mandelbox read as a Mandelbulb: a word on the file, and the refusal.
+timeout 30 "$program" plan --frames 120 --params "$source/paramsBox.dat" --output new.json >stdout 2>stderr
+[ $? = 2 ] || fail "paramsBox.dat for a Mandelbulb: $(cat stderr)"
+says 'warning: these comments suit a mandelbox'
+says 'with power 1 cannot be flown through'
+
+# What is missing is said, and what helps; the same words for every seed.
+for seed in 1 2; do
+    timeout 100 "$program" plan --fractal julia --params "$source/paramsJulia.dat" --frames 120 --seed $seed \
+        --output new.json >stdout 2>stderr
+    [ $? = 2 ] || fail "a Julia set: $(tail -1 stderr)"
+    tail -1 stderr | grep -Eq 'this julia has no .*; another seed does not help, expected another shape' || fail "$(tail -1 stderr)"
+done
+[ $failures = 0 ] && echo "shapes that cannot be flown through: as expected"
+exit $((failures > 0))

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# survey_test.sh BIN SOURCE: pictures that show nothing, or not what they should, are said to; what can be no picture is
+# refused.
+set -uo pipefail
+bin=$(realpath "$1")
+source=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+cp "$source"/params*.dat .
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+# run CODE FRACTAL ARGUMENTS...
+run() {
+    local code=$1 got
+    shift
+    rm -f p.png s.json
+    "$bin/render" --fractal "$@" --size 40x40 --backend openmp --output p.png --stats s.json 2>stderr
+    got=$?
+    [ $got = "$code" ] || fail "exit code $got instead of $code: $*: $(cat stderr)"
+    [ "$code" = 0 ] || [ ! -e p.png ] || fail "a picture of $*"
+}
+says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(cat stderr)"; }
+stats() { grep -Eq -- "$1" s.json || fail "the statistics do not say '$1': $(grep -A8 survey s.json)"; }
+# The scene FILE with its line NUMBER of values replaced: change FILE NUMBER VALUES NUMBER VALUES ... >new
+change() {
+    local file=$1
+    shift
+    awk -v changes="$(printf '%s\n' "$@")" 'BEGIN { n = split(changes, c, "\n"); for (i = 1; i < n; i += 2) to[c[i]] = c[i + 1] }
+        /^#/ { print; next } { ++k; print (k in to) ? to[k] : $0 }' "$file"
+}
+
+# The negative controls: official scenes have nothing to be told of, in either precision and mode.
+for fractal in Bulb Box Julia; do
+    for how in "--precision double" "--precision float" "--precision float --mode fast"; do
+        run 0 "${fractal,}" params$fractal.dat $how
+        [ ! -s stderr ] || fail "the official scene: $(cat stderr)"
+        stats '"warnings": \[\]'
+    done
+done
+
+# Another fractal's parameter file.
+run 0 bulb paramsBox.dat
+says '^paramsBox.dat:[0-9]+: warning: these comments suit a mandelbox better than a mandelbulb'
+run 2 box paramsBulb.dat
+says 'paramsBulb.dat:[0-9]+: .*\(the file reads as one of a mandelbulb\)'
+change paramsBox.dat 7 "-1.5 0.25 1" | grep -v '#' >other.dat
+run 0 bulb other.dat
+says 'numbers suit a mandelbox'
+change paramsBulb.dat 7 "0 2 2.5" | grep -v '#' >other.dat
+run 0 bulb other.dat
+! grep -q suit stderr || fail "a Mandelbulb of power 2.5: $(cat stderr)"
+
+# Nothing in view.
+change paramsBox.dat 1 "14000 8000 10000" >far.dat
+run 0 box far.dat
+says 'nothing was hit'
+stats '"hit": 0\.0,'
+change paramsBulb.dat 2 "5 0.26 0.2" >away.dat
+run 0 bulb away.dat
+says 'nothing was hit'
+run 0 box paramsBox.dat --eyes 1e5
+says 'nothing was hit'
+# A sliver in view is a picture.
+change paramsBulb.dat 1 "3 .65 .5" 4 2.7 >near.dat
+run 0 bulb near.dat
+! grep -q 'nothing' stderr || fail "a picture: $(cat stderr)"
+
+# In the solid no ray sees anything: refused where all is of one colour.
+change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
+run 2 bulb inside.dat
+says '^inside.dat: the camera stands in the solid'
+[ "$(wc -l <stderr)" = 1 ] || fail "more than a line: $(cat stderr)"
+change paramsBox.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
+run 0 box inside.dat
+says 'the camera stands in the solid'
+stats '"in_solid": true'
+
+# A detail level below all digits.
+change paramsBox.dat 6 "-20" >fine.dat
+run 0 box fine.dat
+says '[0-9]+ % of the rays ran out of their 8000 steps'
+stats '"out_of_steps": 0\.[0-9]*[1-9]'
+
+# Too near for float: the deeper, the plainer. Before the Mandelbulb's surface, in exact and fast mode.
+for depth in 1e-6 1e-7; do
+    python3 - $depth >deep.dat <<'PY'
+import math, sys
+# A place before the surface of the Mandelbulb of power 8, by the escape of orbits.
+def escapes(r0, toward):
+    place = [r0 * c for c in toward]
+    x, y, z = place
+    for _ in range(100):
+        r = math.sqrt(x * x + y * y + z * z)
+        if r > 4: return True
+        t, p = 8 * math.acos(z / r), 8 * math.atan2(y, x)
+        r = r ** 8
+        x, y, z = r * math.sin(t) * math.cos(p) + place[0], r * math.sin(t) * math.sin(p) + place[1], r * math.cos(t) + place[2]
+    return False
+# Along a line on which it rises above the surface at once.
+for turn in range(100):
+    toward = (math.cos(0.2 + turn / 100) * 0.987, math.sin(0.2 + turn / 100) * 0.987, 0.161)
+    r = 1.2
+    while escapes(r, toward): r -= 1e-4
+    low, high = r, r + 1e-4
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if escapes(middle, toward) else (middle, high)
+    if all(escapes(high + away, toward) for away in (1e-5, 1e-6, 2e-6, 1e-7)): break
+eye = [(high + float(sys.argv[1])) * c for c in toward]
+print(*(f"{c:.17g}" for c in eye))
+print(f"0 0 0\n0 1 0\n1\n40 40\n-8\n0 4 8\n100 0\n1\n1.2\np.bmp")
+PY
+    for mode in exact fast; do
+        run 0 bulb deep.dat --precision float --mode $mode
+        says "float's digits are too few for this view: [0-9]+ % of the picture is off, expected --precision double"
+        ! grep -q 'shorter steps' stderr || fail "two words for one thing: $(cat stderr)"
+        stats '"lost_in_float": (1\.0|0\.[1-9])'
+        run 0 bulb deep.dat --precision double --mode $mode
+        ! grep -q float stderr || fail "double: $(cat stderr)"
+    done
+done
+
+# All directions are 360 by 180 degrees.
+panorama() {
+    "$bin/render" --fractal bulb paramsBulb.dat --projection equirectangular "$@" --output p.png 2>stderr
+}
+panorama --size 100x100 && fail "a square panorama"
+says 'equirectangular: 100 x 100 pixels given, expected twice as wide as high'
+panorama --size 100x50 || fail "a panorama: $(cat stderr)"
+"$bin/flythrough" film --projection equirectangular --size 640x360 --output f.mp4 2>stderr
+[ $? = 2 ] || fail "a film of 640 x 360"
+says 'equirectangular: 640 x 360'
+[ $failures = 0 ] && echo "pictures that show nothing: as expected"
+exit $((failures > 0))

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// What control groups, affinity and OpenMP's variables let this process use. Trees of files stand for the system's.
+#include "core/base/cores.h"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/base/control_group.h"
+#include "core/base/memory.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::uint64_t mebibyte = 1ULL << 20;
+
+// A folder that stands for /.
+class Tree {
+public:
+    explicit Tree(const std::string& groups) { write("/proc/self/cgroup", groups); }
+    ~Tree() { std::filesystem::remove_all(root_); }
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+
+    Tree& write(const std::string& file, const std::string& text)
+    {
+        const std::filesystem::path path = root_ + file;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path) << text;
+        return *this;
+    }
+    const std::string& root() const { return root_; }
+
+private:
+    std::string root_ = testing::TempDir() + "cores-" + std::to_string(counter()++);
+    static int& counter()
+    {
+        static int count = static_cast<int>(getpid()) * 100;
+        return count;
+    }
+};
+
+// A variable of the environment that is another one while this lives.
+class Variable {
+public:
+    Variable(const char* name, const char* value) : name_(name)
+    {
+        if (const char* old = std::getenv(name)) old_ = old;
+        setenv(name, value, 1);
+    }
+    ~Variable()
+    {
+        if (old_) {
+            setenv(name_, old_->c_str(), 1);
+        } else {
+            unsetenv(name_);
+        }
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* name_;
+    std::optional<std::string> old_;
+};
+
+TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
+{
+    Tree tree("0::/job/step\n");
+    tree.write("/sys/fs/cgroup/job/memory.max", "734003200\n")
+        .write("/sys/fs/cgroup/job/memory.current", "733000000\n")
+        .write("/sys/fs/cgroup/job/memory.stat",
+               "anon 1000000\nfile 731000000\ninactive_file 500000000\nactive_file "
+               "230000000\nslab_reclaimable 1000000\n")
+        .write("/sys/fs/cgroup/job/step/memory.max", "max\n")
+        .write("/sys/fs/cgroup/job/step/memory.current", "1000\n");
+    EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 2000000);
+    // The negative control: what is no cache is used.
+    tree.write("/sys/fs/cgroup/job/memory.stat", "anon 733000000\ninactive_file 0\n");
+    EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 733000000);
+    // A limit that slows down counts as one, and more cache than use is no memory beyond the limit.
+    tree.write("/sys/fs/cgroup/job/memory.high", "104857600\n")
+        .write("/sys/fs/cgroup/job/memory.stat", "inactive_file 900000000\n");
+    EXPECT_EQ(memory_left_in_groups(tree.root()), 100 * mebibyte);
+}
+
+TEST(MemoryLeft, CountsNoPageCacheOfVersion1)
+{
+    Tree tree("9:name=systemd:/\n4:memory:/docker/abc\n");
+    // In a container the group's own folder is the root.
+    tree.write("/sys/fs/cgroup/memory/memory.limit_in_bytes", "734003200\n")
+        .write("/sys/fs/cgroup/memory/memory.usage_in_bytes", "734000000\n")
+        .write("/sys/fs/cgroup/memory/memory.stat",
+               "inactive_file 1\ntotal_inactive_file 700000000\ntotal_active_file 30000000\n");
+    EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 4000000);
+    tree.write("/proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable:   100000 kB\n");
+    EXPECT_EQ(available_memory(tree.root()), 100000 * 1024);
+}
+
+TEST(MemoryLeft, HasNoLimitWithoutGroups)
+{
+    EXPECT_EQ(memory_left_in_groups(Tree("").root()), no_limit);
+    EXPECT_EQ(memory_left_in_groups("/nowhere"), no_limit);
+}
+
+TEST(Quota, IsTheLeastOfAllGroupsAbove)
+{
+    Tree two("0::/a/b\n");
+    EXPECT_FALSE(processor_quota(two.root()));
+    two.write("/sys/fs/cgroup/a/b/cpu.max", "max 100000\n");
+    EXPECT_FALSE(processor_quota(two.root()));
+    two.write("/sys/fs/cgroup/a/cpu.max", "150000 100000\n");
+    EXPECT_EQ(processor_quota(two.root()), 1.5);
+    two.write("/sys/fs/cgroup/a/b/cpu.max", "20000 100000\n");
+    EXPECT_EQ(processor_quota(two.root()), 0.2);
+    Tree one("3:cpu,cpuacct:/job\n0::/\n");
+    one.write("/sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_quota_us", "-1\n")
+        .write("/sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_period_us", "100000\n");
+    EXPECT_FALSE(processor_quota(one.root()));
+    one.write("/sys/fs/cgroup/cpu,cpuacct/cpu.cfs_quota_us", "50000\n")
+        .write("/sys/fs/cgroup/cpu,cpuacct/cpu.cfs_period_us", "100000\n");
+    EXPECT_EQ(processor_quota(one.root()), 0.5);
+}
+
+TEST(Quota, TellsHowOftenItStoppedTheGroup)
+{
+    Tree tree("0::/job\n");
+    EXPECT_EQ(throttling(tree.root()).throttled, 0);
+    tree.write("/sys/fs/cgroup/job/cpu.stat", "usage_usec 5\nnr_periods 103\nnr_throttled 102\nthrottled_usec 9\n");
+    EXPECT_EQ(throttling(tree.root()).throttled, 102);
+    EXPECT_EQ(throttling(tree.root()).periods, 103);
+}
+
+TEST(CoreCount, GoesByWhatWasGivenQuotaAndOpenmp)
+{
+    EXPECT_EQ((Cores{.machine = 8, .given = 8}.threads()), 8);
+    EXPECT_EQ((Cores{.machine = 8, .given = 3}.threads()), 3);
+    EXPECT_EQ((Cores{.machine = 8, .given = 8, .quota = 1.5}.threads()), 2);
+    EXPECT_EQ((Cores{.machine = 8, .given = 8, .quota = 0.2}.threads()), 1);
+    EXPECT_EQ((Cores{.machine = 8, .given = 2, .quota = 6}.threads()), 2);
+    EXPECT_EQ((Cores{.machine = 8, .given = 8, .quota = 2, .asked = 5}.threads()), 5);
+    EXPECT_EQ((Cores{.machine = 8, .given = 8, .asked = 5, .limit = 3}.threads()), 3);
+    EXPECT_EQ((Cores{.machine = 8, .given = 8, .limit = 16}.threads()), 8);
+}
+
+TEST(CoreCount, ReadsOpenmpsVariables)
+{
+    {
+        const Variable number("OMP_NUM_THREADS", " 3,2");
+        const Variable limit("OMP_THREAD_LIMIT", "2");
+        EXPECT_EQ(cores().asked, 3);
+        EXPECT_EQ(usable_threads(), 2);
+    }
+    for (const char* nonsense : {"", "x", "0", "-2"}) {
+        const Variable number("OMP_NUM_THREADS", nonsense);
+        EXPECT_FALSE(cores().asked) << nonsense;
+    }
+    const Variable bind("OMP_PROC_BIND", "close");
+    EXPECT_EQ(binding(), "OMP_PROC_BIND=close");
+    const Variable loose("OMP_PROC_BIND", "false");
+    EXPECT_EQ(binding(), "");
+}
+
+// A thread's mask counts as nothing given: it is not what the process was started with.
+TEST(Affinity, IsThatOfTheProcessesStartAndCanBeRestored)
+{
+    const int given = cores().given;
+    std::jthread([given] {
+        cpu_set_t set;
+        sched_getaffinity(0, sizeof set, &set);
+        const int before = CPU_COUNT(&set);
+        std::size_t first = 0;
+        while (!CPU_ISSET(first, &set)) ++first;
+        CPU_ZERO(&set);
+        CPU_SET(first, &set);
+        ASSERT_EQ(sched_setaffinity(0, sizeof set, &set), 0);
+        EXPECT_EQ(cores().given, given);
+        restore_affinity();
+        sched_getaffinity(0, sizeof set, &set);
+        EXPECT_EQ(CPU_COUNT(&set), given);
+        EXPECT_GE(given, before);
+    });
+}
+
+}  // namespace
+}  // namespace mandelmarch
