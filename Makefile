@@ -7,14 +7,15 @@ BUILD := build/$(PRESET)
 # Programs that only this machine will run have packs for its own instruction set alone, which takes less time to build.
 # Where a release build is there, or PRESET is given, they come from that.
 HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/flythrough),release,native),$(PRESET))
-# $(call take,PRESET,PROGRAM...): programs from their build to where people run them.
-take = mkdir -p bin && cp --remove-destination $(addprefix build/$(1)/bin/,$(2)) bin/
+# $(call take,PRESET,PROGRAM...): programs from their build to where people run them. Those that run now go on with their old file.
+put = cp --remove-destination
+take = mkdir -p bin && $(put) $(addprefix build/$(1)/bin/,$(2)) bin/
 DEMO := demo render imgdiff flythrough
 # All programs of a build of everything.
 define take_all
 $(call take,$(PRESET),$(DEMO) bench) && \
-{ [ ! -e $(BUILD)/bin/explore ] || cp --remove-destination $(BUILD)/bin/explore bin/; } && \
-cp $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
+{ [ ! -e $(BUILD)/bin/explore ] || $(put) $(BUILD)/bin/explore bin/; } && \
+$(put) $(BUILD)/bin/mandelbulb $(BUILD)/bin/mandelbox .
 endef
 
 .PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)
@@ -31,13 +32,13 @@ mandelbox: ## the same of paramsBox.dat (3 min with set-up and build)
 mandelbulb mandelbox:
 	@tools/setup build || true
 	@tools/build $(HERE) $@
-	@cp build/$(HERE)/bin/$@ $@
+	@$(put) build/$(HERE)/bin/$@ $@
 
 demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (6 min with set-up and build)
 	@tools/setup programs
 	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
 	@$(call take,$(HERE),$(DEMO))
-	@cp build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
+	@$(put) build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
 test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing (25 min from nothing)
@@ -80,7 +81,8 @@ flythrough: ## the program that makes films (as long as it builds)
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
 
-explore: ## the program that flies live, in a window: bin/explore (as long as it builds)
+explore: ## the program that flies live, in a window: bin/explore (1 min with set-up, estimated)
+	@tools/setup explore
 	@tools/build $(HERE) explore
 	@$(call take,$(HERE),explore)
 
@@ -160,8 +162,10 @@ docs-figures: ## the figures of README and docs, anew from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md
 
 RESULTS ?= report/results
-report: build python ## a report on report/results, with pictures that bin/render draws: report/out/report.html (2 min, estimated)
+report: python ## a report on report/results, with pictures that bin/render draws: report/out/report.html (2 min, estimated)
 	@report/setup
+	@tools/build $(HERE) bench render imgdiff
+	@$(call take,$(HERE),bench render imgdiff)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 

@@ -18,7 +18,7 @@ enum class RaceVerdict {
     wrong_size,  // the picture has another size
     no_picture,  // it ended well and left none
     no_image,    // what it left is no picture
-    unsteady,    // a later picture was another one
+    unsteady,    // a later picture was wrong
     failed,      // an exit code other than 0
     crashed,     // ended by a signal
     hung,        // ended at the time limit

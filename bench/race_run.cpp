@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -35,6 +36,11 @@ namespace fs = std::filesystem;
 constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
+// How far the eye moves for a round's view, in shares of its distance to the target: the least that changes this part
+// of the picture visibly.
+constexpr double first_move = 0.01;
+constexpr double last_move = 0.1;
+constexpr double least_change = 0.1;
 
 class Folder {
 public:
@@ -82,6 +88,20 @@ Scene scene_of(const RacePlan& plan, const Options& options)
     return scene;
 }
 
+// The scene seen from a place beside its eye: in a direction by chance, `share` of the distance to the target away.
+Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
+{
+    std::normal_distribution<double> normal;
+    const Vector to{normal(chance), normal(chance), normal(chance)};
+    const double x = scene.eye.x - scene.target.x;
+    const double y = scene.eye.y - scene.target.y;
+    const double z = scene.eye.z - scene.target.z;
+    const double scale = share * std::hypot(x, y, z) / std::hypot(to.x, to.y, to.z);
+    Scene other = scene;
+    other.eye = {scene.eye.x + scale * to.x, scene.eye.y + scale * to.y, scene.eye.z + scale * to.z};
+    return other;
+}
+
 class RunningRace {
 public:
     RunningRace(const RacePlan& plan, const Options& options, const std::function<void(double)>& progress)
@@ -117,15 +137,13 @@ public:
     Race run()
     {
         const Steadiness steadiness;
-        Racer scalar{.name = "the scalar text", .ours = true};
-        expected_ = draw(scalar, yardstick_).image;
-        if (!expected_) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
+        view_ = {race_.parameters, expected(race_.parameters)};
+        const Image official = view_.expected;
         std::vector<std::size_t> timed;
         for (std::size_t i = 0; i < words_.size(); ++i) {
             progress_(0.5 * static_cast<double>(i) / static_cast<double>(words_.size()));
             Racer& racer = race_.racers[i];
             const Drawn proof = draw(racer, words_[i]);
-            fingerprints_.push_back(proof.image ? fingerprint(*proof.image) : 0);
             if (proof.image) judge(racer, *proof.image);
             if (!is_right(racer.verdict)) continue;
             if (proof.sample.seconds > longest_repeated) {
@@ -135,6 +153,7 @@ public:
             }
         }
         for (int round = 0; round < plan_.rounds; ++round) {
+            view_ = another_view(official);
             std::ranges::shuffle(timed, random_);
             for (const std::size_t i : timed) again(i, round);
             progress_(0.5 + 0.5 * (round + 1) / plan_.rounds);
@@ -149,13 +168,48 @@ private:
         RaceSample sample;
     };
 
+    // A scene that programs draw, and our scalar text's picture of it.
+    struct View {
+        std::string parameters;
+        Image expected;
+    };
+
+    Image expected(const std::string& parameters)
+    {
+        Racer scalar{.name = "the scalar text", .ours = true};
+        view_.parameters = parameters;
+        Drawn drawn = draw(scalar, yardstick_);
+        if (!drawn.image) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
+        return std::move(*drawn.image);
+    }
+
+    // A view that no program has drawn: a picture kept from an earlier run is wrong.
+    View another_view(const Image& official)
+    {
+        for (double share = first_move;; share *= 2) {
+            View view{to_parameters(moved(scene_, share, chance_)), {}};
+            view.expected = expected(view.parameters);
+            const Comparison change = compare(official, view.expected);
+            const bool visible =
+                static_cast<double>(change.visibly_differing) >= least_change * static_cast<double>(change.pixels);
+            if (visible) return view;
+            if (share > last_move) {
+                const std::string blind =
+                    "views beside this scene's do not differ visibly: a picture kept from an earlier run is not "
+                    "noticed";
+                if (std::ranges::find(race_.warnings, blind) == race_.warnings.end()) race_.warnings.push_back(blind);
+                return view;
+            }
+        }
+    }
+
     // Runs the program; where there is no picture, the racer says why.
     Drawn draw(Racer& racer, const std::vector<std::string>& words)
     {
         const Folder folder;
         const fs::path work = folder.path() / "work";
         fs::create_directory(work);
-        write_file((work / scene_name).string(), race_.parameters);
+        write_file((work / scene_name).string(), view_.parameters);
         const auto fails = [&](RaceVerdict verdict, std::string why) {
             racer.verdict = verdict;
             racer.why = std::move(why);
@@ -203,7 +257,7 @@ private:
 
     void judge(Racer& racer, const Image& image)
     {
-        const Image& expected = *expected_;
+        const Image& expected = view_.expected;
         if (image.width() != expected.width() || image.height() != expected.height()) {
             racer.verdict = RaceVerdict::wrong_size;
             racer.why = fmt::format("{} x {} pixels, expected {} x {}", image.width(), image.height(), expected.width(),
@@ -231,18 +285,23 @@ private:
         }
     }
 
-    // One more picture of a program whose first was right.
+    // A picture of the round's view by a program whose first was right.
     void again(std::size_t i, int round)
     {
         Racer& racer = race_.racers[i];
         if (!is_right(racer.verdict)) return;
         Drawn drawn = draw(racer, words_[i]);
         if (!drawn.image) return;
-        if (fingerprint(*drawn.image) != fingerprints_[i]) {
+        const RaceVerdict first = racer.verdict;
+        const std::optional<RacePicture> picture = racer.picture;
+        judge(racer, *drawn.image);
+        if (!is_right(racer.verdict)) {
             racer.verdict = RaceVerdict::unsteady;
-            racer.why = fmt::format("the picture of round {} is not the first one", round);
+            racer.why = fmt::format("round {}, another view: {}", round, racer.why);
             return;
         }
+        racer.verdict = std::max(first, racer.verdict);
+        racer.picture = picture;
         drawn.sample.round = round;
         racer.samples.push_back(drawn.sample);
     }
@@ -250,12 +309,12 @@ private:
     const RacePlan& plan_;
     const std::function<void(double)>& progress_;
     Scene scene_;
-    std::mt19937_64 random_;
+    std::mt19937_64 random_;                          // of the order
+    std::mt19937_64 chance_{std::random_device{}()};  // of the views, which nobody can know before
     Race race_;
     std::vector<std::string> yardstick_;
     std::vector<std::vector<std::string>> words_;  // of each racer
-    std::vector<std::uint64_t> fingerprints_;      // of each racer's first picture
-    std::optional<Image> expected_;
+    View view_;                                    // that is being drawn
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace {
 
 // Of a device's free memory, this share may be taken: others use it too.
 constexpr std::size_t memory_share = 4;
+// On the host a band takes about so long, so that a picture can be cancelled.
+constexpr double seconds_per_band = 0.1;
 // For a job, and what an allocation is rounded up to.
 constexpr std::size_t job_memory = 1 << 16;  // bytes
 // Of the host's memory: a cache line, and what a Scene asks for.
@@ -97,6 +99,7 @@ private:
     {
         const std::int64_t picture = std::int64_t{scene.width} * scene.height;
         std::int64_t pixels = options_.band > 0 ? options_.band : opened_.pixels_per_band;
+        double seconds = 0;
         if (auto free = model_->free_memory(options_.device)) {
             *free += memory_->held();  // it may be given back for more
             pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
@@ -105,9 +108,11 @@ private:
                 throw Error(fmt::format("{}: {} has {} bytes of memory free, {} are needed", model_->name(),
                                         opened_.device.name, *free, needed));
             }
+        } else if (options_.band == 0) {
+            seconds = seconds_per_band;
         }
         pixels = std::min(std::max<std::int64_t>(pixels, scene.width), picture);
-        return {.pixels_per_band = pixels, .pixels_to_fill = pixels};
+        return {.pixels_per_band = pixels, .pixels_to_fill = pixels, .seconds_per_band = seconds};
     }
 
     std::shared_ptr<const Model> model_;

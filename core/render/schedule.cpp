@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/loops.h"
@@ -15,6 +16,9 @@ namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
+// Where bands are cut by time: pixels of the first, and how much larger than the last one a band is at most.
+constexpr std::int64_t first_band = 1 << 14;
+constexpr double most_growth = 4;
 
 // What one invocation does at most.
 struct Plan {
@@ -67,8 +71,11 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
 {
     const Plan plan = plan_of(scene, mode, limits.loops_per_invocation);
     const int rows = rows_per_band(scene, limits);
-    for (int row = 0; row < scene.height; row += rows) {
-        const Band band{row, std::min(rows, scene.height - row)};
+    const bool by_time = limits.seconds_per_band > 0;
+    int next = by_time ? static_cast<int>(std::clamp<std::int64_t>(first_band / scene.width, 1, rows)) : rows;
+    for (int row = 0; row < scene.height;) {
+        const Clock::time_point start = Clock::now();
+        const Band band{row, std::min(next, scene.height - row)};
         if (plan.whole) {
             executor.run(Entry::draw, band, max_steps);
         } else {
@@ -84,7 +91,12 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
             executor.run(Entry::shade, band, 0);
         }
         executor.read_back(band, image);
-        if (progress) progress(static_cast<double>(row + band.rows) / scene.height);
+        row += band.rows;
+        if (progress) progress(static_cast<double>(row) / scene.height);
+        if (by_time) {
+            const double growth = std::min(limits.seconds_per_band / seconds_since(start), most_growth);
+            next = std::clamp(static_cast<int>(growth * band.rows), 1, rows);
+        }
     }
 }
 

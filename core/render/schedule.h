@@ -23,6 +23,8 @@ struct Limits {
     std::int64_t pixels_per_band;           // what its buffers hold
     std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
     std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
+    // Bands begin small and then take about so long, so that a slow device can be stopped; 0: all have one size.
+    double seconds_per_band = 0;
 };
 
 // A band's pixels at most; a GPU's at least.

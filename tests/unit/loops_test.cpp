@@ -180,6 +180,30 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
+// Bands that take too long become single rows, others grow to what the device holds; without a time all are as large as
+// that.
+TEST(Loops, BandsAreCutByTime)
+{
+    const auto bands_of = [](double seconds) {
+        Noting noting;
+        Image image(1024, 200, Image::Layers::bytes);
+        std::vector<int> rows;
+        int done = 0;
+        run_schedule(official_scene("bulb", 1024, 200), Mode::exact,
+                     {.pixels_per_band = 1024 * 128, .pixels_to_fill = 1024 * 128, .seconds_per_band = seconds}, noting,
+                     image, [&](double share) {
+                         rows.push_back(static_cast<int>(std::lround(share * 200)) - done);
+                         done += rows.back();
+                     });
+        return rows;
+    };
+    std::vector<int> single(185, 1);
+    single[0] = 16;
+    EXPECT_EQ(bands_of(1e-30), single);
+    EXPECT_EQ(bands_of(1e30), (std::vector<int>{16, 64, 120}));
+    EXPECT_EQ(bands_of(0), (std::vector<int>{128, 72}));
+}
+
 TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)
 {
     Scene scene = official_scene("box", 8, 8);
