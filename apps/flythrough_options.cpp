@@ -85,6 +85,13 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
         "Exit codes: 0 fine, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not available.");
 }
 
+void take_size(const std::string& size, Flythrough& options)
+{
+    const char* usual = options.projection == Projection::equirectangular ? "2160x1080" : "1920x1080";
+    std::tie(options.width, options.height) = size_option(size.empty() ? usual : size);
+    check_panorama(options.projection, options.width, options.height);
+}
+
 }  // namespace
 
 std::vector<NamedFile> Flythrough::written() const
@@ -127,10 +134,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     fractal_named(options.fractal);
     options.seed = large_option("seed", texts.seed, 1ULL << 53);
     options.frames = whole_option("frames", texts.frames, 2, most_frames);
-    const bool panorama = options.projection == Projection::equirectangular;
-    const std::string usual_size = panorama ? "2160x1080" : "1920x1080";
-    std::tie(options.width, options.height) = size_option(texts.size.empty() ? usual_size : texts.size);
-    check_panorama(options.projection, options.width, options.height);
+    take_size(texts.size, options);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
     if (options.stereo && options.projection != Projection::perspective) {

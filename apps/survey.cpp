@@ -40,14 +40,12 @@ Survey survey_of_one(const Scene& scene, const RendererOptions& options, Rendere
     const Scene small = trial_scene(scene);
     const Image picture = drawn_by(renderer, small);
     Survey survey{.rays = static_cast<int>(picture.pixels())};
-    for (const PixelValue& pixel : picture.values()) {
-        const double share = 1.0 / survey.rays;
-        if (std::isfinite(pixel.depth)) {
-            survey.hit += share;
-        } else if (pixel.steps >= max_steps) {
-            survey.out_of_steps += share;
-        }
-    }
+    const auto share_of = [&](const auto& counts) {
+        return static_cast<double>(std::ranges::count_if(picture.values(), counts)) / survey.rays;
+    };
+    survey.hit = share_of([](const PixelValue& pixel) { return std::isfinite(pixel.depth); });
+    survey.out_of_steps =
+        share_of([](const PixelValue& pixel) { return !std::isfinite(pixel.depth) && pixel.steps >= max_steps; });
     survey.inside = stands_in_solid(small);
     if (options.precision == Precision::f32) {
         const auto in_double = other.create({.mode = options.mode, .techniques = options.techniques});

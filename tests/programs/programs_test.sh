@@ -98,11 +98,11 @@ for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"thre
     grep -q "$text" stats.json || fail "statistics without $text"
 done
 
-# A scene finer than float's digits: fast mode's trial says so, and how it was drawn stands in the statistics.
+# A scene finer than float's digits: one line says so, and how it was drawn stands in the statistics.
 sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
      s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
 expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
-grep -q "shorter steps would change .* float's digits" stderr || fail "nothing said of float's digits"
+grep -q "float's digits are too few for this view: .* --precision double" stderr || fail "nothing said of float's digits"
 grep -q '"unsettled": 0\.[0-9]*[1-9]' stats.json || fail "statistics without what is unsettled"
 expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
 ! grep -q 'shorter steps' stderr || fail "the official scene is called too fine"
