@@ -91,6 +91,12 @@ bool same_picture(const Setting& a, const Setting& b)
            a.power == b.power && a.view == b.view;
 }
 
+bool is_counted_for(const Counted& counted, const Row& row)
+{
+    return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
+           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
+}
+
 bool is_scalar(const Result& result, const Row& row) { return row.setting.pack == 1 && row.backend == result.host(); }
 
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
@@ -133,6 +139,7 @@ Figures figures_of(const Result& result, const Row& row)
         f.peak = peak->rate;
         if (row.operations > 0) f.bound = row.operations / peak->rate;
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
+        if (f.share && row.operations_error) f.share_error = *row.operations_error / row.operations * *f.share;
     }
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {

@@ -33,6 +33,7 @@ struct Figures {
     std::optional<double> operation_rate;          // operations per second, from counted work
     std::optional<double> peak;                    // operations per second, of the row's platform and precision
     std::optional<double> share;                   // operation_rate / peak
+    std::optional<double> share_error;             // its standard error that comes from the operations' alone
     std::optional<double> bound;                   // seconds: the counted work at that peak
     // Of wall times: that of `reference`, double, exact, of the same setting / this one's.
     std::optional<Quotient> speed_up;
@@ -46,6 +47,9 @@ Figures figures_of(const Result& result, const Row& row);
 
 // The row is the text as scalar C++, pixel by pixel: the backend of the host's cores with packs of one pixel.
 bool is_scalar(const Result& result, const Row& row);
+
+// The counted text is the row's.
+bool is_counted_for(const Counted& counted, const Row& row);
 
 // The highest rate that any backend reached on the platform; nullptr if none was measured.
 const Peak* peak_of(const Result& result, const std::string& platform, Precision precision);

@@ -27,12 +27,6 @@ constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-bool same_text(const Counted& counted, const Row& row)
-{
-    return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
-           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
-}
-
 // Counts each picture once, and gives every row that draws it its operations.
 void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
 {
@@ -42,7 +36,7 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
         Row& row = live.one->row;
         // The reference shares no formula with the text: what the text does says nothing of it.
         if (live.one->backend->facts().role == Role::reference) continue;
-        auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return same_text(c, row); });
+        auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
             Counted counted{.fractal = row.fractal,
                             .precision = row.precision,
@@ -53,7 +47,9 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
                                                                         .techniques = live.one->options.techniques})};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
-        row.operations = found->count.per_iteration() * static_cast<double>(row.work.iterations);
+        const auto iterations = static_cast<double>(row.work.iterations);
+        row.operations = found->count.per_iteration() * iterations;
+        if (found->count.errors) row.operations_error = found->count.errors->per_iteration * iterations;
     }
 }
 

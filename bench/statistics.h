@@ -81,6 +81,20 @@ struct Quotient {
 // medians. Else Welch's of the logarithms of all times; nullopt where either has fewer than two.
 Quotient quotient(const Launches& numerator, const Launches& denominator);
 
+// What one block of a sample adds to two sums.
+struct Part {
+    double part = 0, whole = 0;
+};
+
+struct PartRatio {
+    std::optional<double> ratio;  // of the sums; nullopt where the whole is 0
+    // Where one block alone adds to the whole, its variance is unseen, and this is the ratio itself.
+    double standard_error = 0;
+};
+
+// Of a stratified sample with one block from each stratum, neighbouring strata side by side.
+PartRatio ratio_of_sums(std::span<const Part> blocks);
+
 // Holm's correction: each p raised so that calling what is below 0.05 raises a false alarm anywhere with probability
 // 0.05 at most. In the order given.
 std::vector<double> holm(std::span<const double> p);
