@@ -166,7 +166,7 @@ CommandLine parse_command_line(int argc, char** argv)
     add_options(app, line, texts);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
+    CLI::App* compare = app.add_subcommand("compare", "faster, slower, the same or undecided: OLD.json NEW.json");
     compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
     CLI::App* duel = app.add_subcommand(
         "duel", "two builds of bench in alternation, picture by picture: OLD NEW, and options that choose rows");

@@ -26,7 +26,7 @@ expect 0 "${quick[@]}" --json b.json --launches 3
 code=0
 "$bench" compare a.json b.json >out || code=$?
 [ "$code" -le 1 ] || fail "compare exited with $code"
-grep -q 'no difference\|faster\|SLOWER' out || fail "compare printed no verdict"
+grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
 # A regression: the launches' times made even, and then doubled.
 python3 - <<'PY'
