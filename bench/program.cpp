@@ -133,9 +133,18 @@ int portability_of(const CommandLine& line)
     Outputs outputs;
     outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
     outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
-    outputs.check(line.files);
+    const std::vector<std::string> files = result_files(line.files);
+    outputs.check(files);
     std::vector<Result> results;
-    for (const std::string& file : line.files) results.push_back(read_result(file));
+    for (const std::string& file : files) {
+        if (auto result = read_if_result(file)) {
+            results.push_back(std::move(*result));
+        } else {
+            say("bench: {}: no result of bench, left out\n", printable(file));
+        }
+    }
+    if (results.empty())
+        throw InputError("bench portability: no result of bench among the files, expected one at least");
     found = portability(results);
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(found)));

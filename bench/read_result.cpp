@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "bench/report.h"
 #include "core/base/error.h"
@@ -316,15 +314,6 @@ Result parse_result(const std::string& text, const std::string& name)
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
     return result_from_json(json, name);
-}
-
-Result read_result(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return parse_result(text.str(), path);
 }
 
 }  // namespace mandelmarch::bench

@@ -58,6 +58,19 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
+# A folder has files of other kinds, too: each is named, and left out.
+mkdir -p folder/below
+cp a.json folder/
+cp b.json folder/below/
+echo '{"schema": "mandelmarch-divergence"}' >folder/divergence.json
+expect 0 portability folder
+grep -q mandelbox out || fail "no portability of a folder"
+[ "$(cat err)" = "bench: folder/divergence.json: no result of bench, left out" ] || fail "$(cat err)"
+grep -q '^H, the set of platforms:$' out || fail "H is not named"
+sed 's/"mode": "exact"/"mode": 7/' a.json >folder/damaged.json
+expect 2 portability folder
+grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
+expect 2 portability folder/divergence.json
 
 # Lines of the sources: from the CSV follows what the table says, as p3-analysis-library computes it.
 expect 0 divergence "$source" --csv lines.csv --json lines.json
