@@ -148,7 +148,8 @@ Figures figures_of(const Result& result, const Row& row)
         }
         if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
-            f.speed_up = quotient(wall_launches(other), wall_launches(row));
+            // Beside itself it is as fast as itself, for certain.
+            f.speed_up = &other == &row ? Quotient{} : quotient(wall_launches(other), wall_launches(row));
         }
     }
     return f;

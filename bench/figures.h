@@ -35,7 +35,8 @@ struct Figures {
     std::optional<double> share;                   // operation_rate / peak
     std::optional<double> share_error;             // its standard error that comes from the operations' alone
     std::optional<double> bound;                   // seconds: the counted work at that peak
-    // Of wall times: that of `reference`, double, exact, of the same setting / this one's.
+    // Of wall times: that of `reference`, double, exact, of the same setting / this one's. Its own is 1, without an
+    // interval.
     std::optional<Quotient> speed_up;
     // Of wall times: that of the same text as scalar C++ on the host's threads, of the same setting, precision and
     // mode, / this one's. Not of that row itself.

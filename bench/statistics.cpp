@@ -169,8 +169,10 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     }
     if (ratios.size() > 1) {
         q.interval = holding(launch_interval(ratios), q.ratio);
-    } else if (above.size() > 1 && below.size() > 1) {
-        q.interval = holding(difference(below, above, 0).interval, q.ratio);
+    } else {
+        std::vector<double> by_round;
+        for (std::size_t i = 0; i < std::min(above.size(), below.size()); ++i) by_round.push_back(above[i] / below[i]);
+        q.interval = holding(median_interval(by_round), q.ratio);
     }
     return q;
 }

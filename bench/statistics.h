@@ -77,8 +77,8 @@ struct Quotient {
     std::optional<Interval> interval;  // 95 %, holds the ratio
 };
 
-// Times of both, at least one of each. Where several launches have both: launch_interval() of the launches' ratios of
-// medians. Else Welch's of the logarithms of all times; nullopt where either has fewer than two.
+// Times of both, at least one of each, in the order of the rounds. Where several launches have both: launch_interval()
+// of the launches' ratios of medians. Else median_interval() of the rounds' ratios; nullopt below six rounds with both.
 Quotient quotient(const Launches& numerator, const Launches& denominator);
 
 // What one block of a sample adds to two sums.
