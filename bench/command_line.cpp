@@ -196,12 +196,12 @@ CommandLine parse_command_line(int argc, char** argv)
     json->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
-    portability->add_option("FILES", line.files, "result files of --json")->required();
+    portability->add_option("FILES", line.files, "result files of --json, and folders that have some")->required();
     portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
     portability->add_option("--csv", line.options.csv,
                             "write the rows behind it to this file, for p3-analysis-library");
     CLI::App* divergence = app.add_subcommand(
-        "divergence", "how much of what a backend needs is its own: lines of code, from the sources");
+        "divergence", "code divergence: how many lines of code of what a backend needs are its own, from the sources");
     divergence->add_option("FOLDER", line.folder, "the program's sources (default: the current folder)");
     divergence->add_option("--json", line.options.json, "write it to this file (- is standard output)");
     divergence->add_option("--csv", line.options.csv,

@@ -52,9 +52,9 @@ std::string errors_of(const Result& result)
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWork of the text, counted\n{:<11} {:<6} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
-        "number", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
-    text += fmt::format("{:<11} {:<6} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
+        "\nWork of the text, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
+        "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
+    text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
                         "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
     for (const Counted& c : result.counts) {
         const Count& n = c.count;
@@ -64,7 +64,7 @@ std::string counts_table(const Result& result)
                                                : static_cast<double>(n.pixels);
         const Work& work = whole != nullptr ? whole->work : n.work;
         text +=
-            fmt::format("{:<11} {:<6} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
+            fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
                         c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
                         static_cast<double>(work.estimates) / pixels, ratio(n.march_iterations, n.march_estimates),
                         n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
@@ -80,10 +80,10 @@ std::string counts_table(const Result& result)
 // What vectors and warps would gain by lanes that take the next pixel when their ray has ended.
 std::string lanes_table(const Result& result)
 {
-    constexpr const char* line = "{:<11} {:<6} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
+    constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
     std::string text = "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n";
-    text += fmt::format(fmt::runtime(line), "fractal", "number", "mode", "scene", "lanes", "together", "", "refilled",
-                        "", "gain");
+    text += fmt::format(fmt::runtime(line), "fractal", "precision", "mode", "scene", "lanes", "together", "",
+                        "refilled", "", "gain");
     for (const Counted& c : result.counts) {
         for (const LaneUse& use : c.count.lane_use) {
             if (!use.refilled) continue;
@@ -103,9 +103,9 @@ std::string lanes_table(const Result& result)
 std::string stages_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<6} {:<5} {:<7} "
+        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<9} {:<5} {:<7} "
         "{:>9} {:>7} {:>11}\n",
-        "fractal", "number", "mode", "stage", "ms", "time", "operations");
+        "fractal", "precision", "mode", "stage", "ms", "time", "operations");
     for (const StageTime& s : result.stages) {
         double all = 0;
         for (const StageTime& other : result.stages) {
@@ -121,7 +121,7 @@ std::string stages_table(const Result& result)
                                                                 c.count.all().total()));
             }
         }
-        text += fmt::format("{:<11} {:<6} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
+        text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
                             name_of(s.mode), s.stage, digits(1e3 * median(s.seconds)),
                             all > 0 ? 100 * median(s.seconds) / all : 0, operations);
     }

@@ -99,6 +99,11 @@ bool is_counted_for(const Counted& counted, const Row& row)
 
 bool is_scalar(const Result& result, const Row& row) { return row.setting.pack == 1 && row.backend == result.host(); }
 
+std::string application_of(const Result& result, const Row& row)
+{
+    return row.backend + (result.study == standard_study && is_scalar(result, row) ? "-scalar" : "");
+}
+
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
 
 std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }

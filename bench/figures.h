@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "bench/result.h"
@@ -48,6 +49,10 @@ Figures figures_of(const Result& result, const Row& row);
 
 // The row is the text as scalar C++, pixel by pixel: the backend of the host's cores with packs of one pixel.
 bool is_scalar(const Result& result, const Row& row);
+
+// By which name a row is compared with others: its backend's, and the scalar text's in the standard study, where it
+// stands beside the backend's packs, "openmp-scalar".
+std::string application_of(const Result& result, const Row& row);
 
 // The counted text is the row's.
 bool is_counted_for(const Counted& counted, const Row& row);

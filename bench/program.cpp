@@ -118,9 +118,9 @@ int peak(const Registry& registry, const CommandLine& line)
                                      [&](const std::string& what, double share) { display.show(what, share); });
     display.finish();
     std::string text =
-        fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9}\n", "platform", "backend", "dev", "number", "GFLOP/s");
+        fmt::format("{:<44} {:<8} {:>3} {:<9} {:>9}\n", "platform", "backend", "dev", "precision", "GFLOP/s");
     for (const Peak& p : peaks) {
-        text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device,
+        text += fmt::format("{:<44} {:<8} {:>3} {:<9} {:>9.1f}\n", p.platform, p.backend, p.device,
                             name_of(p.precision), 1e-9 * p.rate);
     }
     print(std::string_view(text));

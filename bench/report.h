@@ -32,7 +32,8 @@ std::vector<std::string> result_files(const std::vector<std::string>& paths);
 std::string text_of(const nlohmann::ordered_json& json);
 
 // One line a row; the first columns are problem, application, platform and fom (pixels per second of kernel time,
-// higher is better; empty where there is none). For p3-analysis-library take bench/portability.h's.
+// higher is better; empty where there is none). The columns application and backend both have application_of(), so that
+// a pivot by either compares what was timed. For p3-analysis-library take bench/portability.h's.
 std::string to_csv(const Result& result);
 
 // What is solved, so that rows of one problem can be compared: "mandelbulb double exact 540x540".

@@ -97,6 +97,7 @@ Json of(const Result& result, const Row& row)
             {"precision", name_of(row.precision)},
             {"mode", name_of(row.mode)},
             {"backend", row.backend},
+            {"application", application_of(result, row)},
             {"device", row.device},
             {"point", row.point},
             {"setting", of(row.setting)},

@@ -114,6 +114,12 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
+# A reader who goes away has read what he wanted: no complaint, and the exit code is the command's.
+unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
+unread csv a.json
+[ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"
+unread compare even.json slow.json
+[ "$(cat code)" = 1 ] && [ ! -s err ] || fail "a regression that nobody reads: $(cat code err)"
 # A launch that is killed costs its own samples.
 "$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
 killer=$!

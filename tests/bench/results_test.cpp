@@ -44,6 +44,25 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
 }
 
+// Whoever compares by application or backend does not take the scalar text for the backend's packs.
+TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
+{
+    Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
+    scalar.point = "pack=1";
+    scalar.setting.pack = 1;
+    const Result result = made_result({made_row("openmp", {1, 1, 1, 1, 1, 1}), scalar});
+    const Json rows = json_of(result)["rows"];
+    EXPECT_EQ(rows[0]["application"], "openmp");
+    EXPECT_EQ(rows[1]["application"], "openmp-scalar");
+    EXPECT_EQ(rows[1]["backend"], "openmp");
+    const std::string csv = to_csv(result);
+    EXPECT_NE(csv.find("\nmandelbox float exact 100x100,openmp-scalar,machine,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",float,exact,openmp-scalar,0,pack=1,"), std::string::npos) << csv;
+    Result sweep = result;
+    sweep.study = "packs";
+    EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 pack=1,openmp,"), std::string::npos);
+}
+
 // Rounds that are slow as a whole cancel. The sweep has two shapes; a row without a point is part of none.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
