@@ -25,22 +25,6 @@ const Row* partner(const Result& result, const Row& row)
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-// Samples of one launch in groups of consecutive rounds, so that one disturbed picture does not move a verdict.
-constexpr std::size_t group_size = 3;
-
-std::vector<double> group_medians(const std::vector<double>& samples)
-{
-    const std::size_t groups = samples.size() / group_size;
-    std::vector<double> medians;
-    for (std::size_t i = 0; i < groups; ++i) {
-        const auto at = [&](std::size_t group) {
-            return samples.begin() + static_cast<std::ptrdiff_t>(group * samples.size() / groups);
-        };
-        medians.push_back(median({at(i), at(i + 1)}));
-    }
-    return medians;
-}
-
 std::vector<double> units_of(const Row& row, bool by_launch)
 {
     return by_launch ? launch_medians(row) : group_medians(kernel_times(row));

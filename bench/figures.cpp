@@ -37,14 +37,7 @@ bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && 
 
 Ratio ratio_of(const Row& numerator, const Row& denominator)
 {
-    std::map<std::pair<int, int>, double> by_round;
-    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
-    Launches pairs;
-    for (const Sample& s : numerator.samples) {
-        const auto pair = by_round.find({s.launch, s.round});
-        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
-    }
-    return {&numerator, &denominator, summary(pairs)};
+    return {&numerator, &denominator, summary(ratios_by_launch(numerator, denominator))};
 }
 
 // Mode and point must be the same for both.
@@ -158,6 +151,18 @@ Figures figures_of(const Result& result, const Row& row)
         }
     }
     return f;
+}
+
+Launches ratios_by_launch(const Row& numerator, const Row& denominator)
+{
+    std::map<std::pair<int, int>, double> by_round;
+    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
+    Launches pairs;
+    for (const Sample& s : numerator.samples) {
+        const auto pair = by_round.find({s.launch, s.round});
+        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
+    }
+    return pairs;
 }
 
 std::vector<Ratio> box_to_bulb(const Result& result)

@@ -67,6 +67,9 @@ struct Ratio {
     Summary summary;  // of the pairs' ratios, by launch; count 0 where the rows share no round
 };
 
+// The pairs' ratios, by launch. Times of the denominator that are not above 0 are left out.
+Launches ratios_by_launch(const Row& numerator, const Row& denominator);
+
 // The fractals of the study box-vs-bulb and of the question that it is about.
 inline constexpr std::string_view box = "mandelbox";
 inline constexpr std::string_view bulb = "mandelbulb";

@@ -8,6 +8,7 @@
 #include "bench/console_studies.h"
 #include "bench/figures.h"
 #include "bench/report.h"
+#include "bench/winners.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
@@ -229,7 +230,7 @@ std::string to_console(const Result& result, bool wide)
     text += fmt::format("\n{}", devices(result));
     if (any != nullptr && result.study == standard_study) {
         text += fmt::format(
-            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference, see below; {}-scalar: the text "
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference; {}-scalar: the text "
             "as scalar C++\n",
             any->setting.width, any->setting.height, result.host());
     }
@@ -243,7 +244,7 @@ std::string to_console(const Result& result, bool wide)
     for (const std::string& warning : result.warnings)
         text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), console_columns));
     if (!result.warnings.empty()) text += "\n";
-    return text;
+    return text + winners(result);
 }
 
 }  // namespace mandelmarch::bench

@@ -134,6 +134,18 @@ std::vector<double> medians_of(const Launches& launches)
     return medians;
 }
 
+std::vector<double> group_medians(std::span<const double> values)
+{
+    const std::size_t groups = values.size() / group_size;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < groups; ++i) {
+        const std::size_t first = i * values.size() / groups;
+        const std::span group = values.subspan(first, (i + 1) * values.size() / groups - first);
+        medians.push_back(median({group.begin(), group.end()}));
+    }
+    return medians;
+}
+
 // The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3): what
 // differs between launches is in the scatter of their figures already, so that these are all that the interval needs;
 // samples within a launch only make each figure surer. On logarithms, as disturbances multiply.

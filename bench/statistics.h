@@ -50,6 +50,11 @@ std::optional<Interval> launch_interval(std::span<const double> medians);
 // The medians of the launches, in their order.
 std::vector<double> medians_of(const Launches& launches);
 
+// Numbers of one launch in groups of consecutive rounds, three and more in each, so that one disturbed picture does not
+// move a verdict: their medians. None for fewer than three numbers.
+inline constexpr std::size_t group_size = 3;
+std::vector<double> group_medians(std::span<const double> values);
+
 // The interval of the median from order statistics: the k-th smallest to the k-th largest of n numbers, with the
 // largest k for which the interval covers the median with probability 0.95 whatever the distribution. nullopt where
 // even the smallest and largest do not (n < 6).

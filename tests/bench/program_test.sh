@@ -16,6 +16,9 @@ fi
 expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --launches 3
 grep -q '^peak, ' out || fail "no peak"
 grep -q '^openmp\|^bulb' out || fail "no table"
+grep -q '^scene precision mode ' out && ! grep -qw number out || fail "precision is not called so"
+grep -q '^mandelbulb float fast: openmp [wl].* times as fast as openmp-scalar' out || fail "no winner"
+tail -1 out | grep -q ' processors were free: ' || fail "the last line: $(tail -1 out)"
 grep -q '"launches": 3' a.json || fail "three launches are not in the result"
 [ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
