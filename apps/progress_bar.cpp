@@ -13,25 +13,24 @@ constexpr auto interval = std::chrono::milliseconds(100);  // between two looks 
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string title)
-    : title_(std::move(title)),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      start_(std::chrono::steady_clock::now()),
-      last_(start_)
+ProgressBar::ProgressBar(std::string title, std::chrono::steady_clock::time_point start)
+    : title_(std::move(title)), terminal_(isatty(STDERR_FILENO) != 0), start_(start), last_(start - interval)
 {
 }
 
-void ProgressBar::show(double share)
+void ProgressBar::show(double share, const std::string& detail)
 {
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || now - last_ < interval) return;
     last_ = now;
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double left = share > 0 ? elapsed / share - elapsed : 0;
-    const int full = static_cast<int>(share * bar_width);
-    say("\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {:.0f} s left \033[K", title_, "", full, "", bar_width - full, 100 * share,
-        left);
+    const std::string left = share > 0 ? fmt::format(", {:.0f} s left", elapsed / share - elapsed) : "";
+    // A line of 80 columns holds both.
+    const int width = detail.empty() ? bar_width : bar_width / 2;
+    const int full = static_cast<int>(share * width);
+    say("\r{} [{:#<{}}{:.<{}}] {:3.0f} %{}{}{} \033[K", title_, "", full, "", width - full, 100 * share,
+        detail.empty() ? "" : ", ", detail, left);
 }
 
 void ProgressBar::finish()

@@ -9,13 +9,16 @@ namespace mandelmarch {
 
 class ProgressBar {
 public:
-    explicit ProgressBar(std::string title);
+    // `start`: when what it shows began.
+    explicit ProgressBar(std::string title,
+                         std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
     ~ProgressBar() { finish(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    // share: 0 to 1.
-    void show(double share);
+    bool on_terminal() const { return terminal_; }
+    // share: 0 to 1. `detail` stands behind it, "round 3 of 40".
+    void show(double share, const std::string& detail = "");
     // Wipes the bar.
     void finish();
 

@@ -168,7 +168,7 @@ CommandLine parse_command_line(int argc, char** argv)
     add_isolation_option(app);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    CLI::App* compare = app.add_subcommand("compare", "faster, slower or no difference: OLD.json NEW.json");
+    CLI::App* compare = app.add_subcommand("compare", "faster, slower, the same or undecided: OLD.json NEW.json");
     compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
     CLI::App* duel = app.add_subcommand(
         "duel", "two builds of bench in alternation, picture by picture: OLD NEW, and options that choose rows");
@@ -198,12 +198,12 @@ CommandLine parse_command_line(int argc, char** argv)
     json->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
     CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
     CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
-    portability->add_option("FILES", line.files, "result files of --json")->required();
+    portability->add_option("FILES", line.files, "result files of --json, and folders that have some")->required();
     portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
     portability->add_option("--csv", line.options.csv,
                             "write the rows behind it to this file, for p3-analysis-library");
     CLI::App* divergence = app.add_subcommand(
-        "divergence", "how much of what a backend needs is its own: lines of code, from the sources");
+        "divergence", "code divergence: how many lines of code of what a backend needs are its own, from the sources");
     divergence->add_option("FOLDER", line.folder, "the program's sources (default: the current folder)");
     divergence->add_option("--json", line.options.json, "write it to this file (- is standard output)");
     divergence->add_option("--csv", line.options.csv,

@@ -25,22 +25,6 @@ const Row* partner(const Result& result, const Row& row)
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-// Samples of one launch in groups of consecutive rounds, so that one disturbed picture does not move a verdict.
-constexpr std::size_t group_size = 3;
-
-std::vector<double> group_medians(const std::vector<double>& samples)
-{
-    const std::size_t groups = samples.size() / group_size;
-    std::vector<double> medians;
-    for (std::size_t i = 0; i < groups; ++i) {
-        const auto at = [&](std::size_t group) {
-            return samples.begin() + static_cast<std::ptrdiff_t>(group * samples.size() / groups);
-        };
-        medians.push_back(median({at(i), at(i + 1)}));
-    }
-    return medians;
-}
-
 std::vector<double> units_of(const Row& row, bool by_launch)
 {
     return by_launch ? launch_medians(row) : group_medians(kernel_times(row));
@@ -98,7 +82,7 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     c.old_units = static_cast<int>(old_units.size());
     c.new_units = static_cast<int>(new_units.size());
     c.difference = difference(old_units, new_units, margin);
-    c.verdict = Verdict::no_difference;
+    c.verdict = Verdict::undecided;  // until it is judged
     return c;
 }
 
@@ -128,19 +112,6 @@ Compared missing(const Row& row, const Result& new_result, bool by_launch)
 }
 
 }  // namespace
-
-std::string_view name_of(Verdict verdict)
-{
-    switch (verdict) {
-        case Verdict::faster: return "faster";
-        case Verdict::slower: return "SLOWER";
-        case Verdict::no_difference: return "no difference";
-        case Verdict::broken: return "BROKEN";
-        case Verdict::lost: return "LOST";
-        case Verdict::added: return "added";
-        default: return "not compared";
-    }
-}
 
 bool ComparedResults::regression() const
 {
@@ -190,17 +161,16 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
     }
 
     std::vector<Compared*> tested;
-    std::vector<double> p;
+    std::vector<Difference> differences;
     for (Compared& row : comparison.rows) {
-        if (row.verdict != Verdict::no_difference) continue;
+        if (row.verdict != Verdict::undecided) continue;
         tested.push_back(&row);
-        p.push_back(row.difference.p);
+        differences.push_back(row.difference);
     }
-    const std::vector<double> adjusted = holm(p);
+    const std::vector<Judgement> judgements = judge_all(differences, margin);
     for (std::size_t i = 0; i < tested.size(); ++i) {
-        tested[i]->p = adjusted[i];
-        if (adjusted[i] >= significance) continue;
-        tested[i]->verdict = tested[i]->difference.ratio > 1 ? Verdict::slower : Verdict::faster;
+        tested[i]->verdict = judgements[i].verdict;
+        tested[i]->p = judgements[i].p;
     }
     return comparison;
 }
@@ -224,6 +194,10 @@ std::string to_console(const ComparedResults& comparison)
         text += printable("differs: " + difference, longest_note) + "\n";
     for (const std::string& warning : comparison.warnings)
         text += printable("warning: " + warning, longest_note) + "\n";
+    std::vector<Verdict> verdicts;
+    for (const Compared& row : comparison.rows) verdicts.push_back(row.verdict);
+    const std::string summary = summary_of(verdicts, margin);
+    if (!summary.empty()) text += fmt::format("verdicts: {}\n", summary);
     return text;
 }
 

@@ -7,14 +7,9 @@
 
 #include "bench/result.h"
 #include "bench/statistics.h"
+#include "bench/verdict.h"
 
 namespace mandelmarch::bench {
-
-inline constexpr double margin = 0.02;        // a ratio within this of 1 is never called a difference
-inline constexpr double significance = 0.05;  // of the whole comparison
-
-enum class Verdict { faster, slower, no_difference, broken, lost, added, not_compared };
-std::string_view name_of(Verdict verdict);
 
 struct Compared {
     std::string name;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/figures.h"
 #include "bench/profile.h"
 
@@ -11,23 +13,63 @@ namespace {
 
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
+// What all the picture's pixels took, as the counted text does it: in fast mode packs take other steps.
+const Row* whole_picture(const Result& result, const Counted& counted)
+{
+    const std::string host = result.host();
+    for (const Row& row : result.rows) {
+        const bool same_steps = counted.mode == Mode::exact || row.backend != host || is_scalar(result, row);
+        if (row.timed() && is_counted_for(counted, row) && same_steps) return &row;
+    }
+    return nullptr;
+}
+
+// The largest standard errors of what is counted on a part of the pixels; empty where all were, or it is not known.
+std::string errors_of(const Result& result)
+{
+    double of_operations = 0;
+    double of_iterations = 0;
+    double of_lanes = 0;
+    for (const Counted& c : result.counts) {
+        const Count& n = c.count;
+        if (!n.errors || n.per_iteration() == 0 || n.march_iterations == 0) continue;
+        of_operations = std::max(of_operations, n.errors->per_iteration / n.per_iteration());
+        of_iterations = std::max(of_iterations, n.errors->per_estimate / ratio(n.march_iterations, n.march_estimates));
+        for (const LaneUse& use : n.lane_use) {
+            for (const auto& error : {use.together_error, use.refilled_error}) {
+                if (error) of_lanes = std::max({of_lanes, error->in_steps, error->in_iterations});
+            }
+        }
+    }
+    if (of_operations == 0) return {};
+    return fmt::format(
+        "calls a pixel: of all pixels; the rest: of a sample, with standard errors up to {:.1f} % (iterations a call), "
+        "{:.1f} %\n(operations an iteration) and {:.1f} points (lanes)\n",
+        100 * of_iterations, 100 * of_operations, 100 * of_lanes);
+}
+
 // Why one fractal is slower than the other.
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWork of the text, counted\n{:<11} {:<6} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
-        "number", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
-    text += fmt::format("{:<11} {:<6} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
+        "\nWork of the text, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
+        "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
+    text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
                         "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
     for (const Counted& c : result.counts) {
         const Count& n = c.count;
         const Operations all = n.all();
-        text += fmt::format(
-            "{:<11} {:<6} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n", c.fractal,
-            name_of(c.precision), name_of(c.mode), c.setting.view, ratio(n.work.estimates, n.pixels),
-            ratio(n.march_iterations, n.march_estimates), n.per_iteration(),
-            ratio(all.quotients + all.roots, n.work.iterations), ratio(all.total(), n.pixels),
-            100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
+        const Row* whole = whole_picture(result, c);
+        const double pixels = whole != nullptr ? static_cast<double>(whole->setting.width) * whole->setting.height
+                                               : static_cast<double>(n.pixels);
+        const Work& work = whole != nullptr ? whole->work : n.work;
+        text +=
+            fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
+                        c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
+                        static_cast<double>(work.estimates) / pixels, ratio(n.march_iterations, n.march_estimates),
+                        n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
+                        n.per_iteration() * static_cast<double>(work.iterations) / pixels,
+                        100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
                       "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
@@ -38,10 +80,10 @@ std::string counts_table(const Result& result)
 // What vectors and warps would gain by lanes that take the next pixel when their ray has ended.
 std::string lanes_table(const Result& result)
 {
-    constexpr const char* line = "{:<11} {:<6} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
+    constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
     std::string text = "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n";
-    text += fmt::format(fmt::runtime(line), "fractal", "number", "mode", "scene", "lanes", "together", "", "refilled",
-                        "", "gain");
+    text += fmt::format(fmt::runtime(line), "fractal", "precision", "mode", "scene", "lanes", "together", "",
+                        "refilled", "", "gain");
     for (const Counted& c : result.counts) {
         for (const LaneUse& use : c.count.lane_use) {
             if (!use.refilled) continue;
@@ -61,9 +103,9 @@ std::string lanes_table(const Result& result)
 std::string stages_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<6} {:<5} {:<7} "
+        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<9} {:<5} {:<7} "
         "{:>9} {:>7} {:>11}\n",
-        "fractal", "number", "mode", "stage", "ms", "time", "operations");
+        "fractal", "precision", "mode", "stage", "ms", "time", "operations");
     for (const StageTime& s : result.stages) {
         double all = 0;
         for (const StageTime& other : result.stages) {
@@ -79,7 +121,7 @@ std::string stages_table(const Result& result)
                                                                 c.count.all().total()));
             }
         }
-        text += fmt::format("{:<11} {:<6} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
+        text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
                             name_of(s.mode), s.stage, digits(1e3 * median(s.seconds)),
                             all > 0 ? 100 * median(s.seconds) / all : 0, operations);
     }
@@ -91,7 +133,7 @@ std::string stages_table(const Result& result)
 std::string study_tables(const Result& result)
 {
     std::string text;
-    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result);
+    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result) + errors_of(result);
     if (!result.stages.empty()) text += stages_table(result);
     return text;
 }

@@ -5,10 +5,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "bench/lanes.h"
+#include "bench/sample.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::bench {
@@ -27,6 +30,12 @@ enum class Stage { begin, march, refine, normal, shade };
 inline constexpr int stage_count = 5;
 std::string_view name_of(Stage stage);  // "begin" ...
 
+// Of figures that come from a sample of the picture's blocks; 0 where every pixel was counted.
+struct CountErrors {
+    double per_iteration = 0;  // of Count::per_iteration()
+    double per_estimate = 0;   // of the march's iterations for each of its estimates
+};
+
 struct Count {
     std::array<Operations, stage_count> stages;
     Work work;                 // of the pixels that were counted, by the text's own counters
@@ -35,6 +44,7 @@ struct Count {
     // Of the march, for vectors and warps of neighbouring pixels in rectangles as square as they come.
     std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // of the march alone
+    std::optional<CountErrors> errors;                        // not known of results of older builds
 
     Operations all() const;
     double per_iteration() const;  // operations of everything, for each iteration of the estimator; 0 if there is none
@@ -45,10 +55,16 @@ struct CountOptions {
     Mode mode = Mode::exact;
     Techniques techniques = {};
     std::vector<int> lanes = {16, 32};  // of the vectors and warps whose use is asked
-    std::int64_t most_pixels = 40'000;  // of larger pictures a regular part is counted
+    // Of larger pictures samples of so many are counted: pixels one by one for operations, blocks for lanes.
+    std::int64_t most_pixels = 40'000;
 };
 
 // Throws Unavailable if the fractal has no text.
 Count count_operations(const Scene& scene, const CountOptions& options);
+
+// Of the given blocks alone, in an order in which neighbours lie near each other; `every_pixel`: they are the whole
+// picture.
+Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks,
+                       bool every_pixel);
 
 }  // namespace mandelmarch::bench

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "bench/compare.h"
 #include "bench/console_studies.h"
 #include "bench/differences.h"
 #include "core/base/text.h"
@@ -40,7 +39,7 @@ Judged tested(std::string name, const std::map<int, double>& by_launch, double m
 {
     std::vector<double> ratios;
     for (const auto& [launch, ratio] : by_launch) ratios.push_back(ratio);
-    Judged j{.name = std::move(name), .outcome = Outcome::undecided};
+    Judged j{.name = std::move(name), .verdict = Verdict::undecided};
     j.difference = paired_difference(ratios, margin);
     j.launches = static_cast<int>(ratios.size());
     return j;
@@ -52,7 +51,7 @@ Judged judged(const DuelRow& row, double margin)
     if (!row.old_failure.empty()) {
         j.why = "old: " + row.old_failure;
     } else if (!row.new_failure.empty()) {
-        j.outcome = Outcome::broken;
+        j.verdict = Verdict::broken;
         j.why = "new: " + row.new_failure;
     } else if (j.why = lack_of(row); j.why.empty()) {
         j = tested(row.name, ratios_of(row), margin);
@@ -69,7 +68,7 @@ std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& 
     std::map<int, int> counts;
     int tested_rows = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].outcome != Outcome::undecided) continue;
+        if (rows[i].verdict != Verdict::undecided) continue;
         ++tested_rows;
         for (const auto& [launch, ratio] : ratios_of(duel.rows[i])) {
             logarithms[launch] += std::log(ratio);
@@ -83,51 +82,29 @@ std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& 
     return means;
 }
 
-bool within(const Interval& interval, double margin)
-{
-    return interval.low >= 1 / (1 + margin) && interval.high <= 1 + margin;
-}
-
 }  // namespace
 
 std::string_view name_of(DuelClock clock) { return clock == DuelClock::wall ? "wall" : "processor"; }
-
-std::string_view name_of(Outcome outcome)
-{
-    switch (outcome) {
-        case Outcome::faster: return "faster";
-        case Outcome::slower: return "SLOWER";
-        case Outcome::same: return "same";
-        case Outcome::undecided: return "undecided";
-        case Outcome::broken: return "BROKEN";
-        default: return "no speed";
-    }
-}
 
 std::vector<Judged> judge(const Duel& duel)
 {
     std::vector<Judged> all;
     for (const DuelRow& row : duel.rows) all.push_back(judged(row, duel.margin));
-    if (std::ranges::count(all, Outcome::undecided, &Judged::outcome) > 1) {
+    if (std::ranges::count(all, Verdict::undecided, &Judged::verdict) > 1) {
         const std::map<int, double> means = mean_of_rows(duel, all);
         if (means.size() > 1) all.push_back(tested(std::string(all_rows), means, duel.margin));
     }
     std::vector<Judged*> open;
-    std::vector<double> p;
+    std::vector<Difference> differences;
     for (Judged& row : all) {
-        if (row.outcome != Outcome::undecided) continue;
+        if (row.verdict != Verdict::undecided) continue;
         open.push_back(&row);
-        p.push_back(row.difference.p);
+        differences.push_back(row.difference);
     }
-    const std::vector<double> adjusted = holm(p);
+    const std::vector<Judgement> judgements = judge_all(differences, duel.margin);
     for (std::size_t i = 0; i < open.size(); ++i) {
-        Judged& row = *open[i];
-        row.p = adjusted[i];
-        if (row.p < significance) {
-            row.outcome = row.difference.ratio > 1 ? Outcome::slower : Outcome::faster;
-        } else if (within(row.difference.interval, duel.margin)) {
-            row.outcome = Outcome::same;
-        }
+        open[i]->verdict = judgements[i].verdict;
+        open[i]->p = judgements[i].p;
     }
     return all;
 }
@@ -135,7 +112,7 @@ std::vector<Judged> judge(const Duel& duel)
 bool regression(const std::vector<Judged>& judged)
 {
     return std::ranges::any_of(
-        judged, [](const Judged& row) { return row.outcome == Outcome::slower || row.outcome == Outcome::broken; });
+        judged, [](const Judged& row) { return row.verdict == Verdict::slower || row.verdict == Verdict::broken; });
 }
 
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
@@ -145,22 +122,26 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
     const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
     for (const Judged& row : judged) {
         if (!row.why.empty()) {
-            line(fmt::format("{:<44} {}: {}", row.name, name_of(row.outcome), row.why));
+            line(fmt::format("{:<44} {}: {}", row.name, name_of(row.verdict), row.why));
             continue;
         }
         const Difference& d = row.difference;
         line(fmt::format("{:<44} {:>7.4f} {:<18} {:>8.2g} {:>8}  {}{}", row.name, d.ratio,
                          fmt::format("[{:.4f}, {:.4f}]", d.interval.low, d.interval.high), row.p, row.launches,
-                         name_of(row.outcome), row.same_picture ? "" : ", another picture"));
+                         name_of(row.verdict), row.same_picture ? "" : ", another picture"));
     }
-    text += fmt::format(
-        "{} launches of each program, {} pictures of each row in each, {}; the same: within {:.3g} %, for certain\n",
-        duel.launches, duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time",
-        100 * duel.margin);
+    text += fmt::format("{} launches of each program, {} pictures of each row in each, {}\n", duel.launches,
+                        duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time");
     for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
         text += printable("differs: " + difference, longest_note) + "\n";
     }
     for (const std::string& warning : duel.warnings) text += printable("warning: " + warning, longest_note) + "\n";
+    std::vector<Verdict> verdicts;
+    for (const Judged& row : judged) {
+        if (row.name != all_rows) verdicts.push_back(row.verdict);
+    }
+    const std::string summary = summary_of(verdicts, duel.margin);
+    if (!summary.empty()) text += fmt::format("verdicts: {}\n", summary);
     return text;
 }
 
@@ -172,7 +153,7 @@ nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judg
         const Difference& d = row.difference;
         const bool told = row.why.empty();
         verdicts.push_back({{"name", row.name},
-                            {"verdict", name_of(row.outcome)},
+                            {"verdict", name_of(row.verdict)},
                             {"why", told ? Json() : Json(row.why)},
                             {"ratio", told ? Json(d.ratio) : Json()},
                             {"interval", told ? Json{d.interval.low, d.interval.high} : Json()},

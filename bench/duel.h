@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/statistics.h"
+#include "bench/verdict.h"
 
 namespace mandelmarch::bench {
 
@@ -45,19 +46,9 @@ struct Duel {
     std::vector<DuelRow> rows{};
 };
 
-enum class Outcome {
-    faster,     // by more than the margin
-    slower,     // by more than the margin
-    same,       // within the margin
-    undecided,  // the interval holds both
-    broken,     // the old program has a speed, the new one has none
-    no_speed    // the old program has none
-};
-std::string_view name_of(Outcome outcome);
-
 struct Judged {
     std::string name;  // of the row; all_rows for the mean of all
-    Outcome outcome = Outcome::no_speed;
+    Verdict verdict = Verdict::no_speed;
     std::string why{};        // where nothing was tested
     Difference difference{};  // of times, new / old
     double p = 1;             // after Holm's correction
@@ -67,10 +58,9 @@ struct Judged {
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Each row, and behind them the geometric mean of all that were tested, where there are several. What is tested are the
-// launches' medians of the pairs' ratios, as logarithms, by Student's t: is the ratio beyond the margin? The p-values
-// are corrected for their number after Holm, so that at most 5 in 100 duels of equal programs call any row faster or
-// slower. A row is the same where its own 95 % interval lies within the margin.
+// Each row, and behind them the geometric mean of all that were tested, where there are several, by judge_all(). What
+// is tested are the launches' medians of the pairs' ratios, as logarithms, by Student's t: is the ratio beyond the
+// margin?
 std::vector<Judged> judge(const Duel& duel);
 
 // A row is slower or broken.

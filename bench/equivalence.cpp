@@ -262,10 +262,10 @@ std::string to_console(const EquivalenceResult& result)
 {
     std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --pack 1\n",
                                    result.options.scenes, result.options.seed, result.yardstick);
-    text += fmt::format("{:<8} {:>3} {:<32} {:<6} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device", "number",
-                        "pack", "pictures", "unavailable", "wrong");
+    text += fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
+                        "precision", "pack", "pictures", "unavailable", "wrong");
     for (const Subject& s : result.subjects) {
-        text += fmt::format("{:<8} {:>3} {:<32.32} {:<6} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
+        text += fmt::format("{:<8} {:>3} {:<32.32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
                             s.device, name_of(s.options.precision),
                             s.options.pack > 0 ? fmt::format("{}", s.options.pack) : "", s.pictures, s.unavailable,
                             s.wrong);

@@ -37,14 +37,7 @@ bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && 
 
 Ratio ratio_of(const Row& numerator, const Row& denominator)
 {
-    std::map<std::pair<int, int>, double> by_round;
-    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
-    Launches pairs;
-    for (const Sample& s : numerator.samples) {
-        const auto pair = by_round.find({s.launch, s.round});
-        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
-    }
-    return {&numerator, &denominator, summary(pairs)};
+    return {&numerator, &denominator, summary(ratios_by_launch(numerator, denominator))};
 }
 
 // Mode and point must be the same for both.
@@ -91,7 +84,18 @@ bool same_picture(const Setting& a, const Setting& b)
            a.power == b.power && a.view == b.view;
 }
 
+bool is_counted_for(const Counted& counted, const Row& row)
+{
+    return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
+           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
+}
+
 bool is_scalar(const Result& result, const Row& row) { return row.setting.pack == 1 && row.backend == result.host(); }
+
+std::string application_of(const Result& result, const Row& row)
+{
+    return row.backend + (result.study == standard_study && is_scalar(result, row) ? "-scalar" : "");
+}
 
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
 
@@ -133,6 +137,7 @@ Figures figures_of(const Result& result, const Row& row)
         f.peak = peak->rate;
         if (row.operations > 0) f.bound = row.operations / peak->rate;
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
+        if (f.share && row.operations_error) f.share_error = *row.operations_error / row.operations * *f.share;
     }
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {
@@ -141,10 +146,23 @@ Figures figures_of(const Result& result, const Row& row)
         }
         if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
-            f.speed_up = quotient(wall_launches(other), wall_launches(row));
+            // Beside itself it is as fast as itself, for certain.
+            f.speed_up = &other == &row ? Quotient{} : quotient(wall_launches(other), wall_launches(row));
         }
     }
     return f;
+}
+
+Launches ratios_by_launch(const Row& numerator, const Row& denominator)
+{
+    std::map<std::pair<int, int>, double> by_round;
+    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
+    Launches pairs;
+    for (const Sample& s : numerator.samples) {
+        const auto pair = by_round.find({s.launch, s.round});
+        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
+    }
+    return pairs;
 }
 
 std::vector<Ratio> box_to_bulb(const Result& result)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "bench/result.h"
@@ -33,8 +34,10 @@ struct Figures {
     std::optional<double> operation_rate;          // operations per second, from counted work
     std::optional<double> peak;                    // operations per second, of the row's platform and precision
     std::optional<double> share;                   // operation_rate / peak
+    std::optional<double> share_error;             // its standard error that comes from the operations' alone
     std::optional<double> bound;                   // seconds: the counted work at that peak
-    // Of wall times: that of `reference`, double, exact, of the same setting / this one's.
+    // Of wall times: that of `reference`, double, exact, of the same setting / this one's. Its own is 1, without an
+    // interval.
     std::optional<Quotient> speed_up;
     // Of wall times: that of the same text as scalar C++ on the host's threads, of the same setting, precision and
     // mode, / this one's. Not of that row itself.
@@ -47,6 +50,13 @@ Figures figures_of(const Result& result, const Row& row);
 // The row is the text as scalar C++, pixel by pixel: the backend of the host's cores with packs of one pixel.
 bool is_scalar(const Result& result, const Row& row);
 
+// By which name a row is compared with others: its backend's, and the scalar text's in the standard study, where it
+// stands beside the backend's packs, "openmp-scalar".
+std::string application_of(const Result& result, const Row& row);
+
+// The counted text is the row's.
+bool is_counted_for(const Counted& counted, const Row& row);
+
 // The highest rate that any backend reached on the platform; nullptr if none was measured.
 const Peak* peak_of(const Result& result, const std::string& platform, Precision precision);
 
@@ -56,6 +66,9 @@ struct Ratio {
     const Row* denominator;
     Summary summary;  // of the pairs' ratios, by launch; count 0 where the rows share no round
 };
+
+// The pairs' ratios, by launch. Times of the denominator that are not above 0 are left out.
+Launches ratios_by_launch(const Row& numerator, const Row& denominator);
 
 // The fractals of the study box-vs-bulb and of the question that it is about.
 inline constexpr std::string_view box = "mandelbox";

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "bench/statistics.h"
+
 namespace mandelmarch::bench {
 
 void LaneCount::march(std::span<const RaySteps> rays, Slots& slots) const
@@ -43,24 +45,31 @@ void LaneCount::add(std::span<const RaySteps> block)
     march(block, refilled_);
 }
 
-void LaneCount::add(const LaneCount& other)
+std::pair<ActiveLanes, ActiveLanes> LaneCount::active(std::span<const LaneCount> blocks, Slots LaneCount::*slots)
 {
-    const auto add = [](Slots& to, const Slots& from) {
-        to.steps += from.steps;
-        to.steps_done += from.steps_done;
-        to.iterations += from.iterations;
-        to.iterations_done += from.iterations_done;
-    };
-    add(together_, other.together_);
-    add(refilled_, other.refilled_);
+    std::vector<Part> steps;
+    std::vector<Part> iterations;
+    for (const LaneCount& block : blocks) {
+        const Slots& s = block.*slots;
+        steps.push_back({s.steps_done, s.steps});
+        iterations.push_back({s.iterations_done, s.iterations});
+    }
+    const PartRatio of_steps = ratio_of_sums(steps);
+    const PartRatio of_iterations = ratio_of_sums(iterations);
+    return {{of_steps.ratio.value_or(1), of_iterations.ratio.value_or(1)},
+            {of_steps.standard_error, of_iterations.standard_error}};
 }
 
-ActiveLanes LaneCount::active(const Slots& slots)
+LaneUse LaneCount::use(std::span<const LaneCount> blocks, bool every_pixel)
 {
-    const auto share = [](double part, double whole) { return whole == 0 ? 1 : part / whole; };
-    return {share(slots.steps_done, slots.steps), share(slots.iterations_done, slots.iterations)};
+    const auto [together, together_error] = active(blocks, &LaneCount::together_);
+    const auto [refilled, refilled_error] = active(blocks, &LaneCount::refilled_);
+    constexpr ActiveLanes none{0, 0};
+    return {.lanes = blocks.empty() ? 0 : blocks.front().lanes_,
+            .together = together,
+            .refilled = refilled,
+            .together_error = every_pixel ? none : together_error,
+            .refilled_error = every_pixel ? none : refilled_error};
 }
-
-LaneUse LaneCount::use() const { return {lanes_, active(together_), active(refilled_)}; }
 
 }  // namespace mandelmarch::bench

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace mandelmarch::bench {
@@ -21,6 +22,9 @@ struct LaneUse {
     // "Understanding the efficiency of ray traversal on GPUs", HPG 2009).
     // Not known of results of older builds.
     std::optional<ActiveLanes> refilled;
+    // Standard errors of both, where they come from a sample of blocks; 0 where every pixel was counted. Not known of
+    // results of older builds.
+    std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 
 // For each of a ray's steps, in order, the iterations of its estimate.
@@ -33,15 +37,18 @@ public:
 
     // The rays of a block of neighbouring pixels; consecutive ones lie side by side.
     void add(std::span<const RaySteps> block);
-    void add(const LaneCount& other);
-    LaneUse use() const;
+
+    // Of several blocks of a picture, one in each, all for the same number of lanes: their use together. `every_pixel`:
+    // they are the whole picture.
+    static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
 
 private:
     struct Slots {
         double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
     };
 
-    static ActiveLanes active(const Slots& slots);
+    // Of the slots of each block: the use of all together, and its standard error.
+    static std::pair<ActiveLanes, ActiveLanes> active(std::span<const LaneCount> blocks, Slots LaneCount::*slots);
     // Rays march in a vector; a lane whose ray has ended takes the next of those that wait.
     void march(std::span<const RaySteps> rays, Slots& slots) const;
 

@@ -70,6 +70,8 @@ public:
     {
         platforms_.insert(row.platform);
         applications_.insert(row.backend);
+        platforms_of_[&result].insert(row.platform);
+        applications_of_[&result].insert(row.backend);
         const std::vector<double> times = kernel_times(row);
         if (!row.timed() || !std::ranges::all_of(times, [](double s) { return s > 0; })) return;
         Entry& entry = entries_[{row.backend, row.platform}];
@@ -80,8 +82,31 @@ public:
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
+    // The result has a backend without any device, which could run on none of its platforms.
+    void add_unavailable(const Result& result, const std::string& application)
+    {
+        if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
+    }
+
     const std::set<std::string>& platforms() const { return platforms_; }
-    const std::set<std::string>& applications() const { return applications_; }
+
+    // Of a result with the platform that has the application, on whichever platform.
+    bool is_measured(const std::string& application, const std::string& platform) const
+    {
+        return std::ranges::any_of(platforms_of_, [&](const auto& of) {
+            return of.second.contains(platform) && applications_of_.at(of.first).contains(application);
+        });
+    }
+
+    // Those of the platforms on which the application was measured.
+    std::vector<std::string> measured(const std::string& application) const
+    {
+        std::vector<std::string> found;
+        for (const std::string& platform : platforms_) {
+            if (is_measured(application, platform)) found.push_back(platform);
+        }
+        return found;
+    }
 
     // Medians of the kernel times; drawn anew where `random` is given.
     std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
@@ -111,7 +136,8 @@ public:
 
 private:
     std::set<std::string> platforms_, applications_;
-    std::map<std::pair<std::string, std::string>, Entry> entries_;  // by application and platform
+    std::map<const Result*, std::set<std::string>> platforms_of_, applications_of_;  // of the results with the problem
+    std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
 };
 
 Efficiencies means(const Field& field, const std::string& application,
@@ -119,7 +145,7 @@ Efficiencies means(const Field& field, const std::string& application,
 {
     std::vector<double> by_application;
     std::vector<double> by_architecture;
-    for (const std::string& platform : field.platforms()) {
+    for (const std::string& platform : field.measured(application)) {
         const Efficiencies e = field.efficiencies(seconds, application, platform);
         by_application.push_back(e.application);
         by_architecture.push_back(e.architecture);
@@ -159,6 +185,10 @@ Portability of(const Problem& problem, const Field& field, const std::string& ap
     p.application = application;
     const auto seconds = field.seconds(nullptr);
     for (const std::string& platform : field.platforms()) {
+        if (!field.is_measured(application, platform)) {
+            p.not_measured.push_back(platform);
+            continue;
+        }
         const Efficiencies e = field.efficiencies(seconds, application, platform);
         const auto mine = seconds.find({application, platform});
         p.platforms.push_back({platform, mine == seconds.end() ? 0 : mine->second, e.application, e.architecture});
@@ -205,6 +235,12 @@ std::vector<Portability> portability(std::span<const Result> given)
             applications.insert(row.backend);
             if (row.platform.empty()) continue;  // a backend without any device
             fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);
+        }
+    }
+    for (const Result& result : results) {
+        for (const Row& row : result.rows) {
+            if (!row.platform.empty()) continue;
+            for (auto& [problem, field] : fields) field.add_unavailable(result, row.backend);
         }
     }
     std::vector<Portability> found;

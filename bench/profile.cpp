@@ -71,7 +71,7 @@ std::vector<StageTime> profile(const Registry& registry, const Options& options,
         const Scene scene = official_scene_of(nickname, width, height);
         for (const Precision precision : precisions_of(options)) {
             for (const Mode mode : modes_of(options)) {
-                phase(fmt::format("profile, {}", nickname), 0);
+                phase({"profile", 0, nickname});
                 add(times, registry, scene, precision, mode, repetitions);
             }
         }

@@ -21,6 +21,7 @@
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
+#include "core/base/stopwatch.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
@@ -31,15 +32,17 @@ class Display {
 public:
     explicit Display(bool quiet) : quiet_(quiet) {}
 
-    void show(const std::string& what, double share)
+    // `since`: when it began, for the time that is left of it.
+    void show(const Step& step, Clock::time_point since = Clock::now())
     {
         if (quiet_) return;
-        if (what != what_) {
-            what_ = what;
-            bar_ = std::make_unique<ProgressBar>(what);
-            say("bench: {}\n", what);
+        if (step.what != what_) {
+            what_ = step.what;
+            bar_.reset();
+            bar_ = std::make_unique<ProgressBar>(what_, since);
+            if (!bar_->on_terminal()) say("bench: {}\n", what_);
         }
-        bar_->show(share);
+        bar_->show(step.share, step.detail);
     }
 
     void finish() { bar_.reset(); }
@@ -84,10 +87,13 @@ int run(const Registry& registry, const CommandLine& line)
     outputs.check();
 
     Display display(line.quiet);
-    result = measure(registry, options, [&](const std::string& what, double share) { display.show(what, share); });
+    const auto start = Clock::now();
+    result = measure(registry, options, [&](const Step& step) { display.show(step); });
     if (options.launches > 1) {
         result = with_further_launches(std::move(result), options.launches, [&](int launch) {
-            display.show("further launches", static_cast<double>(launch) / options.launches);
+            display.show({"further launches", static_cast<double>(launch) / options.launches,
+                          fmt::format("launch {} of {}", launch + 1, options.launches)},
+                         start);
             return launch_again(line.arguments, launch);
         });
     }
@@ -114,13 +120,12 @@ int run(const Registry& registry, const CommandLine& line)
 int peak(const Registry& registry, const CommandLine& line)
 {
     Display display(line.quiet);
-    const auto peaks = measure_peaks(registry, line.options,
-                                     [&](const std::string& what, double share) { display.show(what, share); });
+    const auto peaks = measure_peaks(registry, line.options, [&](const Step& step) { display.show(step); });
     display.finish();
     std::string text =
-        fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9}\n", "platform", "backend", "dev", "number", "GFLOP/s");
+        fmt::format("{:<44} {:<8} {:>3} {:<9} {:>9}\n", "platform", "backend", "dev", "precision", "GFLOP/s");
     for (const Peak& p : peaks) {
-        text += fmt::format("{:<44} {:<8} {:>3} {:<6} {:>9.1f}\n", p.platform, p.backend, p.device,
+        text += fmt::format("{:<44} {:<8} {:>3} {:<9} {:>9.1f}\n", p.platform, p.backend, p.device,
                             name_of(p.precision), 1e-9 * p.rate);
     }
     print(std::string_view(text));
@@ -133,9 +138,18 @@ int portability_of(const CommandLine& line)
     Outputs outputs;
     outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
     outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
-    outputs.check(line.files);
+    const std::vector<std::string> files = result_files(line.files);
+    outputs.check(files);
     std::vector<Result> results;
-    for (const std::string& file : line.files) results.push_back(read_result(file));
+    for (const std::string& file : files) {
+        if (auto result = read_if_result(file)) {
+            results.push_back(std::move(*result));
+        } else {
+            say("bench: {}: no result of bench, left out\n", printable(file));
+        }
+    }
+    if (results.empty())
+        throw InputError("bench portability: no result of bench among the files, expected one at least");
     found = portability(results);
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
@@ -164,7 +178,7 @@ int random_scenes(const Registry& registry, const CommandLine& line)
     outputs.add("--json", line.options.json, [&] { return text_of(json_of(result)); });
     outputs.check();
     Display display(line.quiet);
-    result = measure_random(registry, line.random, [&](double share) { display.show("canonical pictures", share); });
+    result = measure_random(registry, line.random, [&](double share) { display.show({"canonical pictures", share}); });
     display.finish();
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
@@ -187,7 +201,7 @@ int duel(const CommandLine& line)
     outputs.add("--json", line.options.json, [&] { return text_of(json_of(found, judged)); });
     outputs.check({line.duel.old_program, line.duel.new_program});
     Display display(line.quiet);
-    found = run_duel(line.duel, line.options, [&](double share) { display.show("duel", share); });
+    found = run_duel(line.duel, line.options, [&](double share) { display.show({"duel", share}); });
     display.finish();
     judged = judge(found);
     const bool written = outputs.write_files();
@@ -211,7 +225,7 @@ int race(const Registry& registry, const CommandLine& line)
     if (!line.race.scene.empty()) read.push_back(line.race.scene);
     outputs.check(read);
     Display display(line.quiet);
-    found = run_race(line.race, line.options, registry, [&](double share) { display.show("race", share); });
+    found = run_race(line.race, line.options, registry, [&](double share) { display.show({"race", share}); });
     display.finish();
     const bool written = outputs.write_files();
     const std::string table = to_console(found);
@@ -249,8 +263,9 @@ int equivalence(const Registry& registry, const CommandLine& line)
     Outputs outputs;
     outputs.add("--json", line.options.json, [&] { return text_of(json_of(result)); });
     outputs.check();
-    result =
-        compare_backends(registry, line.equivalence, show, [&](double share) { display.show("random scenes", share); });
+    result = compare_backends(registry, line.equivalence, show, [&](double share) {
+        display.show({"random scenes", share});
+    });
     display.finish();
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(result)));

@@ -233,7 +233,7 @@ std::string to_console(const RandomResult& result)
         "{} x {} pixels\n",
         options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
         options.sets.size(), picture_width, picture_height);
-    text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "number",
+    text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "precision",
                         "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
                         "short of digits", "worst");
     for (const std::string& fractal : fractals_of(options.fractal)) {
@@ -250,7 +250,7 @@ std::string to_console(const RandomResult& result)
                 most_wrong = std::max(most_wrong, one.wrong_hits());
             }
             const RandomSum all = result.sum(fractal, precision, nullptr);
-            text += fmt::format("{:<8} {:<6}  {:>18}  {:>18}  {:>15}  {:>15}  {:>5.1f}%\n", fractal, name_of(precision),
+            text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>5.1f}%\n", fractal, name_of(precision),
                                 fmt::format("{:.2f} to {:.2f} %", 100 * least, 100 * most),
                                 fmt::format("{:.3f} to {:.3f} %", 100 * least_wrong, 100 * most_wrong),
                                 fmt::format("{} of {}", all.far_off, all.scenes), all.short_of_digits, 100 * all.worst);

@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "bench/report.h"
 #include "core/base/error.h"
@@ -78,6 +76,13 @@ double number(const char* key, const Json& value, double low, double high)
 double number_at(const Json& json, const char* key, double low, double high)
 {
     return number(key, at(json, key), low, high);
+}
+
+// Older files do not have every number, and newer ones not in every row.
+std::optional<double> known_number_at(const Json& json, const char* key, double low, double high)
+{
+    if (!json.contains(key) || at(json, key).is_null()) return std::nullopt;
+    return number_at(json, key, low, high);
 }
 
 // Of a sample: bench compare says of which row they are not above 0.
@@ -199,10 +204,11 @@ Row row_of(const Json& json)
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
     // Files of version 1 may be older than these two.
-    if (json.contains("stride") && !at(json, "stride").is_null()) row.stride = number_at(json, "stride", 0, 1);
+    row.stride = known_number_at(json, "stride", 0, 1).value_or(0);
     if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");
     row.operations = number_at(json, "operations", 0, most_rate);
+    row.operations_error = known_number_at(json, "operations_standard_error", 0, most_rate);
     each_at(json, "samples", [&](const Json& sample) { row.samples.push_back(sample_of(sample)); });
     return row;
 }
@@ -228,9 +234,18 @@ Counted counted_of(const Json& json)
         return ActiveLanes{number_at(use, (how + "active_in_steps").c_str(), 0, 1),
                            number_at(use, (how + "active_in_iterations").c_str(), 0, 1)};
     };
+    if (json.contains("standard_errors")) {
+        const Json& errors = at(json, "standard_errors");
+        c.count.errors = {.per_iteration = number_at(errors, "operations_per_iteration", 0, most_rate),
+                          .per_estimate = number_at(errors, "march_iterations_per_de_call", 0, most_rate)};
+    }
     if (json.contains("lane_use")) {
         each_at(json, "lane_use", [&](const Json& use) {
-            c.count.lane_use.push_back({whole_at(use, "lanes"), active(use, ""), active(use, "refilled_")});
+            LaneUse& read = c.count.lane_use.emplace_back(
+                LaneUse{whole_at(use, "lanes"), active(use, ""), active(use, "refilled_")});
+            if (!use.contains("standard_errors")) return;
+            read.together_error = active(at(use, "standard_errors"), "");
+            read.refilled_error = active(at(use, "standard_errors"), "refilled_");
         });
         if (c.count.lane_use.empty()) throw InputError("lane_use: [] given, expected the use of some lanes");
     } else {  // older builds
@@ -299,15 +314,6 @@ Result parse_result(const std::string& text, const std::string& name)
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
     return result_from_json(json, name);
-}
-
-Result read_result(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return parse_result(text.str(), path);
 }
 
 }  // namespace mandelmarch::bench

@@ -8,6 +8,7 @@
 #include "bench/console_studies.h"
 #include "bench/figures.h"
 #include "bench/report.h"
+#include "bench/winners.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
@@ -37,17 +38,10 @@ std::optional<double> ratio_of(const std::optional<Quotient>& quotient)
 
 std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
 
-// "openmp 1" is the text as scalar C++, where the study does not vary the packs.
-std::string backend_of(const Result& result, const Row& row)
-{
-    const bool scalar = result.study == standard_study && is_scalar(result, row);
-    return row.backend + (scalar ? " 1" : "");
-}
-
 std::string head(const Result& result, const Row& row)
 {
-    return fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", nickname(row.fractal), name_of(row.precision),
-                       name_of(row.mode), backend_of(result, row), row.device);
+    return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", nickname(row.fractal), name_of(row.precision),
+                       name_of(row.mode), application_of(result, row), row.device);
 }
 
 // A sweep shows its point where other studies show the share of peak and the speed-up.
@@ -59,13 +53,13 @@ std::string main_table(const Result& result, bool sweep)
         return fmt::format("{}\n", clipped(whole, console_columns));
     };
     std::string text =
-        line(fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} ", "scene", "number", "mode", "backend", "dev"), "point",
-             fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", "proof", "kernel", "95 % interval", "wall ms",
+        line(fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", "scene", "precision", "mode", "backend", "dev"), "point",
+             fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", "proof", "kernel", "95 % interval", "wall ms",
                          "Mpixel/s", "GFLOP/s"),
              fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
     for (const Row& row : result.rows) {
         if (row.device_name.empty()) {
-            text += line(fmt::format("{:<5} {:<6} {:<5} {:<9}   - ", "all", "all", "all", row.backend), "",
+            text += line(fmt::format("{:<5} {:<9} {:<5} {:<13}   - ", "all", "all", "all", row.backend), "",
                          row.failure.empty() ? fmt::format("unavailable: {}", row.unavailable)
                                              : fmt::format("FAILED: {}", row.failure),
                          "");
@@ -78,7 +72,7 @@ std::string main_table(const Result& result, bool sweep)
             const Figures f = figures_of(result, row);
             text +=
                 line(head(result, row), row.point,
-                     fmt::format("{:<12} {:>8} {:<18} {:>8} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
+                     fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
                                  interval(f.kernel, 1e3), digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
                                  of(f.operation_rate, 1e-9)),
                      fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
@@ -154,13 +148,21 @@ std::string incomplete_parts(const Result& result)
                        text);
 }
 
+// Behind a line of a sweep.
+std::string point_of(const Result& result, const Row& row)
+{
+    return row.point.empty() || result.study == standard_study ? "" : " " + row.point;
+}
+
 // A ratio and its interval in 28 columns.
 std::string cells(const std::optional<Quotient>& quotient)
 {
     if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
     const auto& i = quotient->interval;
     return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
-                       i ? fmt::format("[{}, {}]", digits(i->low), digits(i->high)) : "too few samples");
+                       i                        ? fmt::format("[{}, {}]", digits(i->low), digits(i->high))
+                       : quotient->ratio == 1.0 ? "beside itself"
+                                                : "too few samples");
 }
 
 // How many times as fast as the two baselines.
@@ -171,29 +173,31 @@ std::string speed_ups(const Result& result)
         if (!row.timed()) continue;
         const Figures f = figures_of(result, row);
         if (f.speed_up || f.over_scalar) {
-            text += fmt::format("{} {} {} {}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar), row.point);
+            text += fmt::format("{} {} {}{}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar),
+                                point_of(result, row));
         }
     }
     if (text.empty()) return {};
     return fmt::format(
         "\nSpeed-up of wall time: over reference (serial, double, exact), and over the same text as scalar C++ on the "
-        "host's\nthreads, in the row's precision and mode\n{:<33} {:>8} {:<19} {:>8} {:<19}\n{}",
+        "host's\nthreads, in the row's precision and mode; each interval by itself\n{:<40} {:>8} {:<19} {:>8} "
+        "{:<19}\n{}",
         "", "serial", "95 % interval", "scalar", "95 % interval", text);
 }
 
-std::string ratio_table(const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
+std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
 {
     if (ratios.empty()) return {};
-    std::string text =
-        fmt::format("\n{}\n{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}\n", title, fractal ? "scene" : "",
-                    fractal ? "" : "number", "mode", "backend", "dev", "ratio", "95 % interval", "pairs");
+    constexpr const char* line = "{:<9} {:<5} {:<13} {:>3} {:>7} {:<18} {:>5}{}\n";
+    std::string text = fmt::format("\n{}; each interval by itself\n", title);
+    text += fmt::format(fmt::runtime(line), fractal ? "scene" : "precision", "mode", "backend", "dev", "ratio",
+                        "95 % interval", "pairs", "");
     for (const Ratio& ratio : ratios) {
         const Row& row = *ratio.denominator;
-        text +=
-            fmt::format("{:<5} {:<6} {:<5} {:<9} {:>3} {:>7} {:<18} {:>5}{}{}\n", fractal ? nickname(row.fractal) : "",
-                        fractal ? "" : name_of(row.precision), name_of(row.mode), row.backend, row.device,
-                        ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
-                        ratio.summary.count, row.point.empty() ? "" : " ", row.point);
+        text += fmt::format(fmt::runtime(line), fractal ? nickname(row.fractal) : name_of(row.precision),
+                            name_of(row.mode), application_of(result, row), row.device,
+                            ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
+                            ratio.summary.count, point_of(result, row));
     }
     return text;
 }
@@ -226,20 +230,21 @@ std::string to_console(const Result& result, bool wide)
     text += fmt::format("\n{}", devices(result));
     if (any != nullptr && result.study == standard_study) {
         text += fmt::format(
-            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference, see below; {} 1: the text as "
-            "scalar C++\n",
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference; {}-scalar: the text "
+            "as scalar C++\n",
             any->setting.width, any->setting.height, result.host());
     }
     text += incomplete_parts(result);
     text += speed_ups(result);
-    text += ratio_table(box_to_bulb(result), "Mandelbox against Mandelbulb: kernel time of the one over the other's",
-                        false);
-    text += ratio_table(double_to_float(result), "Double against float: kernel time of the one over the other's", true);
+    text += ratio_table(result, box_to_bulb(result),
+                        "Mandelbox against Mandelbulb: kernel time of the one over the other's", false);
+    text += ratio_table(result, double_to_float(result),
+                        "Double against float: kernel time of the one over the other's", true);
     text += study_tables(result);
     for (const std::string& warning : result.warnings)
         text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), console_columns));
     if (!result.warnings.empty()) text += "\n";
-    return text;
+    return text + winners(result);
 }
 
 }  // namespace mandelmarch::bench

@@ -47,28 +47,33 @@ std::string to_csv(const Result& result)
         "limit,"
         "detail,threads,pack,frames,proof,proof_fine,differing_pixels,samples,kernel_s,kernel_low_s,kernel_high_s,"
         "kernel_mad_s,wall_s,context_s,build_s,upload_s,host_s,readback_s,pixels_per_s,de_calls_per_s,iterations_per_s,"
-        "operations,operations_per_s,peak_operations_per_s,share_of_peak,bound_s,speed_up,speed_up_low,speed_up_high,"
+        "operations,operations_standard_error,operations_per_s,peak_operations_per_s,share_of_peak,share_of_peak_"
+        "standard_"
+        "error,bound_s,speed_up,speed_up_low,speed_up_high,"
         "over_scalar,over_scalar_low,over_scalar_high,"
         "steps,de_calls,iterations,"
         "unavailable,failure\n";
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
+        const std::string application = application_of(result, row);
+        // The scalar text is another application of one problem; a sweep's points are other problems.
+        const bool one_problem = row.point.empty() || application != row.backend;
         const std::string problem = problem_name(row.fractal, row.precision, row.mode, s.width, s.height) +
-                                    (row.point.empty() ? "" : " " + row.point);
+                                    (one_problem ? "" : " " + row.point);
         const Figures f = row.timed() ? figures_of(result, row) : Figures{};
         const auto timed = [&](double value) { return row.timed() ? fmt::format("{}", value) : std::string(); };
         const auto& interval = f.kernel.interval;
         const auto up = three_cells(f.speed_up);
         const auto scalar = three_cells(f.over_scalar);
         const std::vector<std::string> cells{csv_cell(problem),
-                                             row.backend,
+                                             application,
                                              csv_cell(row.platform),
                                              timed(f.pixel_rate),
                                              csv_cell(row.name()),
                                              row.fractal,
                                              std::string(name_of(row.precision)),
                                              std::string(name_of(row.mode)),
-                                             row.backend,
+                                             application,
                                              fmt::format("{}", row.device),
                                              csv_cell(row.point),
                                              fmt::format("{}", s.width),
@@ -96,9 +101,11 @@ std::string to_csv(const Result& result)
                                              timed(f.estimate_rate),
                                              timed(f.iteration_rate),
                                              timed(row.operations),
+                                             row.timed() ? or_empty(row.operations_error) : "",
                                              or_empty(f.operation_rate),
                                              or_empty(f.peak),
                                              or_empty(f.share),
+                                             or_empty(f.share_error),
                                              or_empty(f.bound),
                                              up[0],
                                              up[1],

@@ -53,8 +53,9 @@ std::string to_csv(const Divergence& divergence)
 
 std::string to_console(const Divergence& divergence)
 {
-    std::string text = fmt::format("{:<10} {:>8} {:>8} {:>11}  distance from the others\n", "backend", "lines",
-                                   "core/job", "core/kernel");
+    std::string text = "Code divergence: lines of code that backends need, and how few of them they share\n";
+    text += fmt::format("{:<10} {:>8} {:>8} {:>11}  code distance from the others\n", "backend", "lines", "core/job",
+                        "core/kernel");
     for (const ModelLines& one : divergence.models) {
         text += fmt::format("{:<10} {:>8} {:>8} {:>11} ", one.backend, one.own, one.job, one.kernel);
         for (const ModelLines& other : divergence.models)

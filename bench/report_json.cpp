@@ -72,6 +72,7 @@ Json of(const Figures& f)
             {"operations_per_second", or_null(f.operation_rate)},
             {"peak_operations_per_second", or_null(f.peak)},
             {"share_of_peak", or_null(f.share)},
+            {"share_of_peak_standard_error", or_null(f.share_error)},
             {"bound_seconds", or_null(f.bound)},
             {"speed_up", f.speed_up ? Json(f.speed_up->ratio) : Json()},
             {"speed_up_interval", f.speed_up ? of(f.speed_up->interval) : Json()},
@@ -96,6 +97,7 @@ Json of(const Result& result, const Row& row)
             {"precision", name_of(row.precision)},
             {"mode", name_of(row.mode)},
             {"backend", row.backend},
+            {"application", application_of(result, row)},
             {"device", row.device},
             {"point", row.point},
             {"setting", of(row.setting)},
@@ -116,17 +118,25 @@ Json of(const Result& result, const Row& row)
             {"unsettled", row.unsettled},
             {"work", of(row.work)},
             {"operations", row.operations},
+            {"operations_standard_error", or_null(row.operations_error)},
             {"samples", samples},
             {"figures", row.timed() ? of(figures_of(result, row)) : Json()}};
 }
 
 Json of(const LaneUse& use)
 {
-    return {{"lanes", use.lanes},
-            {"active_in_steps", use.together.in_steps},
-            {"active_in_iterations", use.together.in_iterations},
-            {"refilled_active_in_steps", use.refilled->in_steps},
-            {"refilled_active_in_iterations", use.refilled->in_iterations}};
+    Json json{{"lanes", use.lanes},
+              {"active_in_steps", use.together.in_steps},
+              {"active_in_iterations", use.together.in_iterations},
+              {"refilled_active_in_steps", use.refilled->in_steps},
+              {"refilled_active_in_iterations", use.refilled->in_iterations}};
+    if (use.together_error && use.refilled_error) {
+        json["standard_errors"] = {{"active_in_steps", use.together_error->in_steps},
+                                   {"active_in_iterations", use.together_error->in_iterations},
+                                   {"refilled_active_in_steps", use.refilled_error->in_steps},
+                                   {"refilled_active_in_iterations", use.refilled_error->in_iterations}};
+    }
+    return json;
 }
 
 Json of(const Counted& c)
@@ -149,6 +159,10 @@ Json of(const Counted& c)
               {"lanes", c.count.lane_use.front().lanes},
               {"active_in_steps", c.count.lane_use.front().together.in_steps},
               {"active_in_iterations", c.count.lane_use.front().together.in_iterations}};
+    if (const auto& errors = c.count.errors) {
+        json["standard_errors"] = {{"operations_per_iteration", errors->per_iteration},
+                                   {"march_iterations_per_de_call", errors->per_estimate}};
+    }
     for (const LaneUse& use : c.count.lane_use) {
         if (use.refilled) json["lane_use"].push_back(of(use));
     }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
+
+#include "bench/console_studies.h"
 #include "bench/portability.h"
 #include "bench/report.h"
 #include "core/base/text.h"
@@ -10,12 +15,59 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// All platforms, by the numbers that the table gives them.
+std::vector<std::string> platforms_of(const std::vector<Portability>& portabilities)
+{
+    std::vector<std::string> found;
+    const auto add = [&](const std::string& platform) {
+        if (std::ranges::find(found, platform) == found.end()) found.push_back(platform);
+    };
+    for (const Portability& p : portabilities) {
+        for (const OnPlatform& on : p.platforms) add(on.platform);
+        for (const std::string& platform : p.not_measured) add(platform);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+// "1,3": H by those numbers.
+std::string numbers_of(const Portability& p, const std::vector<std::string>& platforms)
+{
+    std::string text;
+    for (std::size_t i = 0; i < platforms.size(); ++i) {
+        const bool held = std::ranges::find(p.platforms, platforms[i], &OnPlatform::platform) != p.platforms.end();
+        if (held) text += fmt::format("{}{}", text.empty() ? "" : ",", i + 1);
+    }
+    return text;
+}
+
+// A line for each application and platform that has not measured it: which problems.
+std::string not_measured(const std::vector<Portability>& portabilities)
+{
+    std::map<std::pair<std::string, std::string>, std::vector<std::string>> problems;
+    for (const Portability& p : portabilities) {
+        for (const std::string& platform : p.not_measured) {
+            std::vector<std::string>& of = problems[{p.application, platform}];
+            if (std::ranges::find(of, p.problem) == of.end()) of.push_back(p.problem);
+        }
+    }
+    std::string text;
+    for (const auto& [where, of] : problems) {
+        text += printable(fmt::format("{} was not measured on {}, which is not in its H: {}", where.first, where.second,
+                                      fmt::join(of, ", ")),
+                          longest_note) +
+                "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
 {
     Json list = Json::array();
     for (const Portability& p : portabilities) {
+        if (p.platforms.empty()) continue;
         Json platforms = Json::array();
         for (const OnPlatform& on : p.platforms) {
             platforms.push_back({{"platform", on.platform},
@@ -39,6 +91,7 @@ nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
              {"by_share_of_peak", p.architecture_portability},
              {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
              {"platforms", platforms},
+             {"not_measured", p.not_measured},
              {"cascade", cascade}});
     }
     return list;
@@ -46,13 +99,16 @@ nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
 
 std::string to_csv(const std::vector<Portability>& portabilities)
 {
-    std::string text = "problem,application,platform,fom\n";
+    std::string text = "problem,application,platform,fom,h\n";
     for (const Portability& p : portabilities) {
+        std::string h;
+        for (const OnPlatform& on : p.platforms) h += (h.empty() ? "" : "; ") + on.platform;
         for (const OnPlatform& on : p.platforms) {
             if (!(on.seconds > 0)) continue;
-            text += fmt::format(
-                "{},{},{},{}\n", csv_cell(problem_name(p.fractal, p.precision, p.mode, p.width, p.height)),
-                csv_cell(p.application), csv_cell(on.platform), static_cast<double>(p.width) * p.height / on.seconds);
+            text += fmt::format("{},{},{},{},{}\n",
+                                csv_cell(problem_name(p.fractal, p.precision, p.mode, p.width, p.height)),
+                                csv_cell(p.application), csv_cell(on.platform),
+                                static_cast<double>(p.width) * p.height / on.seconds, csv_cell(h));
         }
     }
     return text;
@@ -60,17 +116,27 @@ std::string to_csv(const std::vector<Portability>& portabilities)
 
 std::string to_console(const std::vector<Portability>& portabilities)
 {
-    std::string text = fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7} {:<18} {:>7} {}\n", "problem", "number",
-                                   "mode", "backend", "H", "PP app", "95 %", "PP peak", "95 %");
-    for (const Portability& p : portabilities) {
-        text += fmt::format("{:<22} {:<6} {:<5} {:<10} {:>3}  {:>7.3f} {:<18} {:>7.3f} {}\n", printable(p.problem, 100),
-                            name_of(p.precision), name_of(p.mode), printable(p.application, 100), p.platforms.size(),
-                            p.application_portability,
-                            fmt::format("[{:.3f}, {:.3f}]", p.application_interval.low, p.application_interval.high),
-                            p.architecture_portability,
-                            fmt::format("[{:.3f}, {:.3f}]", p.architecture_interval.low, p.architecture_interval.high));
+    constexpr const char* line = "{:<22} {:<9} {:<5} {:<10} {:<7} {:>7} {:<14} {:>7} {}\n";
+    const std::vector<std::string> platforms = platforms_of(portabilities);
+    std::string text = "H, the set of platforms:\n";
+    for (std::size_t i = 0; i < platforms.size(); ++i) {
+        text += fmt::format("  {}  {}\n", i + 1, printable(platforms[i], longest_note));
     }
-    return text;
+    text += fmt::format(fmt::runtime(line), "problem", "precision", "mode", "backend", "H", "PP app", "95 %", "PP peak",
+                        "95 %");
+    const auto three = [](double value) { return fmt::format("{:.3f}", value); };
+    const auto interval = [](const Interval& i) { return fmt::format("[{:.3f}, {:.3f}]", i.low, i.high); };
+    for (const Portability& p : portabilities) {
+        if (p.platforms.empty()) continue;
+        text += fmt::format(fmt::runtime(line), printable(p.problem, 100), name_of(p.precision), name_of(p.mode),
+                            printable(p.application, 100), numbers_of(p, platforms), three(p.application_portability),
+                            interval(p.application_interval), three(p.architecture_portability),
+                            interval(p.architecture_interval));
+    }
+    return text +
+           "PP app: 1 for a backend that is the fastest on every platform of H; 0: unavailable on one, or a wrong "
+           "picture\n" +
+           not_measured(portabilities);
 }
 
 }  // namespace mandelmarch::bench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ struct Row {
     double stride = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counted text; 0: not known
+    // Its standard error, as the text was counted on a sample of pixels; not known of results of older builds.
+    std::optional<double> operations_error;
     std::vector<Sample> samples;
 
     // "mandelbulb/double/exact/openmp/0", and "/threads=2" behind it in a sweep; "vulkan" for a backend without a

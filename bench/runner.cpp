@@ -42,10 +42,9 @@ public:
     {
     }
 
-    void run(const std::function<void(double)>& progress)
+    void run(const RoundProgress& progress)
     {
-        const int most = rules_.repetitions.value_or(rules_.most);
-        for (int round = 0; round < most; ++round) {
+        for (int round = 0; round < most(); ++round) {
             std::vector<Live*> order = unfinished();
             if (order.empty()) break;
             std::shuffle(order.begin(), order.end(), random_);
@@ -64,11 +63,16 @@ private:
         return order;
     }
 
-    void draw(const std::vector<Live*>& order, int round, const std::function<void(double)>& progress)
+    int most() const { return rules_.repetitions.value_or(rules_.most); }
+
+    void draw(const std::vector<Live*>& order, int round, const RoundProgress& progress)
     {
-        for (Live* row : order) {
-            if (!out_of_time() || row->one->row.samples.empty()) draw(*row, round);
-            progress(share());
+        const std::string text =
+            fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
+            const double of_round = static_cast<double>(i + 1) / static_cast<double>(order.size());
+            progress(share((round + of_round) / most()), text);
         }
     }
 
@@ -98,12 +102,13 @@ private:
         return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
     }
 
-    // Of the time that the rounds may take, or of the rows, whichever is further.
-    double share() const
+    // Of the rounds, and without a fixed number of the time that they may take, or of the rows, whichever is further.
+    double share(double of_rounds) const
     {
+        if (rules_.repetitions) return of_rounds;
         const auto done = std::ranges::count_if(rows_, &Live::done);
-        const double by_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
-        return std::min(1.0, std::max(by_rows, rules_.repetitions ? 0 : seconds_since(start_) / rules_.budget));
+        const double of_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
+        return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / rules_.budget}));
     }
 
     Image& image_for(const Live& live)
@@ -175,7 +180,7 @@ void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
     }
 }
 
-void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress)
+void run_rounds(std::vector<Live>& rows, const Rules& rules, const RoundProgress& progress)
 {
     Rounds(rows, rules).run(progress);
 }

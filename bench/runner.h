@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bench/study.h"
@@ -43,8 +44,9 @@ struct Rules {
 void keep_long_pictures(std::vector<Live>& rows, const Rules& rules);
 
 // Draws the rounds and puts the samples into the rows. A row that throws, or whose picture is no longer the proven one,
-// fails and loses its samples. `progress` is told the finished share, 0 to 1.
-void run_rounds(std::vector<Live>& rows, const Rules& rules, const std::function<void(double)>& progress);
+// fails and loses its samples. `progress` is told the finished share, 0 to 1, and the round, "round 3 of 40".
+using RoundProgress = std::function<void(double share, const std::string& round)>;
+void run_rounds(std::vector<Live>& rows, const Rules& rules, const RoundProgress& progress);
 
 // Draws one sample: a picture, or setting.frames of them from a fresh renderer. Throws what the backend throws, and
 // Error where the picture is not the proven one.

@@ -27,22 +27,16 @@ constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-bool same_text(const Counted& counted, const Row& row)
-{
-    return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
-           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
-}
-
 // Counts each picture once, and gives every row that draws it its operations.
 void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
     for (Live& live : rows) {
-        phase("counting operations", static_cast<double>(done++) / static_cast<double>(rows.size()));
+        phase({"counting operations", static_cast<double>(done++) / static_cast<double>(rows.size())});
         Row& row = live.one->row;
         // The reference shares no formula with the text: what the text does says nothing of it.
         if (live.one->backend->facts().role == Role::reference) continue;
-        auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return same_text(c, row); });
+        auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
             Counted counted{.fractal = row.fractal,
                             .precision = row.precision,
@@ -53,7 +47,9 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
                                                                         .techniques = live.one->options.techniques})};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
-        row.operations = found->count.per_iteration() * static_cast<double>(row.work.iterations);
+        const auto iterations = static_cast<double>(row.work.iterations);
+        row.operations = found->count.per_iteration() * iterations;
+        if (found->count.errors) row.operations_error = found->count.errors->per_iteration * iterations;
     }
 }
 
@@ -62,25 +58,34 @@ void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted)
 {
-    std::vector<Peak> peaks;
+    struct Asked {
+        const Backend* backend;
+        Peak peak;
+    };
+    std::vector<Asked> asked;
     for (const auto& backend : registry.backends()) {
         // Any backend may reach the most of a device: all are asked, whichever rows are timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : precisions_of(options)) {
                 Peak peak{platform_of(device), std::string(backend->name()), index, precision, 0};
-                if (!wanted(peak)) continue;
-                phase(fmt::format("multiply-add peak, {} {}", backend->name(), name_of(precision)), 0);
-                try {
-                    const auto rate = backend->multiply_add_peak({.device = index, .precision = precision});
-                    if (!rate) continue;
-                    peak.rate = *rate;
-                    peaks.push_back(std::move(peak));
-                } catch (const Error&) {
-                    continue;  // no double, say; a device that fails has said so in its rows
-                }
+                if (wanted(peak)) asked.push_back({backend.get(), std::move(peak)});
             }
             ++index;
+        }
+    }
+    std::vector<Peak> peaks;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        Peak& peak = asked[i].peak;
+        phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(asked.size()),
+               fmt::format("{} {}", peak.backend, name_of(peak.precision))});
+        try {
+            const auto rate = asked[i].backend->multiply_add_peak({.device = peak.device, .precision = peak.precision});
+            if (!rate) continue;
+            peak.rate = *rate;
+            peaks.push_back(std::move(peak));
+        } catch (const Error&) {
+            continue;  // no double, say; a device that fails has said so in its rows
         }
     }
     return peaks;
@@ -126,7 +131,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     }
     std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        phase("proof", static_cast<double>(i) / static_cast<double>(order.size()));
+        phase({"proof", static_cast<double>(i) / static_cast<double>(order.size())});
         if (auto row = proven(*order[i], yardsticks)) live.push_back(std::move(*row));
     }
     if (!rules.repetitions) keep_long_pictures(live, rules);
@@ -140,7 +145,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     const Telemetry telemetry;
-    run_rounds(live, rules, [&](double share) { phase("timing", share); });
+    run_rounds(live, rules, [&](double share, const std::string& round) { phase({"timing", share, round}); });
     const nlohmann::ordered_json told = telemetry.since_start();
     // Once more: a machine that was slow before must not make the shares look better. What disagrees is spoilt.
     record.add(peaks(every_peak));

@@ -13,8 +13,13 @@
 
 namespace mandelmarch::bench {
 
-// Told what is being done, and the finished share of it, 0 to 1.
-using Phase = std::function<void(const std::string& what, double share)>;
+// What is being done, the finished share of it, 0 to 1, and where in it that is: "round 3 of 40".
+struct Step {
+    std::string what;
+    double share = 0;
+    std::string detail{};
+};
+using Phase = std::function<void(const Step&)>;
 
 // Measures the study that the options name. Every row's picture is drawn and compared before anything is timed; a row
 // whose picture fails is not timed. Throws InputError where the options are wrong, Unavailable where the one backend

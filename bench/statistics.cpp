@@ -134,6 +134,18 @@ std::vector<double> medians_of(const Launches& launches)
     return medians;
 }
 
+std::vector<double> group_medians(std::span<const double> values)
+{
+    const std::size_t groups = values.size() / group_size;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < groups; ++i) {
+        const std::size_t first = i * values.size() / groups;
+        const std::span group = values.subspan(first, (i + 1) * values.size() / groups - first);
+        medians.push_back(median({group.begin(), group.end()}));
+    }
+    return medians;
+}
+
 // The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3): what
 // differs between launches is in the scatter of their figures already, so that these are all that the interval needs;
 // samples within a launch only make each figure surer. On logarithms, as disturbances multiply.
@@ -169,8 +181,10 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     }
     if (ratios.size() > 1) {
         q.interval = holding(launch_interval(ratios), q.ratio);
-    } else if (above.size() > 1 && below.size() > 1) {
-        q.interval = holding(difference(below, above, 0).interval, q.ratio);
+    } else {
+        std::vector<double> by_round;
+        for (std::size_t i = 0; i < std::min(above.size(), below.size()); ++i) by_round.push_back(above[i] / below[i]);
+        q.interval = holding(median_interval(by_round), q.ratio);
     }
     return q;
 }
@@ -190,6 +204,30 @@ Difference difference(std::span<const double> old_values, std::span<const double
 }
 
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
+
+// The error of a ratio is that of the sum of the residuals part - ratio * whole (Cochran, Sampling Techniques, 6.3).
+// One block from each stratum shows no variance within it; half the squared difference of two neighbours stands for it,
+// and is rather too large where strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+PartRatio ratio_of_sums(std::span<const Part> blocks)
+{
+    Part sum;
+    for (const Part& block : blocks) {
+        sum.part += block.part;
+        sum.whole += block.whole;
+    }
+    if (!(sum.whole > 0)) return {};
+    PartRatio found{.ratio = sum.part / sum.whole, .standard_error = sum.part / sum.whole};
+    if (std::ranges::count_if(blocks, [](const Part& block) { return block.whole > 0; }) < 2) return found;
+    const auto residual = [&](const Part& block) { return block.part - *found.ratio * block.whole; };
+    double squares = 0;
+    for (std::size_t i = 1; i < blocks.size(); ++i) {
+        const double step = residual(blocks[i]) - residual(blocks[i - 1]);
+        squares += step * step;
+    }
+    const auto n = static_cast<double>(blocks.size());
+    found.standard_error = std::sqrt(n / (2 * (n - 1)) * squares) / sum.whole;
+    return found;
+}
 
 // Holm (Scandinavian Journal of Statistics 6, 1979): the smallest of m p-values is multiplied by m, the next by m - 1,
 // and so on; none may come out below the one before.

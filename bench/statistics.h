@@ -50,6 +50,11 @@ std::optional<Interval> launch_interval(std::span<const double> medians);
 // The medians of the launches, in their order.
 std::vector<double> medians_of(const Launches& launches);
 
+// Numbers of one launch in groups of consecutive rounds, three and more in each, so that one disturbed picture does not
+// move a verdict: their medians. None for fewer than three numbers.
+inline constexpr std::size_t group_size = 3;
+std::vector<double> group_medians(std::span<const double> values);
+
 // The interval of the median from order statistics: the k-th smallest to the k-th largest of n numbers, with the
 // largest k for which the interval covers the median with probability 0.95 whatever the distribution. nullopt where
 // even the smallest and largest do not (n < 6).
@@ -77,9 +82,23 @@ struct Quotient {
     std::optional<Interval> interval;  // 95 %, holds the ratio
 };
 
-// Times of both, at least one of each. Where several launches have both: launch_interval() of the launches' ratios of
-// medians. Else Welch's of the logarithms of all times; nullopt where either has fewer than two.
+// Times of both, at least one of each, in the order of the rounds. Where several launches have both: launch_interval()
+// of the launches' ratios of medians. Else median_interval() of the rounds' ratios; nullopt below six rounds with both.
 Quotient quotient(const Launches& numerator, const Launches& denominator);
+
+// What one block of a sample adds to two sums.
+struct Part {
+    double part = 0, whole = 0;
+};
+
+struct PartRatio {
+    std::optional<double> ratio;  // of the sums; nullopt where the whole is 0
+    // Where one block alone adds to the whole, its variance is unseen, and this is the ratio itself.
+    double standard_error = 0;
+};
+
+// Of a stratified sample with one block from each stratum, neighbouring strata side by side.
+PartRatio ratio_of_sums(std::span<const Part> blocks);
 
 // Holm's correction: each p raised so that calling what is below 0.05 raises a false alarm anywhere with probability
 // 0.05 at most. In the order given.

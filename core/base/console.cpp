@@ -9,6 +9,20 @@
 #include "core/base/error.h"
 
 namespace mandelmarch {
+namespace {
+
+// Output that failed. A reader who has gone away, `| head -1`, has read what he wanted; the program's exit code stays
+// its own.
+void refuse_unless_unread(int cause)
+{
+    if (cause != EPIPE) {
+        throw Error(fmt::format("standard output cannot be written: {}", std::strerror(cause != 0 ? cause : EIO)));
+    }
+    std::clearerr(stdout);
+    std::cout.clear();
+}
+
+}  // namespace
 
 void say(std::string_view text)
 {
@@ -18,7 +32,8 @@ void say(std::string_view text)
 
 void print(std::string_view text)
 {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) flush_stdout();
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) refuse_unless_unread(errno);
 }
 
 void flush_stdout()
@@ -27,8 +42,7 @@ void flush_stdout()
     std::cout.flush();
     const bool flushed = std::fflush(stdout) == 0;
     const int cause = errno;
-    if (flushed && std::ferror(stdout) == 0 && std::cout) return;
-    throw Error(fmt::format("standard output cannot be written: {}", std::strerror(cause != 0 ? cause : EIO)));
+    if (!flushed || std::ferror(stdout) != 0 || !std::cout) refuse_unless_unread(cause);
 }
 
 }  // namespace mandelmarch

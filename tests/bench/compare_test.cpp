@@ -101,7 +101,7 @@ bool pooled_alarms(const Result& before, const Result& after)
 TEST(Compare, RaisesFewFalseAlarms)
 {
     EXPECT_LE(alarms(same, compare_alarms), 5) << "builds that are the same";
-    // The hardest case of "no difference": every row differs by just the margin.
+    // The hardest case: every row differs by just the margin.
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
@@ -145,9 +145,64 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     for (const int launch : {0, 1}) before.rows[0].samples.push_back({.launch = launch, .kernel = 1, .wall = 1});
     Result after = before;
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.019;
-    EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::no_difference);
+    EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::same);
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.03;
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::slower);
+}
+
+// The row of the review: half the time, in an interval that three launches leave too wide to be sure after Holm's
+// correction for 48 rows. That is no sameness.
+TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
+{
+    Result before;
+    before.launches = 3;
+    for (int i = 0; i < 48; ++i) {
+        Row row = numbered_row(i);
+        for (int launch = 0; launch < 3; ++launch) row.samples.push_back({.launch = launch, .kernel = 1, .wall = 1});
+        for (int launch = 0; launch < 3; ++launch) row.samples[launch].kernel *= 1 + 0.001 * launch;
+        before.rows.push_back(row);
+    }
+    Result after = before;
+    for (int launch = 0; launch < 3; ++launch) after.rows[0].samples[launch].kernel = 0.5 * (1 + 0.08 * launch);
+    const ComparedResults compared = compare_results(before, after);
+    EXPECT_LT(compared.rows[0].difference.interval.high, 0.8);
+    EXPECT_GE(compared.rows[0].p, significance);
+    EXPECT_EQ(compared.rows[0].verdict, Verdict::undecided);
+    EXPECT_EQ(compared.rows[1].verdict, Verdict::same);
+    EXPECT_FALSE(compared.regression());
+    const std::string text = to_console(compared);
+    EXPECT_EQ(text.find("no difference"), std::string::npos);
+    EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more launches would tell: --launches)\n"))
+        << text;
+}
+
+// The same margin, the same answers.
+TEST(Judge, CompareAndDuelAreJudgedAlike)
+{
+    std::mt19937_64 random(7);
+    const Result before = random_result(random, same);
+    const Result after = random_result(random, [](int i) { return i % 3 == 0 ? 1.5 : i % 3 == 1 ? 0.7 : 1.01; });
+    const ComparedResults compared = compare_results(before, after);
+    std::vector<Difference> differences;
+    for (const Compared& row : compared.rows) differences.push_back(row.difference);
+    const std::vector<Judgement> judged = judge_all(differences, margin);
+    for (std::size_t i = 0; i < judged.size(); ++i) EXPECT_EQ(judged[i].verdict, compared.rows[i].verdict);
+}
+
+TEST(Judge, EachVerdict)
+{
+    const std::vector<Difference> made{{.ratio = 1.2, .interval = {1.1, 1.3}, .p = 1e-4},
+                                       {.ratio = 0.8, .interval = {0.7, 0.9}, .p = 1e-4},
+                                       {.ratio = 1.001, .interval = {0.99, 1.012}, .p = 1},
+                                       {.ratio = 1.001, .interval = {0.97, 1.03}, .p = 1},
+                                       {.ratio = 1.3, .interval = {1.05, 1.6}, .p = 0.02}};
+    const std::vector<Verdict> expected{Verdict::slower, Verdict::faster, Verdict::same, Verdict::undecided,
+                                        Verdict::undecided};
+    std::vector<Verdict> found;
+    for (const Judgement& judgement : judge_all(made, 0.02)) found.push_back(judgement.verdict);
+    EXPECT_EQ(found, expected) << "the last is significant alone, and not among five";
+    EXPECT_EQ(judge_all(std::span(made).subspan(4), 0.02)[0].verdict, Verdict::slower);
+    EXPECT_EQ(judge_all(std::span(made).subspan(2, 1), 0.01)[0].verdict, Verdict::undecided) << "a narrower margin";
 }
 
 TEST(Compare, ABrokenPictureIsARegression)

@@ -200,16 +200,55 @@ TEST(LaunchInterval, HoldsTheMedianOfAll)
     EXPECT_GE(s.interval->high, 2);
 }
 
-TEST(QuotientOfOneLaunch, HasAnIntervalFromTwoSamplesOn)
+// As a median's: from six rounds on, and whatever the distribution is.
+TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
 {
-    const Launches row{{0, {1.0, 1.1, 1.05}}};
-    EXPECT_FALSE(quotient({{0, {9.0}}}, row).interval);
-    const Quotient q = quotient({{0, {9.0, 9.1}}}, row);
-    EXPECT_NEAR(q.ratio, 9.05 / 1.05, 1e-12);
+    const Launches row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
+    EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5}}}, row).interval) << "five rounds";
+    const Quotient q = quotient({{0, {9, 8, 7, 6, 5, 40}}}, row);
+    EXPECT_EQ(q.ratio, 7.5);
     ASSERT_TRUE(q.interval);
-    EXPECT_LT(q.interval->low, q.ratio);
-    EXPECT_GT(q.interval->high, q.ratio);
-    EXPECT_FALSE(quotient({{0, {9.0, 0.0}}}, row).interval) << "a time that is not above 0";
+    EXPECT_EQ(q.interval->low, 5);
+    EXPECT_EQ(q.interval->high, 40);
+    EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
+}
+
+// What slows whole rounds down cancels.
+TEST(QuotientOfOneLaunch, ComparesRoundByRound)
+{
+    const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
+    ASSERT_TRUE(q.interval);
+    EXPECT_EQ(q.interval->low, 2);
+    EXPECT_EQ(q.interval->high, 2);
+}
+
+// Skewed times, without what differs between launches: the interval is of that launch.
+TEST(QuotientOfOneLaunch, HoldsTheTruth)
+{
+    const auto interval = [](Random& random) {
+        std::normal_distribution<double> normal;
+        const auto times = [&](double seconds) {
+            std::vector<double> made;
+            for (int i = 0; i < 12; ++i) {
+                const double x = normal(random);
+                made.push_back(seconds * std::exp(0.1 * (x * x - skew_median)));
+            }
+            return Launches{{0, made}};
+        };
+        return quotient(times(4), times(0.1)).interval.value();
+    };
+    EXPECT_GE(coverage(40, interval), target);
+}
+
+TEST(SpeedUp, OfTheReferenceBesideItselfHasNoInterval)
+{
+    Random random(3);
+    Row reference = study_row(random, "reference", 4, {{0, 1}, {1, 1}, {2, 1}}, 6);
+    reference.precision = Precision::f64;
+    const Result result = made_result({reference}, 3);
+    const Figures figures = figures_of(result, result.rows[0]);
+    EXPECT_EQ(figures.speed_up->ratio, 1);
+    EXPECT_FALSE(figures.speed_up->interval);
 }
 
 }  // namespace

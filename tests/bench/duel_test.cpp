@@ -10,7 +10,7 @@
 #include <functional>
 #include <random>
 
-#include "bench/compare.h"
+#include "bench/verdict.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -58,7 +58,7 @@ double all_slower(int) { return 1.03; }
 bool called(const std::vector<Judged>& judged)
 {
     return std::ranges::any_of(
-        judged, [](const Judged& row) { return row.outcome == Outcome::slower || row.outcome == Outcome::faster; });
+        judged, [](const Judged& row) { return row.verdict == Verdict::slower || row.verdict == Verdict::faster; });
 }
 
 using Alarm = std::function<bool(const Duel&)>;
@@ -106,7 +106,7 @@ TEST(Duel, FindsThreePercentInNineOfTen)
 {
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
     // One row alone, too, where launches differ less.
-    const auto third = [](const Duel& duel) { return judge(duel).at(3).outcome == Outcome::slower; };
+    const auto third = [](const Duel& duel) { return judge(duel).at(3).verdict == Verdict::slower; };
     EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.launch = 0.005}, third), 360) << "of 400";
 }
 
@@ -145,14 +145,14 @@ TEST(Duel, EachVerdict)
     duel.rows[6].pairs[7].old_seconds = 0;
     const auto judged = judge(duel);
     ASSERT_EQ(judged.size(), 9U);
-    EXPECT_EQ(judged[0].outcome, Outcome::slower);
+    EXPECT_EQ(judged[0].verdict, Verdict::slower);
     EXPECT_NEAR(judged[0].difference.ratio, 1.05, 0.01);
-    EXPECT_EQ(judged[1].outcome, Outcome::faster);
-    EXPECT_EQ(judged[2].outcome, Outcome::undecided);
-    EXPECT_EQ(judged[3].outcome, Outcome::same);
-    EXPECT_EQ(judged[4].outcome, Outcome::broken);
+    EXPECT_EQ(judged[1].verdict, Verdict::faster);
+    EXPECT_EQ(judged[2].verdict, Verdict::undecided);
+    EXPECT_EQ(judged[3].verdict, Verdict::same);
+    EXPECT_EQ(judged[4].verdict, Verdict::broken);
     EXPECT_EQ(judged[4].why, "new: the picture is wrong");
-    EXPECT_EQ(judged[5].outcome, Outcome::no_speed);
+    EXPECT_EQ(judged[5].verdict, Verdict::no_speed);
     EXPECT_EQ(judged[6].why, "a time is not above 0");
     EXPECT_EQ(judged[8].name, all_rows);
     EXPECT_TRUE(regression(judged));
@@ -174,9 +174,9 @@ TEST(Duel, TheMarginIsWhatIsAskedFor)
     const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
     Duel duel = made_duel(random, all_slower, quiet);
-    EXPECT_EQ(judge(duel)[0].outcome, Outcome::slower);
+    EXPECT_EQ(judge(duel)[0].verdict, Verdict::slower);
     duel.margin = 0.06;
-    EXPECT_EQ(judge(duel)[0].outcome, Outcome::same);
+    EXPECT_EQ(judge(duel)[0].verdict, Verdict::same);
 }
 
 TEST(Duel, TheTableSaysWhatDiffers)

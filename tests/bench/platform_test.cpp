@@ -93,7 +93,7 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(platforms(slow, machine({}, 250e9)), 1U) << "a peak that was measured again";
     EXPECT_EQ(platforms(slow, machine({}, 0)), 1U) << "no peak is known";
     EXPECT_THROW(compare_results(slow, machine({}, 464e9)), InputError);
-    EXPECT_EQ(compare_results(slow, machine({}, 250e9)).rows[0].verdict, Verdict::no_difference);
+    EXPECT_EQ(compare_results(slow, machine({}, 250e9)).rows[0].verdict, Verdict::same);
     const std::vector<Result> apart = told_apart(std::vector{slow, machine({}, 464e9), machine({}, 230e9)});
     EXPECT_EQ(apart[1].rows[0].platform, "AMD EPYC (family 26 model 2), machine 2");
     EXPECT_EQ(apart[1].peaks[0].platform, apart[1].rows[0].platform);

@@ -50,7 +50,8 @@ std::vector<Result> example()
         Result result;
         result.rows.push_back(row_of("latest", platform, seconds.first));
         result.rows.push_back(row_of("best", platform, seconds.second));
-        if (platform != "D") result.rows.push_back(row_of("dummy", platform, seconds.first));
+        result.rows.push_back(row_of("dummy", platform, seconds.first));
+        if (platform == "D") result.rows.back().unavailable = "no driver";
         results.push_back(result);
     }
     return results;
@@ -72,6 +73,51 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_EQ(found["best"].application_portability, 1);
     EXPECT_EQ(found["dummy"].application_portability, 0) << "one platform is unsupported";
     EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
+}
+
+// Rows that a filter left out say nothing of what runs: H is smaller, and the output names what is missing.
+TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
+{
+    std::vector<Result> results = example();
+    std::erase_if(results[3].rows, [](const Row& row) { return row.backend == "dummy"; });
+    const std::vector<Portability> list = portability(results);
+    const Portability dummy = by_application(list)["dummy"];
+    EXPECT_NEAR(dummy.application_portability, 4 / (1 + 1.25 + 2 + 5), 1e-12);
+    EXPECT_EQ(dummy.platforms.size(), 4U);
+    EXPECT_EQ(dummy.not_measured, std::vector<std::string>{"D"});
+    const std::string text = to_console(list);
+    EXPECT_NE(text.find("dummy was not measured on D, which is not in its H: mandelbox 100x100\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("  4  D\n"), std::string::npos);
+    EXPECT_NE(text.find(" 1,2,3,5 "), std::string::npos);
+}
+
+// The negative control: a backend without a device, and one that runs on another of the result's platforms only.
+TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
+{
+    std::vector<Result> results = example();
+    std::erase_if(results[3].rows, [](const Row& row) { return row.backend == "dummy"; });
+    Row nowhere;
+    nowhere.fractal = "all";
+    nowhere.backend = "dummy";
+    nowhere.unavailable = "no driver";
+    results[3].rows.push_back(nowhere);
+    EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
+    results[3].rows.back() = row_of("dummy", "A", 25);
+    EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
+}
+
+// Of another size, say.
+TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
+{
+    std::vector<Result> results = example();
+    results.push_back({});
+    results.back().rows.push_back(row_of("best", "A", 1));
+    results.back().rows.back().setting.width = 50;
+    int of_the_size = 0;
+    for (const auto& entry : json_of(portability(results)))
+        of_the_size += entry["problem"] == "mandelbox 50x100" ? 1 : 0;
+    EXPECT_EQ(of_the_size, 1);
 }
 
 TEST(Portability, TheCascadeFalls)
@@ -143,12 +189,13 @@ TEST(Portability, TheCsvHasALineForEachApplicationThatRuns)
     std::istringstream csv(to_csv(portability(results)));
     std::string line;
     std::getline(csv, line);
-    EXPECT_EQ(line, "problem,application,platform,fom");
+    EXPECT_EQ(line, "problem,application,platform,fom,h");
     std::vector<std::string> lines;
     while (std::getline(csv, line)) lines.push_back(line);
     EXPECT_EQ(lines.size(), 14U);
-    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,latest,A,400"), lines.end());
-    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,best,\"B, the second\",1000"), lines.end());
+    const std::string h = "\"A; B; B, the second; C; D; E\"";
+    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,latest,A,400," + h), lines.end());
+    EXPECT_NE(std::ranges::find(lines, "mandelbox double exact 100x100,best,\"B, the second\",1000," + h), lines.end());
     for (const std::string& one : lines) {
         EXPECT_EQ(one.find("reference"), std::string::npos);
         EXPECT_EQ(one.find("vulkan"), std::string::npos);

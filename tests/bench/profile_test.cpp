@@ -75,7 +75,7 @@ std::string complaint(Defect defect)
     options.study = "profile";
     options.repetitions = 1;
     try {
-        profile(registry, options, [](const std::string&, double) {});
+        profile(registry, options, [](const Step&) {});
     } catch (const Error& error) {
         return error.what();
     }

@@ -16,6 +16,9 @@ fi
 expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --launches 3
 grep -q '^peak, ' out || fail "no peak"
 grep -q '^openmp\|^bulb' out || fail "no table"
+grep -q '^scene precision mode ' out && ! grep -qw number out || fail "precision is not called so"
+grep -q '^mandelbulb float fast: openmp [wl].* times as fast as openmp-scalar' out || fail "no winner"
+tail -1 out | grep -q ' processors were free: ' || fail "the last line: $(tail -1 out)"
 grep -q '"launches": 3' a.json || fail "three launches are not in the result"
 [ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
@@ -26,7 +29,7 @@ expect 0 "${quick[@]}" --json b.json --launches 3
 code=0
 "$bench" compare a.json b.json >out || code=$?
 [ "$code" -le 1 ] || fail "compare exited with $code"
-grep -q 'no difference\|faster\|SLOWER' out || fail "compare printed no verdict"
+grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
 # A regression: the launches' times made even, and then doubled.
 python3 - <<'PY'
@@ -58,6 +61,19 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
+# A folder has files of other kinds, too: each is named, and left out.
+mkdir -p folder/below
+cp a.json folder/
+cp b.json folder/below/
+echo '{"schema": "mandelmarch-divergence"}' >folder/divergence.json
+expect 0 portability folder
+grep -q mandelbox out || fail "no portability of a folder"
+[ "$(cat err)" = "bench: folder/divergence.json: no result of bench, left out" ] || fail "$(cat err)"
+grep -q '^H, the set of platforms:$' out || fail "H is not named"
+sed 's/"mode": "exact"/"mode": 7/' a.json >folder/damaged.json
+expect 2 portability folder
+grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
+expect 2 portability folder/divergence.json
 
 # Lines of the sources: from the CSV follows what the table says, as p3-analysis-library computes it.
 expect 0 divergence "$source" --csv lines.csv --json lines.json
@@ -101,6 +117,12 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
+# A reader who goes away has read what he wanted: no complaint, and the exit code is the command's.
+unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
+unread csv a.json
+[ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"
+unread compare even.json slow.json
+[ "$(cat code)" = 1 ] && [ ! -s err ] || fail "a regression that nobody reads: $(cat code err)"
 # A launch that is killed costs its own samples.
 "$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
 killer=$!

@@ -44,6 +44,25 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
 }
 
+// Whoever compares by application or backend does not take the scalar text for the backend's packs.
+TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
+{
+    Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
+    scalar.point = "pack=1";
+    scalar.setting.pack = 1;
+    const Result result = made_result({made_row("openmp", {1, 1, 1, 1, 1, 1}), scalar});
+    const Json rows = json_of(result)["rows"];
+    EXPECT_EQ(rows[0]["application"], "openmp");
+    EXPECT_EQ(rows[1]["application"], "openmp-scalar");
+    EXPECT_EQ(rows[1]["backend"], "openmp");
+    const std::string csv = to_csv(result);
+    EXPECT_NE(csv.find("\nmandelbox float exact 100x100,openmp-scalar,machine,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",float,exact,openmp-scalar,0,pack=1,"), std::string::npos) << csv;
+    Result sweep = result;
+    sweep.study = "packs";
+    EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 pack=1,openmp,"), std::string::npos);
+}
+
 // Rounds that are slow as a whole cancel. The sweep has two shapes; a row without a point is part of none.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
@@ -130,7 +149,11 @@ Json with_counts()
     Counted counted;
     counted.fractal = "mandelbox";
     counted.setting.width = counted.setting.height = 100;
-    counted.count.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}}};
+    counted.count.lane_use = {
+        {16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
+    counted.count.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
+    result.rows[0].operations = 1e9;
+    result.rows[0].operations_error = 1e7;
     result.counts.push_back(counted);
     return json_of(result);
 }
@@ -150,6 +173,29 @@ TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
     ASSERT_EQ(result.counts[0].count.lane_use.size(), 1U);
     EXPECT_EQ(result.counts[0].count.lane_use[0].together.in_iterations, 0.25);
     EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
+}
+
+// Builds that counted on a lattice did not know how far off that was.
+TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
+{
+    Json json = with_counts();
+    json["counts"][0].erase("standard_errors");
+    json["counts"][0]["lane_use"][0].erase("standard_errors");
+    json["rows"][0].erase("operations_standard_error");
+    const Result result = parse_result(text_of(json), "file.json");
+    EXPECT_FALSE(result.counts[0].count.errors);
+    EXPECT_FALSE(result.counts[0].count.lane_use[0].together_error);
+    EXPECT_FALSE(result.rows[0].operations_error);
+}
+
+// A percent of the operations is a percent of the share.
+TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
+{
+    Result result = parse_result(text_of(with_counts()), "file.json");
+    result.peaks.push_back({"machine", "openmp", 0, Precision::f32, 1e12});
+    const Json figures = json_of(result)["rows"][0]["figures"];
+    EXPECT_NEAR(figures["share_of_peak_standard_error"].get<double>(), 0.01 * figures["share_of_peak"].get<double>(),
+                1e-12);
 }
 
 TEST(ResultFile, AnEmptyListOfLanesIsRefused)

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""progress_test.py BIN: on a terminal bench shows rounds and the time that is left in a line that changes; elsewhere it says each
+thing once."""
+import os
+import pathlib
+import pty
+import re
+import subprocess
+import sys
+import tempfile
+
+BENCH = pathlib.Path(sys.argv[1], "bench")
+ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precision", "float"]
+
+
+def on_terminal(folder, *words):
+    """What bench writes to a terminal that is its stderr alone."""
+    master, terminal = pty.openpty()
+    with open(folder / "out", "w", encoding="utf-8") as out:
+        bench = subprocess.Popen([BENCH, *words], stdout=out, stderr=terminal)
+    os.close(terminal)
+    text = b""
+    while True:
+        try:
+            block = os.read(master, 1 << 16)
+        except OSError:  # the other end is closed
+            break
+        if not block:
+            break
+        text += block
+    os.close(master)
+    assert bench.wait() == 0, text
+    return text.decode()
+
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    said = on_terminal(folder, *ROWS, "--no-peaks", "--repetitions", "12", "--launches", "2")
+    rounds = [int(round) for round in re.findall(r"timing \[[#.]+\] +\d+ %, round (\d+) of 12, \d+ s left", said)]
+    assert len(rounds) > 2 and rounds == sorted(rounds) and rounds[-1] > rounds[0], said[-3000:]
+    assert re.search(r"further launches \[[#.]+\] +50 %, launch 2 of 2, \d+ s left", said), said[-3000:]
+    assert "\n" not in said, "lines beside the one that changes"
+    said = on_terminal(folder, "--precision", "float", "peak")
+    assert re.search(r"multiply-add peaks \[[#.]+\] +\d+ %, \w+ float", said), said[-3000:]
+
+    noted = subprocess.run([BENCH, *ROWS, "--no-peaks", "--repetitions", "2"], capture_output=True, text=True, check=True).stderr
+    assert "bench: timing\n" in noted and "round" not in noted and "\r" not in noted, noted
+    noted = subprocess.run([BENCH, "--precision", "float", "peak"], capture_output=True, text=True, check=True).stderr
+    assert [line for line in noted.splitlines() if "peak" in line] == ["bench: multiply-add peaks"], noted
+print("fine")
