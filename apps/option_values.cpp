@@ -64,6 +64,10 @@ std::pair<int, int> pair_option(const std::string& name, const std::string& text
     return {static_cast<int>(*first), static_cast<int>(*second)};
 }
 
+std::string input_name(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+
+std::string output_name(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
+
 std::pair<int, int> size_option(const std::string& text)
 {
     for (const NamedSize& known : named_sizes) {

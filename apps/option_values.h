@@ -21,6 +21,10 @@ double real_option(const std::string& name, const std::string& text, double low,
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected);
 
+// `-` is standard input or output, as everywhere on Unix; any other name stays. A file of that name is `./-`.
+std::string input_name(const std::string& name);
+std::string output_name(const std::string& name);
+
 // WIDTHxHEIGHT of a picture, in pixels.
 std::pair<int, int> size_option(const std::string& text);
 

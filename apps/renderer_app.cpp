@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -22,6 +23,7 @@
 #include "core/base/output_file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/image/averaged.h"
 #include "core/image/image_file.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
@@ -33,8 +35,9 @@ namespace {
 
 // Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is made in memory: six channels of four bytes, twice while they are handed over.
-constexpr std::uint64_t exr_stream_memory = 48;  // bytes a pixel
+// An EXR for a pipe is made in memory: nine channels of four bytes, twice while they are handed over.
+constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
+constexpr int most_samples = 8;                  // per pixel and side
 
 struct Options {
     std::string parameters;
@@ -48,6 +51,7 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
+    int samples = 1;  // per pixel and side
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -73,7 +77,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string estimate{counted_estimate};
     std::string without;
     std::string eyes;
-    app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
+    std::string samples = "1";
+    app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
     if (fractal == nullptr) {
         std::string names;
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
@@ -91,13 +96,17 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
+    app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
+        ->capture_default_str();
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(
         "--without", without,
         "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal,"
         "surroundings");
-    app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
+    app.add_option(
+        "--output", options.output,
+        "the picture's file; its ending chooses BMP, PNG, PNM (.ppm), JPEG or EXR; - for standard output, as BMP");
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");
     auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray and draw no picture");
@@ -109,10 +118,14 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_flag("--print-scene", options.print_scene,
                  "print the scene as kernels take it, as JSON and without a trial, and draw no picture");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
+        "Memory: {} bytes a pixel for all but EXR, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
         "16384 pixels take {} "
         "MiB "
-        "as BMP or PNG.\nAn EXR has the channels R, G, B (as displayed), depth, steps and iterations.\n"
+        "as BMP or PNG; with --samples N each sample takes as much.\nAn EXR has the channels R, G, B (light, Rec. "
+        "709), "
+        "displayed.R, displayed.G, displayed.B (as shown), Z (the "
+        "ray's length), steps and iterations.\n"
+        "The field of view of a parameter file is in units of 65 degrees, from the picture's bottom to its top.\n"
         "A file that is there is replaced when the new one is whole.\n"
         "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
@@ -133,6 +146,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.techniques = techniques_without(without);
     options.conservative = estimate == conservative_estimate;
     if (!eyes.empty()) options.eyes = real_option("eyes", eyes, 0, 1e6);
+    options.samples = whole_option("samples", samples, 1, most_samples);
+    options.parameters = input_name(options.parameters);
+    options.output = output_name(options.output);
+    options.stats = output_name(options.stats);
     options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
     if (options.fractal.empty() && !options.lists()) {
@@ -151,11 +168,26 @@ void apply_size(const std::string& size, Scene& scene)
     std::tie(scene.width, scene.height) = size_option(size);
 }
 
-ImageFormat format_of(const std::string& path)
+// `commented`: the name comes from a line of a parameter file that goes on as a comment.
+ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
     if (OutputFile::is_stream(path)) return ImageFormat::bmp;
-    throw InputError(path + ": the file name's ending tells no format, expected .bmp, .png or .exr");
+    throw InputError(
+        fmt::format("{}: the file name's ending names no format, expected {}{}", path, image_endings,
+                    commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
+}
+
+// The scene with so many samples for each pixel and side.
+Scene sampled(Scene scene, int samples)
+{
+    if (std::max(scene.width, scene.height) > max_side / samples) {
+        throw InputError(fmt::format("--samples: {} x {} pixels of {} x {} samples, expected sides of up to {} samples",
+                                     scene.width, scene.height, samples, samples, max_side));
+    }
+    scene.width *= samples;
+    scene.height *= samples;
+    return scene;
 }
 
 // `stream`: the picture goes into a pipe or device.
@@ -244,24 +276,25 @@ int render_program(const Registry& registry, const char* program, const char* fr
         return exit_fine;
     }
 
-    const std::string& output = options.output.empty() ? scene.image_file : options.output;
-    const ImageFormat format = format_of(output);
+    const std::string output = options.output.empty() ? output_name(scene.image_file) : options.output;
+    const ImageFormat format = format_of(output, options.output.empty() && parameters.comment_behind_name);
+    const Scene drawn = sampled(scene, options.samples);
     check_image_size(format, scene.width, scene.height);
     refuse_shared_files({{"the picture", output}, {"--stats", options.stats}},
                         {{"the parameter file", options.parameters}});
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
-    check_memory(scene, format, OutputFile::is_stream(output));
+    check_memory(drawn, format, OutputFile::is_stream(output));
 
     const auto renderer = chosen_backend(registry, options.backend, true).create(options.renderer);
-    Image image(scene.width, scene.height, layers_of(format));
+    Image image(drawn.width, drawn.height, layers_of(format));
     ProgressBar bar(program);
     const Progress progress = [&bar](double share) { bar.show(share); };
-    const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, scene, options.eyes, image, progress)
-                                                 : renderer->render(scene, image, progress);
+    const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, drawn, options.eyes, image, progress)
+                                                 : renderer->render(drawn, image, progress);
     bar.finish();
     if (report.unsettled > 0) warn_unsettled(program, report.unsettled, options.renderer.precision);
-    write_image(output, format, image);
+    write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report);
     return exit_fine;
 }

@@ -22,7 +22,7 @@
 namespace mandelmarch::isolation {
 namespace {
 
-using Work = std::function<void(Channel)>;
+using ChildWork = std::function<void(Channel)>;
 
 constexpr auto patience = std::chrono::seconds(1);  // for a process that has closed its channel
 constexpr auto nap = std::chrono::milliseconds(2);
@@ -46,7 +46,7 @@ pid_t fork_tied()
 }
 
 // In a new process: what drivers print goes to `said`, so that no result on stdout is mixed with it.
-[[noreturn]] void run(const Work& work, Descriptor socket, Descriptor said)
+[[noreturn]] void run(const ChildWork& work, Descriptor socket, Descriptor said)
 {
     const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
     dup2(nothing.number(), STDIN_FILENO);
@@ -79,7 +79,7 @@ int status_of(pid_t child, bool now)
 
 // A message to the nursery comes with the socket for a new process, and is followed by one with the pipe for what that
 // prints; or it names the process to end.
-[[noreturn]] void tend(const Work& work, const Channel& channel)
+[[noreturn]] void tend(const ChildWork& work, const Channel& channel)
 {
     while (auto asked = channel.receive()) {
         Writer answer;
@@ -101,7 +101,7 @@ int status_of(pid_t child, bool now)
 
 }  // namespace
 
-Nursery::Nursery(const Work& work) : channel_(Descriptor())
+Nursery::Nursery(const ChildWork& work) : channel_(Descriptor())
 {
     std::pair<Channel, Channel> ends = Channel::pair();
     id_ = fork_tied();

@@ -49,7 +49,11 @@ for format in bmp png exr; do
     expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.$format
     expect 0 "$bin/imgdiff" a.$format a.$format
 done
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.ppm
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.jpg
+[ "$(head -c 3 a.jpg | od -An -tx1)" = " ff d8 ff" ] || fail "a.jpg is no JPEG"
 expect 0 "$bin/imgdiff" a.bmp a.png
+expect 0 "$bin/imgdiff" a.bmp a.ppm
 expect 0 "$bin/imgdiff" a.png a.exr
 expect 0 "$bin/mandelbulb" paramsBulb.dat --size 333x217 --backend openmp --output odd.bmp
 [ "$(stat -c %s odd.bmp)" = $((54 + 217 * 1000)) ] || fail "size of a padded BMP"
@@ -57,6 +61,28 @@ expect 0 "$bin/mandelbulb" paramsBulb.dat --size 1x1 --output one.bmp
 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/stdout >piped.bmp 2>/dev/null || fail "writing to /dev/stdout"
 expect 0 cmp piped.bmp a.bmp
 [ -s stderr ] && fail "something on stderr without a terminal: $(cat stderr)"
+"$bin/mandelbulb" - $small --output - <paramsBulb.dat >piped.bmp 2>stderr || fail "from - to -: $(cat stderr)"
+expect 0 cmp piped.bmp a.bmp
+"$bin/imgdiff" - a.png <a.ppm >stdout || fail "imgdiff of standard input"
+sed 's/^imageBulb.bmp/-/' paramsBulb.dat >dash.dat
+"$bin/mandelbulb" dash.dat $small --stats dash.json >piped.bmp 2>stderr || fail "a file called -: $(cat stderr)"
+expect 0 cmp piped.bmp a.bmp
+[ -e ./- ] && fail "a file called - is made"
+
+# Samples against jagged edges: flat background stays, edges are between.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 3 --output fine.png
+expect 1 "$bin/imgdiff" fine.png a.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 1 --output fine.png
+expect 0 "$bin/imgdiff" fine.png a.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 2 --output fine.exr
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 2 --output fine.png
+"$bin/imgdiff" fine.exr fine.png >stdout
+grep -q 'at most 1/255' stdout || fail "samples of an EXR are others: $(cat stdout)"
+for samples in 0 9 1.5 x; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --samples $samples
+done
+expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
+says 'expected sides of up to'
 
 # imgdiff.
 expect 1 "$bin/imgdiff" a.bmp image.bmp
@@ -158,10 +184,25 @@ head -c 9000000 /dev/zero >zeros.dat
 expect 2 "$bin/mandelbulb" zeros.dat
 says '^zeros.dat:'
 
+# What a message has to say of units, comments and super-sampling.
+awk '!/^#/ && NF == 1 && !done { print 60; done = 1; next } { print }' paramsBulb.dat >degrees.dat
+expect 2 "$bin/mandelbulb" degrees.dat
+says "field of view, in units of 65 degrees, is '60', expected"
+"$bin/mandelbulb" --help | grep -q '65 degrees' || fail "--help has no unit of the field of view"
+sed 's/^imageBulb.bmp/frame #3.bmp/' paramsBulb.dat >comment.dat
+expect 2 "$bin/mandelbulb" comment.dat $small
+says 'frame: .* # behind a blank'
+for number in 0 1; do
+    awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
+    expect 0 "$bin/mandelbulb" super.dat $small --output a.png
+    [ $number = 0 ] || says 'super-sampling .* ignored; .*--samples 2'
+    [ $number = 1 ] || ! grep -q -- --samples stderr || fail "no super-sampling is wanted, and --samples is named"
+done
+
 # Wrong outputs, seen before anything is drawn.
 sed 's/^imageBulb.bmp/image/' paramsBulb.dat >noending.dat
 expect 2 "$bin/mandelbulb" noending.dat $small
-sed 's/^imageBulb.bmp/image.jpeg/' paramsBulb.dat >unknown.dat
+sed 's/^imageBulb.bmp/image.tiff/' paramsBulb.dat >unknown.dat
 expect 2 "$bin/mandelbulb" unknown.dat $small
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output missing/a.bmp
 mkdir folder.bmp
