@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "core/render/region.h"
+#include "core/scene/scene.h"
+
 namespace mandelmarch {
 
 // A whole number from `low` to `high`; `name` without the dashes.
@@ -25,7 +28,10 @@ std::pair<int, int> pair_option(const std::string& name, const std::string& text
 std::string input_name(const std::string& name);
 std::string output_name(const std::string& name);
 
-// WIDTHxHEIGHT of a picture, in pixels.
-std::pair<int, int> size_option(const std::string& text);
+// WIDTHxHEIGHT of a picture, in pixels, with sides of at most so many.
+std::pair<int, int> size_option(const std::string& text, int most_side = max_side);
+
+// X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT: a part of a picture of that size, in pixels from the bottom left.
+Region region_option(const std::string& text, int width, int height);
 
 }  // namespace mandelmarch

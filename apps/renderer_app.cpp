@@ -25,6 +25,7 @@
 #include "core/base/version.h"
 #include "core/image/averaged.h"
 #include "core/image/image_file.h"
+#include "core/render/region.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
@@ -38,6 +39,7 @@ constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
 // An EXR for a pipe is made in memory: nine channels of four bytes, twice while they are handed over.
 constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
 constexpr int most_samples = 8;                  // per pixel and side
+constexpr int largest_whole = 1'000'000;         // pixels of a side of a picture that is drawn in regions
 
 struct Options {
     std::string parameters;
@@ -45,6 +47,7 @@ struct Options {
     std::string backend = "auto";
     RendererOptions renderer;
     std::string size;
+    std::string region;
     std::string output;
     std::string stats;
     std::string pixel;
@@ -96,6 +99,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
+    app.add_option(
+        "--region", options.region,
+        "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, bit by bit as the "
+        "whole one has it; the whole one's sides may then have a million pixels");
     app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
         ->capture_default_str();
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
@@ -162,10 +169,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
 }
 
 // WIDTHxHEIGHT, over the scene's own.
-void apply_size(const std::string& size, Scene& scene)
+void apply_size(const Options& options, Scene& scene)
 {
-    if (size.empty()) return;
-    std::tie(scene.width, scene.height) = size_option(size);
+    if (options.size.empty()) return;
+    std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
 // `commented`: the name comes from a line of a parameter file that goes on as a comment.
@@ -178,30 +185,54 @@ ImageFormat format_of(const std::string& path, bool commented)
                     commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
 }
 
-// The scene with so many samples for each pixel and side.
-Scene sampled(Scene scene, int samples)
+// What is drawn, in samples: the scene, and its region.
+struct Drawing {
+    Scene scene;
+    Region region;
+};
+
+Drawing drawing_of(const Options& options, const Scene& scene)
 {
-    if (std::max(scene.width, scene.height) > max_side / samples) {
-        throw InputError(fmt::format("--samples: {} x {} pixels of {} x {} samples, expected sides of up to {} samples",
-                                     scene.width, scene.height, samples, samples, max_side));
+    Drawing drawing{scene, {0, 0, scene.width, scene.height}};
+    if (!options.region.empty()) drawing.region = region_option(options.region, scene.width, scene.height);
+    if (!options.region.empty() && options.eyes > 0)
+        throw InputError("--region: --eyes draws whole pictures, expected none");
+    Region& region = drawing.region;
+    const int n = options.samples;
+    const int most = (options.region.empty() ? max_side : largest_whole) / n;
+    if (std::max(scene.width, scene.height) > most || std::max(region.width, region.height) > max_side / n) {
+        throw InputError(
+            fmt::format("--size: {} x {} pixels of {} x {} samples, expected sides of up to {}, and of {} "
+                        "in a region",
+                        scene.width, scene.height, n, n, most, max_side / n));
     }
-    scene.width *= samples;
-    scene.height *= samples;
-    return scene;
+    drawing.scene.width *= n;
+    drawing.scene.height *= n;
+    region = {n * region.left, n * region.bottom, n * region.width, n * region.height};
+    return drawing;
 }
 
 // `stream`: the picture goes into a pipe or device.
-void check_memory(const Scene& scene, ImageFormat format, bool stream)
+void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
 {
-    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t pixels = pixels_in_memory(drawing.scene, drawing.region);
     const std::uint64_t per_pixel =
         Image::bytes_per_pixel(layers_of(format)) + (stream && format == ImageFormat::exr ? exr_stream_memory : 0);
     const std::uint64_t needed = pixels * per_pixel + fixed_memory;
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
-    throw InputError(
-        fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size",
-                    scene.width, scene.height, needed >> 20, available >> 20));
+    throw InputError(fmt::format(
+        "{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size, or regions (--region)",
+        drawing.region.width, drawing.region.height, needed >> 20, available >> 20));
+}
+
+std::pair<Image, RenderReport> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,
+                                    const Progress& progress)
+{
+    if (eyes == 0) return render_region(renderer, drawing.scene, drawing.region, layers, progress);
+    Image image(drawing.scene.width, drawing.scene.height, layers);
+    RenderReport report = render_stereo(renderer, drawing.scene, eyes, image, progress);
+    return {std::move(image), std::move(report)};
 }
 
 // Lists every backend; false where a driver failed.
@@ -264,7 +295,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
-    apply_size(options.size, scene);
+    apply_size(options, scene);
     scene.conservative = options.conservative;
     scene.projection = options.projection;
     if (options.print_scene) {
@@ -278,20 +309,18 @@ int render_program(const Registry& registry, const char* program, const char* fr
 
     const std::string output = options.output.empty() ? output_name(scene.image_file) : options.output;
     const ImageFormat format = format_of(output, options.output.empty() && parameters.comment_behind_name);
-    const Scene drawn = sampled(scene, options.samples);
-    check_image_size(format, scene.width, scene.height);
+    const Drawing drawing = drawing_of(options, scene);
+    check_image_size(format, drawing.region.width / options.samples, drawing.region.height / options.samples);
     refuse_shared_files({{"the picture", output}, {"--stats", options.stats}},
                         {{"the parameter file", options.parameters}});
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
-    check_memory(drawn, format, OutputFile::is_stream(output));
+    check_memory(drawing, format, OutputFile::is_stream(output));
 
     const auto renderer = chosen_backend(registry, options.backend, true).create(options.renderer);
-    Image image(drawn.width, drawn.height, layers_of(format));
     ProgressBar bar(program);
-    const Progress progress = [&bar](double share) { bar.show(share); };
-    const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, drawn, options.eyes, image, progress)
-                                                 : renderer->render(drawn, image, progress);
+    const auto [image, report] =
+        draw(*renderer, drawing, options.eyes, layers_of(format), [&bar](double share) { bar.show(share); });
     bar.finish();
     if (report.unsettled > 0) warn_unsettled(program, report.unsettled, options.renderer.precision);
     write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);

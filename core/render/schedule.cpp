@@ -67,15 +67,16 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
 {
     const Plan plan = plan_of(scene, mode, limits.loops_per_invocation);
     const int rows = rows_per_band(scene, limits);
-    for (int row = 0; row < scene.height; row += rows) {
-        const Band band{row, std::min(rows, scene.height - row)};
+    const auto share = [&](int row) { return static_cast<double>(row - image.first_row()) / image.height(); };
+    for (int row = image.first_row(); row < image.end_row(); row += rows) {
+        const Band band{row, std::min(rows, image.end_row() - row)};
         if (plan.whole) {
             executor.run(Entry::draw, band, max_steps);
         } else {
             executor.run(Entry::begin, band, 0);
             do {
                 // A sign of life: a band may take many passes.
-                if (progress) progress(static_cast<double>(row) / scene.height);
+                if (progress) progress(share(row));
                 executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));
             for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
@@ -84,7 +85,7 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
             executor.run(Entry::shade, band, 0);
         }
         executor.read_back(band, image);
-        if (progress) progress(static_cast<double>(row + band.rows) / scene.height);
+        if (progress) progress(share(row + band.rows));
     }
 }
 

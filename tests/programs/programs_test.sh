@@ -84,6 +84,28 @@ done
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
 says 'expected sides of up to'
 
+# A region is that part of the whole picture, which may be larger than any that is drawn whole.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,40,30 --output region.exr
+expect 0 "$bin/imgdiff" region.exr a.exr
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 5,10,20x10 --output region.ppm
+python3 - <<'PY' || fail "a region is no part of the whole picture"
+def rows(name):
+    data = open(name, "rb").read()
+    kind, size, most, pixels = data.split(b"\n", 3)
+    width, height = map(int, size.split())
+    return width, height, [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
+whole, part = rows("a.ppm"), rows("region.ppm")
+assert part[:2] == (20, 10), part[:2]
+assert part[2] == [row[3 * 5:3 * 25] for row in whole[2][10:20]]
+PY
+expect 0 "$bin/mandelbulb" paramsBulb.dat --size 100000x40 --region 50000,20,30,2 --mode fast --precision float \
+    --backend openmp --output region.png
+for region in 0,0,41,30 0,0,40,31 39,29,2,1 -1,0,2,2 0,0,0,1 0,0,1 0,0,1,1,1 x 0,0,1x; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --region $region
+done
+says 'expected X,Y,WIDTH,HEIGHT of a part of 40 x 30 pixels'
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,4,4 --eyes 1
+
 # imgdiff.
 expect 1 "$bin/imgdiff" a.bmp image.bmp
 expect 1 "$bin/imgdiff" a.bmp odd.bmp
