@@ -99,10 +99,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
-    app.add_option(
-        "--region", options.region,
-        "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, bit by bit as the "
-        "whole one has it; the whole one's sides may then have a million pixels");
+    app.add_option("--region", options.region,
+                   "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
+                   "with the bits of the whole one, whose sides may then have a million pixels");
     app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
         ->capture_default_str();
     app.add_option("--threads", threads, "threads on the host, 0: one a core");
