@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A part of a picture, in exact mode bit by bit as the whole picture has it: for prints that are larger than memory,
 // and pictures that machines share. In fast mode openmp's rays begin near the hits of pixels around them, other ones at
-// a region's edge, so that the last digits of a colour may differ.
+// a region's edge, so that last digits differ, and now and then a pixel.
 #pragma once
 
 #include <utility>

@@ -49,7 +49,8 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
                 ASSERT_EQ(image.width(), region.width);
                 const Image wanted = part_of(whole, region);
                 const Comparison c = compare(image, wanted);
-                EXPECT_EQ(c.visibly_differing, 0U) << fractal.name << " " << name_of(mode);
+                // Of fast pictures at most one pixel in a hundred.
+                EXPECT_LE(100 * c.visibly_differing, c.pixels) << fractal.name << " " << name_of(mode);
                 EXPECT_TRUE(c.same() || mode == Mode::fast)
                     << fractal.name << " " << region.left << "," << region.bottom << ": "
                     << describe_pixel(image, wanted, std::max<std::int64_t>(c.first, 0));
