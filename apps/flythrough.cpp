@@ -26,6 +26,7 @@
 #include "flight/film/ranks_one.h"
 #include "flight/film/summary.h"
 #include "flight/film/truth.h"
+#include "flight/path/rate.h"
 #include "flight/plan/planner.h"
 
 namespace {
@@ -63,6 +64,12 @@ void check_shape(const Flythrough& options, const Scene& scene)
 // Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
+// Flights are planned at one rate, whatever theirs is.
+int planned_frames(const Flythrough& options)
+{
+    return std::max(2, frames_at_rate(options.frames, frames_per_second, options.rate));
+}
+
 // How the fractal changes in flight.
 Schedule schedule_of(const Flythrough& options)
 {
@@ -70,15 +77,19 @@ Schedule schedule_of(const Flythrough& options)
         throw InputError("--power, --scale: both are given, expected the one that the fractal has");
     }
     const Scene scene = scene_of(options);
-    if (!options.power.empty()) return parse_schedule("power", options.power, scene, options.frames);
-    if (!options.scale.empty()) return parse_schedule("scale", options.scale, scene, options.frames);
+    const int frames = planned_frames(options);
+    if (!options.power.empty()) return parse_schedule("power", options.power, scene, frames);
+    if (!options.scale.empty()) return parse_schedule("scale", options.scale, scene, frames);
     check_shape(options, scene);
     return {};
 }
 
 Plan make_plan(const Flythrough& options)
 {
-    return plan(scene_of(options), schedule_of(options), options.seed, options.frames, options.threads, log_plan);
+    Plan made =
+        plan(scene_of(options), schedule_of(options), options.seed, planned_frames(options), options.threads, log_plan);
+    made.path = at_rate(made.path, options.frames, options.rate);
+    return made;
 }
 
 void tell_audit(const Path& path)
@@ -170,19 +181,20 @@ void refuse_broken(const Path& path, const Flythrough& options)
 
 StillOptions still_options(const Flythrough& options, const RendererOptions& renderer)
 {
-    return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments};
+    return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments, options.chosen};
 }
 
 FilmOptions film_options(const Flythrough& options, const RendererOptions& renderer)
 {
-    return {options.output, options.title, options.authors, options.picture(), renderer, options.segments};
+    return {options.output, options.title,    options.authors, options.picture(),
+            renderer,       options.segments, options.chosen};
 }
 
 // Before any work: the film or the stills of so many frames can be made.
-void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames)
+void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames, int rate)
 {
     if (options.stills.empty()) {
-        check_film(film_options(options, renderer), frames);
+        check_film(film_options(options, renderer), frames, rate);
     } else {
         check_stills(still_options(options, renderer), frames);
     }
@@ -191,14 +203,14 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
 // The path that is planned or read, as text; for rank 0.
 std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
-    if (options.stills.empty()) check_film_tools();
+    if (options.stills.empty()) check_film_tools(options.output);
     if (options.command == Command::render) {
         const Path path = read_path(options.path);
-        check_pictures(options, renderer, path.frames.size());
+        check_pictures(options, renderer, path.frames.size(), path.frames_per_second);
         refuse_broken(path, options);
         return to_text(path);
     }
-    check_pictures(options, renderer, static_cast<std::size_t>(options.frames));
+    check_pictures(options, renderer, static_cast<std::size_t>(options.frames), options.rate);
     const Plan made = make_plan(options);
     if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);

@@ -22,7 +22,7 @@ namespace {
 constexpr int most_frames = 10'000'000;
 
 struct Texts {
-    std::string command, seed = "1", frames = "7200", size, samples = "1", device, threads = "0", look, segments,
+    std::string command, seed = "1", frames, rate, size, samples = "1", device, threads = "0", look, segments,
                          every = "1", precision = "float", mode = "fast", kind = "png", estimate{conservative_estimate};
 };
 
@@ -43,8 +43,11 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power " + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale " + changing);
     add_estimate_option(app, texts.estimate);
-    app.add_option("--frames", texts.frames, "of the flight, 30 a second; the title comes before them")
-        ->capture_default_str();
+    app.add_option("--frames", texts.frames,
+                   "plan, film: how many the flight has, 4 minutes of them without it; render: A-B, the path's frames "
+                   "from A to B alone, counted from 0; the title comes before them");
+    app.add_option("--fps", texts.rate,
+                   "plan, film: frames a second, 24, 25, 50 or 60, say; 30 without it; the path file keeps it");
     app.add_option("--size", texts.size,
                    "of the film: WxH, even; 720p, 1080p or 4k (1920x1080; equirectangular: 2160x1080)");
     add_projection_option(app, options.projection);
@@ -60,8 +63,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
         ->capture_default_str();
     app.add_option("--threads", texts.threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--look", texts.look, "colouring type instead of the film's own");
-    app.add_option("--output", options.output,
-                   "plan: the path file (path.json); film and render: the film (video.mp4)");
+    app.add_option(
+        "--output", options.output,
+        "plan: the path file (path.json); film and render: the film (video.mp4), whose ending chooses MP4, Matroska "
+        "(.mkv), WebM or GIF");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
     app.add_option(
         "--map", options.map,
@@ -75,7 +80,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
         ->capture_default_str();
     app.add_option("--every", texts.every, "stills: every N-th frame only");
     app.add_option("--segments", texts.segments,
-                   "A-B: only these segments of 60 frames, from 0; the film is not joined");
+                   "A-B: only these segments of 60 frames, from 0, as far as there are such; the film is not joined");
     app.add_flag("--force", options.force, "render a path that breaks a promise");
     app.footer(
         "plan makes a path file and prints its audit; audit prints one again; render makes a film of a path file; film "
@@ -90,6 +95,32 @@ void take_size(const std::string& size, Flythrough& options)
     const char* usual = options.projection == Projection::equirectangular ? "2160x1080" : "1920x1080";
     std::tie(options.width, options.height) = size_option(size.empty() ? usual : size);
     check_panorama(options.projection, options.width, options.height);
+}
+
+Range range_option(const std::string& name, const std::string& text, const std::string& expected)
+{
+    const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
+    if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
+    return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
+}
+
+// How many frames are planned, or which of the path are drawn.
+void take_frames(const Texts& texts, Flythrough& options)
+{
+    if (options.command == Command::plan || options.command == Command::film) {
+        constexpr int usual_seconds = 240;
+        if (!texts.rate.empty()) options.rate = whole_option("fps", texts.rate, 1, most_frames_per_second);
+        options.frames = usual_seconds * options.rate;
+        if (!texts.frames.empty()) options.frames = whole_option("frames", texts.frames, 2, most_frames);
+        return;
+    }
+    if (!texts.rate.empty()) {
+        throw InputError(
+            fmt::format("--fps: {} takes the rate from the path file, expected plan or film", texts.command));
+    }
+    if (texts.frames.empty()) return;
+    if (options.command == Command::audit) throw InputError("--frames: an audit is of the whole path, expected none");
+    options.chosen = range_option("frames", texts.frames, "A-B, frames of the path, 100-160, say");
 }
 
 }  // namespace
@@ -133,7 +164,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
                                                   : Command::film;
     fractal_named(options.fractal);
     options.seed = large_option("seed", texts.seed, 1ULL << 53);
-    options.frames = whole_option("frames", texts.frames, 2, most_frames);
+    take_frames(texts, options);
     take_size(texts.size, options);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
@@ -150,9 +181,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     options.renderer.mode = texts.mode == "fast" ? Mode::fast : Mode::exact;
     if (!texts.look.empty()) options.look = whole_option("look", texts.look, 0, colouring_types - 1);
     if (!texts.segments.empty()) {
-        const auto [a, b] = pair_option("segments", texts.segments, '-', 0, most_frames, "A-B, 0-9, say");
-        if (a > b) throw InputError(fmt::format("--segments: {}-{} given, expected the first one first", a, b));
-        options.segments = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
+        options.segments = range_option("segments", texts.segments, "A-B, 0-9, say");
     }
     options.every = static_cast<std::size_t>(whole_option("every", texts.every, 1, most_frames));
     options.jpeg = texts.kind == "jpeg";
@@ -167,6 +196,10 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     if (!options.stills.empty() && !options.summary.empty()) {
         throw InputError("--summary: it tells of a film, and --stills makes none");
     }
+    options.path = reads ? input_name(options.path) : output_name(options.path);
+    options.parameters = input_name(options.parameters);
+    for (std::string* file : {&options.output, &options.json, &options.map, &options.summary})
+        *file = output_name(*file);
     if (options.output.empty()) {
         const std::string planned = options.path.empty() ? "path.json" : options.path;
         options.output = options.command == Command::plan ? planned : "video.mp4";
@@ -182,6 +215,6 @@ int threads_for(int local)
     return std::max(1, mine.threads() / std::max(1, local));
 }
 
-void check_film_tools() { check_ffmpeg(); }
+void check_film_tools(const std::string& film) { check_ffmpeg(container_of(film)); }
 
 }  // namespace mandelmarch

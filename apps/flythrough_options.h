@@ -11,7 +11,7 @@
 #include "core/base/files.h"
 #include "core/render/registry.h"
 #include "core/scene/fractal.h"
-#include "flight/film/frames.h"
+#include "flight/film/film.h"
 
 namespace mandelmarch {
 
@@ -26,7 +26,9 @@ struct Flythrough {
     std::string parameters;  // a parameter file whose fractal is flown through
     std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
-    int frames = 7200;
+    int frames = 7200;             // of the flight that is planned
+    int rate = frames_per_second;  // frames a second of the flight that is planned
+    std::optional<Range> chosen;   // render: only these frames of the path
     int width = 1920, height = 1080;
     double samples = 1;
     Projection projection = Projection::perspective;
@@ -41,7 +43,7 @@ struct Flythrough {
     std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;
     std::size_t every = 1;
-    std::optional<std::pair<std::size_t, std::size_t>> segments;
+    std::optional<Range> segments;
     bool force = false;
 
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
@@ -58,6 +60,6 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
 int threads_for(int local);
 
 // Throws Error, in one line, before anything is drawn, where films cannot be made on this machine.
-void check_film_tools();
+void check_film_tools(const std::string& film);
 
 }  // namespace mandelmarch

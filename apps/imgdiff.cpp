@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apps/option_values.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -73,15 +74,15 @@ void print_text(const Image& a, const Image& b, const Comparison& c)
 
 int body(int argc, char** argv)
 {
-    CLI::App app("imgdiff: compares two pictures (BMP, PNG, EXR) pixel by pixel.");
+    CLI::App app("imgdiff: compares two pictures (BMP, PNG, PNM, EXR) pixel by pixel.");
     app.set_version_flag("--version", version_line("imgdiff"));
     std::string first;
     std::string second;
     std::string map;
     bool json = false;
-    app.add_option("A", first, "a picture")->required();
+    app.add_option("A", first, "a picture, - for standard input")->required();
     app.add_option("B", second, "another")->required();
-    app.add_option("--map", map, "write a map of the differences, white where equal; .png or .bmp");
+    app.add_option("--map", map, "write a map of the differences, white where equal; .png, .bmp, .ppm or .jpg");
     app.add_flag("--json", json, "print JSON");
     app.footer(
         "Two EXR pictures are compared in every bit of colour and, where both have it, depth; others in their bytes.\n"
@@ -93,10 +94,14 @@ int body(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         throw InputError(fmt::format("imgdiff: {} (--help lists the options)", error.what()));
     }
-    const auto format = image_format(map);
+    first = input_name(first);
+    second = input_name(second);
+    map = output_name(map);
+    const auto format = OutputFile::is_stream(map) ? ImageFormat::bmp : image_format(map);
     if (!map.empty()) {
         if (!format || *format == ImageFormat::exr) {
-            throw InputError(map + ": the file name's ending tells no format for a map, expected .png or .bmp");
+            throw InputError(map +
+                             ": the file name's ending names no format for a map, expected .png, .bmp, .ppm or .jpg");
         }
         refuse_shared_files({{"--map", map}}, {{"A", first}, {"B", second}});
         OutputFile::check(map);

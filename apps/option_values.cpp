@@ -64,13 +64,37 @@ std::pair<int, int> pair_option(const std::string& name, const std::string& text
     return {static_cast<int>(*first), static_cast<int>(*second)};
 }
 
-std::pair<int, int> size_option(const std::string& text)
+std::string input_name(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+
+std::string output_name(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
+
+std::pair<int, int> size_option(const std::string& text, int most_side)
 {
     for (const NamedSize& known : named_sizes) {
         if (text == known.name) return {known.width, known.height};
     }
-    return pair_option("size", text, 'x', 1, max_side,
-                       fmt::format("WIDTHxHEIGHT with sides from 1 to {}, 720p, 1080p or 4k", max_side));
+    return pair_option("size", text, 'x', 1, most_side,
+                       fmt::format("WIDTHxHEIGHT with sides from 1 to {}, 720p, 1080p or 4k", most_side));
+}
+
+Region region_option(const std::string& text, int width, int height)
+{
+    std::array<std::int64_t, 4> numbers{};
+    std::size_t count = 0;
+    for (std::size_t at = 0; at <= text.size() && count < numbers.size(); ++count) {
+        const std::size_t end = std::min(text.find_first_of(count < 2 ? "," : ",x", at), text.size());
+        numbers.at(count) = parse_whole(text.substr(at, end - at)).value_or(-1);
+        at = end + 1;
+        if (count == 3 && end != text.size()) numbers[0] = -1;
+    }
+    const auto [x, y, w, h] = numbers;
+    const bool inside = count == 4 && x >= 0 && y >= 0 && w > 0 && h > 0 && x < width && y < height && w <= width - x &&
+                        h <= height - y;
+    if (!inside) {
+        refuse("region", text,
+               fmt::format("X,Y,WIDTH,HEIGHT of a part of {} x {} pixels, from the bottom left", width, height));
+    }
+    return {static_cast<int>(x), static_cast<int>(y), static_cast<int>(w), static_cast<int>(h)};
 }
 
 }  // namespace mandelmarch

@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "core/render/region.h"
+#include "core/scene/scene.h"
+
 namespace mandelmarch {
 
 // A whole number from `low` to `high`; `name` without the dashes.
@@ -21,7 +24,14 @@ double real_option(const std::string& name, const std::string& text, double low,
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected);
 
-// WIDTHxHEIGHT of a picture, in pixels.
-std::pair<int, int> size_option(const std::string& text);
+// `-` is standard input or output, as everywhere on Unix; any other name stays. A file of that name is `./-`.
+std::string input_name(const std::string& name);
+std::string output_name(const std::string& name);
+
+// WIDTHxHEIGHT of a picture, in pixels, with sides of at most so many.
+std::pair<int, int> size_option(const std::string& text, int most_side = max_side);
+
+// X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT: a part of a picture of that size, in pixels from the bottom left.
+Region region_option(const std::string& text, int width, int height);
 
 }  // namespace mandelmarch

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -23,7 +24,9 @@
 #include "core/base/output_file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/image/averaged.h"
 #include "core/image/image_file.h"
+#include "core/render/region.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
@@ -34,8 +37,10 @@ namespace {
 
 // Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is made in memory: six channels of four bytes, twice while they are handed over.
-constexpr std::uint64_t exr_stream_memory = 48;  // bytes a pixel
+// An EXR for a pipe is made in memory: nine channels of four bytes, twice while they are handed over.
+constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
+constexpr int most_samples = 8;                  // per pixel and side
+constexpr int largest_whole = 1'000'000;         // pixels of a side of a picture that is drawn in regions
 
 struct Options {
     std::string parameters;
@@ -43,12 +48,14 @@ struct Options {
     std::string backend = "auto";
     RendererOptions renderer;
     std::string size;
+    std::string region;
     std::string output;
     std::string stats;
     std::string pixel;
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
+    int samples = 1;  // per pixel and side
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -74,7 +81,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string estimate{counted_estimate};
     std::string without;
     std::string eyes;
-    app.add_option("PARAMS", options.parameters, "parameter file (.dat)");
+    std::string samples = "1";
+    app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
     if (fractal == nullptr) {
         std::string names;
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
@@ -92,13 +100,20 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
+    app.add_option("--region", options.region,
+                   "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
+                   "with the bits of the whole one, whose sides may then have a million pixels");
+    app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
+        ->capture_default_str();
     app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(
         "--without", without,
         "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal,"
         "surroundings");
-    app.add_option("--output", options.output, "the picture's file; its ending chooses BMP, PNG or EXR");
+    app.add_option(
+        "--output", options.output,
+        "the picture's file; its ending chooses BMP, PNG, PNM (.ppm), JPEG or EXR; - for standard output, as BMP");
     app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
     auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");
     auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray and draw no picture");
@@ -110,10 +125,14 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_flag("--print-scene", options.print_scene,
                  "print the scene as kernels take it, as JSON and without a trial, and draw no picture");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for BMP and PNG, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
+        "Memory: {} bytes a pixel for all but EXR, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
         "16384 pixels take {} "
         "MiB "
-        "as BMP or PNG.\nAn EXR has the channels R, G, B (as displayed), depth, steps and iterations.\n"
+        "as BMP or PNG; with --samples N each sample takes as much.\nAn EXR has the channels R, G, B (light, Rec. "
+        "709), "
+        "displayed.R, displayed.G, displayed.B (as shown), Z (the "
+        "ray's length), steps and iterations.\n"
+        "The field of view of a parameter file is in units of 65 degrees, from the picture's bottom to its top.\n"
         "A file that is there is replaced when the new one is whole.\n"
         "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
@@ -134,6 +153,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.techniques = techniques_without(without);
     options.conservative = estimate == conservative_estimate;
     if (!eyes.empty()) options.eyes = real_option("eyes", eyes, 0, 1e6);
+    options.samples = whole_option("samples", samples, 1, most_samples);
+    options.parameters = input_name(options.parameters);
+    options.output = output_name(options.output);
+    options.stats = output_name(options.stats);
     options.renderer.counts = !options.stats.empty();
     if (fractal != nullptr) options.fractal = fractal;
     if (options.fractal.empty() && !options.lists()) {
@@ -146,31 +169,70 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
 }
 
 // WIDTHxHEIGHT, over the scene's own.
-void apply_size(const std::string& size, Scene& scene)
+void apply_size(const Options& options, Scene& scene)
 {
-    if (size.empty()) return;
-    std::tie(scene.width, scene.height) = size_option(size);
+    if (options.size.empty()) return;
+    std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-ImageFormat format_of(const std::string& path)
+// `commented`: the name comes from a line of a parameter file that goes on as a comment.
+ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
     if (OutputFile::is_stream(path)) return ImageFormat::bmp;
-    throw InputError(path + ": the file name's ending tells no format, expected .bmp, .png or .exr");
+    throw InputError(
+        fmt::format("{}: the file name's ending names no format, expected {}{}", path, image_endings,
+                    commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
+}
+
+// What is drawn, in samples: the scene, and its region.
+struct Drawing {
+    Scene scene;
+    Region region;
+};
+
+Drawing drawing_of(const Options& options, const Scene& scene)
+{
+    Drawing drawing{scene, {0, 0, scene.width, scene.height}};
+    if (!options.region.empty()) drawing.region = region_option(options.region, scene.width, scene.height);
+    if (!options.region.empty() && options.eyes > 0)
+        throw InputError("--region: --eyes draws whole pictures, expected none");
+    Region& region = drawing.region;
+    const int n = options.samples;
+    const int most = (options.region.empty() ? max_side : largest_whole) / n;
+    if (std::max(scene.width, scene.height) > most || std::max(region.width, region.height) > max_side / n) {
+        throw InputError(
+            fmt::format("--size: {} x {} pixels of {} x {} samples, expected sides of up to {}, and of {} "
+                        "in a region",
+                        scene.width, scene.height, n, n, most, max_side / n));
+    }
+    drawing.scene.width *= n;
+    drawing.scene.height *= n;
+    region = {n * region.left, n * region.bottom, n * region.width, n * region.height};
+    return drawing;
 }
 
 // `stream`: the picture goes into a pipe or device.
-void check_memory(const Scene& scene, ImageFormat format, bool stream)
+void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
 {
-    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t pixels = pixels_in_memory(drawing.scene, drawing.region);
     const std::uint64_t per_pixel =
         Image::bytes_per_pixel(layers_of(format)) + (stream && format == ImageFormat::exr ? exr_stream_memory : 0);
     const std::uint64_t needed = pixels * per_pixel + fixed_memory;
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
-    throw InputError(
-        fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size",
-                    scene.width, scene.height, needed >> 20, available >> 20));
+    throw InputError(fmt::format(
+        "{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size, or regions (--region)",
+        drawing.region.width, drawing.region.height, needed >> 20, available >> 20));
+}
+
+std::pair<Image, RenderReport> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,
+                                    const Progress& progress)
+{
+    if (eyes == 0) return render_region(renderer, drawing.scene, drawing.region, layers, progress);
+    Image image(drawing.scene.width, drawing.scene.height, layers);
+    RenderReport report = render_stereo(renderer, drawing.scene, eyes, image, progress);
+    return {std::move(image), std::move(report)};
 }
 
 // Lists every backend; false where a driver failed.
@@ -233,7 +295,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
-    apply_size(options.size, scene);
+    apply_size(options, scene);
     scene.conservative = options.conservative;
     scene.projection = options.projection;
     check_panorama(scene.projection, scene.width, scene.height);
@@ -246,23 +308,22 @@ int render_program(const Registry& registry, const char* program, const char* fr
         return exit_fine;
     }
 
-    const std::string& output = options.output.empty() ? scene.image_file : options.output;
-    const ImageFormat format = format_of(output);
-    check_image_size(format, scene.width, scene.height);
+    const std::string output = options.output.empty() ? output_name(scene.image_file) : options.output;
+    const ImageFormat format = format_of(output, options.output.empty() && parameters.comment_behind_name);
+    const Drawing drawing = drawing_of(options, scene);
+    check_image_size(format, drawing.region.width / options.samples, drawing.region.height / options.samples);
     refuse_shared_files({{"the picture", output}, {"--stats", options.stats}},
                         {{"the parameter file", options.parameters}});
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
-    check_memory(scene, format, OutputFile::is_stream(output));
+    check_memory(drawing, format, OutputFile::is_stream(output));
 
     const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
     const auto renderer = backend.create(options.renderer);
     refuse_unheeded(registry, backend, options.renderer);
-    Image image(scene.width, scene.height, layers_of(format));
     ProgressBar bar(program);
-    const Progress progress = [&bar](double share) { bar.show(share); };
-    const RenderReport report = options.eyes > 0 ? render_stereo(*renderer, scene, options.eyes, image, progress)
-                                                 : renderer->render(scene, image, progress);
+    const auto [image, report] =
+        draw(*renderer, drawing, options.eyes, layers_of(format), [&bar](double share) { bar.show(share); });
     bar.finish();
     const Survey survey = survey_of(scene, options.eyes, options.renderer, *renderer, registry.with(Role::host));
     const bool one_colour = has_one_colour(image);
@@ -270,7 +331,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     const std::vector<std::string> words = words_of(survey, scene, one_colour);
     for (const std::string& word : words) say("{}: {}\n", program, word);
     if (report.unsettled > 0 && words.empty()) warn_unsettled(program, report.unsettled, options.renderer.precision);
-    write_image(output, format, image);
+    write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
     return exit_fine;
 }

@@ -66,7 +66,7 @@ struct Texts {
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
 {
     Options& o = line.options;
-    app.add_option("--backend", o.backend, "all, or one backend's name")->capture_default_str();
+    app.add_option("--backend", o.backend, "all, or names of backends, openmp,opencl say")->capture_default_str();
     app.add_option("--fractal", o.fractal,
                    fmt::format("all ({}), or one fractal's name", fmt::join(fractals_of("all"), " and ")))
         ->capture_default_str();
@@ -218,7 +218,8 @@ CommandLine parse_command_line(int argc, char** argv)
     random->add_option("--json", line.options.json, "write every scene to this file (- is standard output)");
     CLI::App* equivalence =
         app.add_subcommand("equivalence", "exact pictures of random scenes by every backend, bit for bit");
-    equivalence->add_option("--backend", line.equivalence.backend, "all, or one backend's name")->capture_default_str();
+    equivalence->add_option("--backend", line.equivalence.backend, "all, or names of backends, openmp,opencl say")
+        ->capture_default_str();
     equivalence->add_option("--fractal", line.equivalence.fractal, "all, or one fractal's name")->capture_default_str();
     equivalence->add_option("--scenes", texts.extremes, "scenes in all (default 1000)");
     equivalence->add_option("--seed", texts.extreme_seed, "of the scenes (default 1)");

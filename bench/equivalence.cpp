@@ -9,6 +9,7 @@
 #include <span>
 
 #include "bench/environment.h"
+#include "bench/study.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/extreme_scene.h"
@@ -109,7 +110,7 @@ std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOpti
     for (const auto& backend : registry.backends()) {
         // The reference shares no formula with the text, and no bits.
         if (backend->facts().role == Role::reference) continue;
-        if (options.backend != "all" && options.backend != backend->name()) continue;
+        if (!names_backend(options.backend, backend->name())) continue;
         const Listing listing = listing_of(*backend);
         if (!listing.unavailable.empty()) {
             result.missing.push_back(fmt::format("{}: {}", backend->name(), listing.unavailable));
@@ -179,9 +180,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress)
 {
-    if (options.backend != "all" && registry.find(options.backend) == nullptr) {
-        throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
-    }
+    check_backends(registry, options.backend);
     const auto of = fractals_of(options);
     const Backend& right = registry.with(Role::host);
     EquivalenceResult result{.options = options,

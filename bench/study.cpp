@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <regex>
 #include <tuple>
 
@@ -240,20 +241,39 @@ std::pair<int, int> size_of(const Options& options)
 
 std::string platform_of(const Device& device) { return device.is_gpu ? device.name : host_cpu().platform(); }
 
+bool names_backend(std::string_view asked, std::string_view backend)
+{
+    if (asked == "all") return true;
+    for (const auto name : std::views::split(asked, ',')) {
+        if (std::string_view(name.begin(), name.end()) == backend) return true;
+    }
+    return false;
+}
+
+void check_backends(const Registry& registry, std::string_view asked)
+{
+    for (const auto part : std::views::split(asked, ',')) {
+        const std::string_view name(part.begin(), part.end());
+        if (asked == "all" || registry.find(name) != nullptr) continue;
+        throw InputError(
+            fmt::format("--backend: '{}' given, expected all, or names of backends with commas between them", name));
+    }
+    if (asked.empty())
+        throw InputError("--backend: '' given, expected all, or names of backends with commas between them");
+}
+
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {
     std::vector<Case> cases;
     const auto size = size_of(options);
-    if (options.backend != "all" && registry.find(options.backend) == nullptr) {
-        throw InputError(fmt::format("--backend: '{}' given, expected all or the name of a backend", options.backend));
-    }
+    check_backends(registry, options.backend);
     for (const auto& backend : registry.backends()) {
         const Facts facts = backend->facts();
         // Speed-ups need their baselines.
         const bool baselines = options.baselines && options.study == standard_study && facts.role != Role::none &&
                                facts.role != Role::accelerator;
         const bool all = options.backend == "all" && (options.baselines || facts.role != Role::reference);
-        const bool asked = all || options.backend == backend->name();
+        const bool asked = all || names_backend(options.backend, backend->name());
         if ((!asked && !baselines) || !takes_part(options.study, facts)) continue;
         Listing listing = listing_of(*backend);
         if (listing.devices.empty()) {

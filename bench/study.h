@@ -33,6 +33,12 @@ struct Case {
     const Backend* backend = nullptr;  // nullptr in a row of a backend without devices
 };
 
+// True if the value of --backend, `all` or names with commas between them, asks for the backend.
+bool names_backend(std::string_view asked, std::string_view backend);
+
+// Throws InputError for a name that the registry does not know.
+void check_backends(const Registry& registry, std::string_view asked);
+
 // Every row of the study that the options choose. A backend without any device is one row, which says why.
 // Throws InputError for an unknown name or a bad size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);

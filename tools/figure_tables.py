@@ -156,7 +156,7 @@ def row_cells(results, name, row, scalar=None):
     kernel = row.figures["kernel_seconds"]
     interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
     share = row.figures["share_of_peak"]
-    backend = row["backend"] + (" 1" if row["point"] == "pack=1" else "")
+    backend = row["backend"] + ("-scalar" if row["point"] == "pack=1" else "")
     own = row.figures.get("over_scalar") is not None
     return [row["fractal"], row["precision"], row["mode"], backend, row["proof"]["text"] or row["proof"]["level"],
             digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),

@@ -5,9 +5,13 @@ path_csv.py import PATH.json FILE.csv NEW.json
 
 export writes a path file's cameras as a table, one line a frame: frame, x, y, z of location, look_at and up, field_of_view, and,
 where a frame has one, the three numbers of its shape (line 7 of a parameter file). import makes NEW.json of PATH.json with
-the table's cameras and shapes; what else its frames have stays. Frames may be fewer or more: what PATH.json has no frame for
-takes the last one's. Exit code 2: a file that cannot be read, or is none."""
+the table's cameras and shapes, ordered by the column frame; what else PATH.json's frame of that number has stays. Frames may be
+fewer or more: what PATH.json has no frame for takes the last one's. Tables as spreadsheets save them are read, too: with a
+byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with empty lines. Exit code 2: a
+file that cannot be read, or is none."""
+import codecs
 import csv
+import io
 import json
 import math
 import os
@@ -65,31 +69,61 @@ def table_of(path):
     return "\n".join(lines) + "\n"
 
 
-def with_table(path, name):
+def rows_of(name):
+    """The lines of a table that are not empty, as (number, fields); decimal points, whatever the spreadsheet's language."""
     try:
-        with open(name, encoding="utf-8", newline="") as file:
-            rows = list(csv.reader(file))
+        with open(name, "rb") as file:
+            data = file.read()
+        text = data.decode("utf-16" if data[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         stop(f"{name}: {error}")
-    if not rows or rows[0] not in (COLUMNS, COLUMNS + SHAPE):
-        stop(f"{name}:1: expected the columns {','.join(COLUMNS)}, with or without {','.join(SHAPE)}")
+    head = next((line for line in text.splitlines() if line.strip()), "")
+    separator = next((c for c in ";\t" if c in head), ",")
+    try:
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+        rows = [(reader.line_num, [field.strip() for field in row]) for row in reader]
+    except csv.Error as error:
+        stop(f"{name}: {error}")
+    if separator != ",":
+        rows = [(number, [field.replace(",", ".") for field in row]) for number, row in rows]
+    return [(number, row) for number, row in rows if any(row)]
+
+
+def numbers_of(row, width, place):
+    """A line's frame and its other numbers."""
+    try:
+        values = [float(text) for text in row]
+    except ValueError as error:
+        stop(f"{place}: {error}")
+    if len(row) != width or not all(map(math.isfinite, values)):
+        stop(f"{place}: expected {width} finite numbers")
+    if values[0] < 0 or values[0] != int(values[0]):
+        stop(f"{place}: the frame is {row[0]}, expected a whole number from 0")
+    return int(values[0]), values[1:]
+
+
+def with_table(path, name):
+    rows = rows_of(name)
+    if not rows or rows[0][1] not in (COLUMNS, COLUMNS + SHAPE):
+        stop(f"{name}:{rows[0][0] if rows else 1}: expected the columns {','.join(COLUMNS)}, with or without {','.join(SHAPE)}")
+    columns = rows[0][1]
+    table = {}
+    for number, row in rows[1:]:
+        frame, values = numbers_of(row, len(columns), f"{name}:{number}")
+        if frame in table:
+            stop(f"{name}:{number}: frame {frame} is there twice")
+        table[frame] = values
+    if not table:
+        stop(f"{name}: no frames")
     frames = []
-    for number, row in enumerate(rows[1:], start=2):
-        try:
-            values = [float(text) for text in row[1:]]
-        except ValueError as error:
-            stop(f"{name}:{number}: {error}")
-        if len(row) != len(rows[0]) or not all(map(math.isfinite, values)):
-            stop(f"{name}:{number}: expected {len(rows[0])} finite numbers")
-        frame = dict(path["frames"][min(len(frames), len(path["frames"]) - 1)])
+    for number, values in sorted(table.items()):
+        frame = dict(path["frames"][min(number, len(path["frames"]) - 1)])
         for index, vector in enumerate(VECTORS):
             frame[vector] = values[3 * index:3 * index + 3]
         frame["field_of_view"] = values[9]
-        if rows[0] != COLUMNS:
+        if columns != COLUMNS:
             frame["shape"] = values[10:]
         frames.append(frame)
-    if not frames:
-        stop(f"{name}: no frames")
     return {**path, "frames": frames}
 
 

@@ -41,7 +41,7 @@ void Desk::go_to(double frame)
 
 void Desk::advance(double seconds)
 {
-    go_to(at_ + seconds * frames_per_second);
+    go_to(at_ + seconds * path_.frames_per_second);
     if (at_ >= static_cast<double>(frames()) - 1) playing = false;
 }
 
@@ -92,7 +92,7 @@ void Desk::record(const Scene& scene, double seconds)
     const Frame now = frame_of(path_, scene);
     const Frame before = path_.frames.back();
     const double begin = owed_;
-    owed_ += seconds * frames_per_second;
+    owed_ += seconds * path_.frames_per_second;
     const double length = owed_ - begin;
     double done = 0;
     while (owed_ >= 1) {
@@ -156,11 +156,16 @@ void Desk::film(const Registry& registry, const Setup& setup, const std::string&
 {
     if (!has_path()) throw Error("there is no path to film");
     if (filming_.running()) return;
-    FilmOptions options{
-        .output = file, .title = {}, .authors = {}, .picture = {}, .renderer = options_of(setup), .segments = {}};
+    FilmOptions options{.output = file,
+                        .title = {},
+                        .authors = {},
+                        .picture = {},
+                        .renderer = options_of(setup),
+                        .segments = {},
+                        .frames = {}};
     options.picture.width = width;
     options.picture.height = height;
-    check_film(options, frames());
+    check_film(options, frames(), path_.frames_per_second);
     const Backend* backend = registry.find(setup.backend);
     if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
     filming_.start([path = path_, backend, options] {

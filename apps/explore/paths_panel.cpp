@@ -79,7 +79,8 @@ void show_paths(Explorer& explorer)
     Desk& desk = explorer.desk;
     if (ImGui::Button(desk.recording() ? "end recording" : "record")) explorer.toggle_recording();
     ImGui::SameLine();
-    ImGui::Text("%zu frames, %.1f s", desk.frames(), static_cast<double>(desk.frames()) / frames_per_second);
+    ImGui::Text("%zu frames, %.1f s", desk.frames(),
+                static_cast<double>(desk.frames()) / desk.path().frames_per_second);
     if (desk.has_path() && !desk.recording()) play(explorer);
     ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
     ImGui::InputInt("seed", &explorer.tour_seed);

@@ -62,7 +62,7 @@ public:
         if (bytes_alone_) {
             const std::size_t row = 3 * static_cast<std::size_t>(width_);
             const std::size_t size = row * static_cast<std::size_t>(band.rows);
-            std::uint8_t* to = image.bytes().data() + row * static_cast<std::size_t>(band.first_row);
+            std::uint8_t* to = image.row_bytes(band.first_row);
             if (session_.is_cpu) {
                 void* bytes = mapped(bytes_, size);
                 std::memcpy(to, bytes, size);

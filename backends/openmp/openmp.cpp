@@ -105,7 +105,7 @@ private:
     openmp::Target<Real> target_of(const Band& band)
     {
         if (!image_.has_values()) {
-            return {.bytes = image_.bytes().data() + 3 * Image::pixels(image_.width(), band.first_row)};
+            return {.bytes = image_.row_bytes(band.first_row)};
         }
         const std::size_t pixels = Image::pixels(image_.width(), band.rows);
         reals_.resize(std::max(reals_.size(), real_planes * pixels));

@@ -226,16 +226,17 @@ private:
         const auto start = Clock::now();
         Tracer<Fractal> tracer(scene, mode_);
         Tile<double> tile;
-        for (int bottom = 0; bottom < scene.height; bottom += tile_side) {
+        for (int bottom = image.first_row(); bottom < image.end_row(); bottom += tile_side) {
             for (int left = 0; left < scene.width; left += tile_side) {
                 const int width = std::min(tile_side, scene.width - left);
-                const int height = std::min(tile_side, scene.height - bottom);
+                const int height = std::min(tile_side, image.end_row() - bottom);
                 for (int y = 0; y < height; ++y) {
                     for (int x = 0; x < width; ++x) tracer.draw(left + x, bottom + y, y * tile_side + x, tile);
                 }
                 image.store(planes_of(tile), left, bottom, width, height);
             }
-            if (progress) progress(std::min(1.0, static_cast<double>(bottom + tile_side) / scene.height));
+            if (progress)
+                progress(std::min(1.0, static_cast<double>(bottom + tile_side - image.first_row()) / image.height()));
         }
         RenderReport report{.backend = "reference",
                             .device = this_cpu(),

@@ -123,8 +123,7 @@ public:
         gpu_.finish("reading back");
         check(bytes);
         if (bytes_alone_) {
-            std::memcpy(image.bytes().data() + row * static_cast<std::size_t>(band.first_row), bytes + reals_at,
-                        band_bytes);
+            std::memcpy(image.row_bytes(band.first_row), bytes + reals_at, band_bytes);
             timings_.readback += seconds_since(start);
             return;
         }

@@ -3,8 +3,8 @@
 
 namespace mandelmarch {
 
-Image::Image(int width, int height, Layers layers, std::pmr::memory_resource* memory)
-    : width_(width), height_(height), layers_(layers), bytes_(memory), values_(memory)
+Image::Image(int width, int height, Layers layers, std::pmr::memory_resource* memory, int first_row)
+    : width_(width), height_(height), first_row_(first_row), layers_(layers), bytes_(memory), values_(memory)
 {
     bytes_.resize(3 * pixels());
     if (layers != Layers::bytes) values_.resize(pixels());
@@ -36,7 +36,7 @@ void Image::store(const Planes<Real>& planes, int left, int bottom, int width, i
     // What is not a number becomes 0.
     const auto byte = [](Real c) { return static_cast<std::uint8_t>(c > 0 ? 255 * (c < 1 ? c : 1) : 0); };
     for (int y = 0; y < height; ++y) {
-        const std::size_t row = static_cast<std::size_t>(bottom + y) * static_cast<std::size_t>(width_);
+        const std::size_t row = pixels(width_, bottom + y - first_row_);
         for (int x = 0; x < width; ++x) {
             const std::size_t from = static_cast<std::size_t>(y) * planes.stride + static_cast<std::size_t>(x);
             const std::size_t to = row + static_cast<std::size_t>(left + x);

@@ -48,11 +48,14 @@ public:
     enum class Layers { bytes, colours, all };
 
     Image() = default;
-    // Black. A copy takes its memory from the heap.
-    Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource());
+    // Black. A copy takes its memory from the heap. `first_row`: the row of a larger picture that its row 0 is.
+    Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
+          int first_row = 0);
 
     int width() const { return width_; }
     int height() const { return height_; }
+    int first_row() const { return first_row_; }
+    int end_row() const { return first_row_ + height_; }
     std::size_t pixels() const { return pixels(width_, height_); }
     static std::size_t pixels(int width, int height)
     {
@@ -65,12 +68,16 @@ public:
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
+    // Where the bytes of this row of the larger picture begin.
+    std::uint8_t* row_bytes(int row) { return bytes_.data() + 3 * pixels(width_, row - first_row_); }
+
     // Empty for Layers::bytes; depth, steps and iterations are 0 and mean nothing for Layers::colours.
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
-    // Takes pixel (0, 0) to (width - 1, height - 1) of the planes to (left, bottom) and up. A byte is trunc(255 c),
-    // computed in the tile's own number type. Different parts of an image can be stored from different threads.
+    // Takes pixel (0, 0) to (width - 1, height - 1) of the planes to (left, bottom) of the larger picture and up. A
+    // byte is trunc(255 c), computed in the tile's own number type. Different parts of an image can be stored from
+    // different threads.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);
 
@@ -80,6 +87,7 @@ public:
 private:
     int width_ = 0;
     int height_ = 0;
+    int first_row_ = 0;
     Layers layers_ = Layers::bytes;
     std::pmr::vector<std::uint8_t> bytes_;
     std::pmr::vector<PixelValue> values_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -38,6 +39,25 @@ bool begins_with(const Bytes& data, std::string_view text)
     return data.size() >= text.size() && std::memcmp(data.data(), text.data(), text.size()) == 0;
 }
 
+struct KnownEnding {
+    std::string_view ending;
+    ImageFormat format;
+};
+constexpr std::array known_endings{KnownEnding{".bmp", ImageFormat::bmp},  KnownEnding{".png", ImageFormat::png},
+                                   KnownEnding{".ppm", ImageFormat::pnm},  KnownEnding{".pnm", ImageFormat::pnm},
+                                   KnownEnding{".jpg", ImageFormat::jpeg}, KnownEnding{".jpeg", ImageFormat::jpeg},
+                                   KnownEnding{".exr", ImageFormat::exr}};
+
+constexpr int largest_jpeg = 65'500;  // pixels of a side, in libjpeg
+
+bool is_pnm(const Bytes& data)
+{
+    constexpr std::string_view kinds = "2356";
+    return begins_with(data, "P") && data.size() > 2 &&
+           kinds.find(std::to_integer<char>(data[1])) != std::string_view::npos &&
+           std::isspace(std::to_integer<unsigned char>(data[2])) != 0;
+}
+
 [[noreturn]] void refuse(const std::string& name, const std::string& why)
 {
     throw InputError(fmt::format("{}: {}, expected a picture", name, why));
@@ -49,10 +69,8 @@ std::optional<ImageFormat> image_format(const std::string& path)
 {
     std::string ending = std::filesystem::path(path).extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (ending == ".bmp") return ImageFormat::bmp;
-    if (ending == ".png") return ImageFormat::png;
-    if (ending == ".exr") return ImageFormat::exr;
-    return std::nullopt;
+    const auto* const known = std::ranges::find(known_endings, ending, &KnownEnding::ending);
+    return known != known_endings.end() ? std::optional(known->format) : std::nullopt;
 }
 
 Image::Layers layers_of(ImageFormat format)
@@ -62,6 +80,10 @@ Image::Layers layers_of(ImageFormat format)
 
 void check_image_size(ImageFormat format, int width, int height)
 {
+    if (format == ImageFormat::jpeg && std::max(width, height) > largest_jpeg) {
+        throw InputError(
+            fmt::format("a JPEG of {} x {} pixels, expected sides up to {}, or PNG", width, height, largest_jpeg));
+    }
     const std::uint64_t size = bmp_file_size(width, height);
     if (format != ImageFormat::bmp || size <= std::numeric_limits<std::uint32_t>::max()) return;
     throw InputError(fmt::format(
@@ -75,6 +97,8 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
     switch (format) {
         case ImageFormat::bmp: write_bmp(file, image); break;
         case ImageFormat::png: write_png(file, path, image); break;
+        case ImageFormat::pnm: write_pnm(file, image); break;
+        case ImageFormat::jpeg: write_jpeg(file, path, image); break;
         case ImageFormat::exr: write_exr(file, path, image); break;
     }
     file.commit();
@@ -109,8 +133,9 @@ Image read_image(const std::string& path)
     auto* const decode = begins_with(data, "\x89PNG")            ? decode_png
                          : begins_with(data, "\x76\x2f\x31\x01") ? decode_exr
                          : begins_with(data, "BM")               ? decode_bmp
+                         : is_pnm(data)                          ? decode_pnm
                                                                  : nullptr;
-    if (decode == nullptr) refuse(path, "it is no BMP, PNG or EXR");
+    if (decode == nullptr) refuse(path, "it is no BMP, PNG, PNM or EXR");
     const std::uint64_t size = std::filesystem::file_size(path, ignored);
     constexpr std::uint64_t least = 1 << 20;
     const std::size_t step = ignored ? least : std::max(size, least);  // a pipe's size is not known

@@ -106,7 +106,8 @@ public:
             // A crash, in another renderer's call perhaps, has taken the process along.
             if (process_->has_ended()) create();
             Writer request;
-            request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes);
+            request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
+                    image.first_row(), image.height());
             transfer(request, scene);
             return host_->draw(*process_, request, image, progress);
         });

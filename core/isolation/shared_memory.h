@@ -37,9 +37,9 @@ std::size_t shared_size(std::size_t pixels, Image::Layers layers);
 // place.
 class SharedImage {
 public:
-    SharedImage(const SharedMemory& memory, int width, int height, Image::Layers layers)
+    SharedImage(const SharedMemory& memory, int width, int height, Image::Layers layers, int first_row = 0)
         : resource_(memory.data(), memory.size(), std::pmr::null_memory_resource()),
-          image(width, height, layers, &resource_)
+          image(width, height, layers, &resource_, first_row)
     {
     }
 

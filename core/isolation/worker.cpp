@@ -78,12 +78,14 @@ private:
     {
         Renderer& renderer = *renderers_.at(request.take<int>());
         const auto layers = request.take<Image::Layers>();
+        const int first_row = request.take<int>();
+        const int rows = request.take<int>();
         Scene scene;
         transfer(request, scene);
-        if (memory_ == nullptr || memory_->size() < shared_size(Image::pixels(scene.width, scene.height), layers)) {
+        if (memory_ == nullptr || memory_->size() < shared_size(Image::pixels(scene.width, rows), layers)) {
             throw Error("a device's process has no memory for its picture");
         }
-        SharedImage shared(*memory_, scene.width, scene.height, layers);
+        SharedImage shared(*memory_, scene.width, rows, layers, first_row);
         const RenderReport report = renderer.render(scene, shared.image, [&](double share) {
             Writer progress;
             progress(Answer::progress, share);

@@ -130,7 +130,7 @@ public:
         const std::size_t pixels = width * static_cast<std::size_t>(band.rows);
         timed(timings_.readback, [&] {
             if (job_.bytes != nullptr) {
-                unsigned char* to = image.bytes().data() + 3 * width * static_cast<std::size_t>(band.first_row);
+                unsigned char* to = image.row_bytes(band.first_row);
                 model_.read_back(to, job_.bytes, 3 * pixels);
                 return;
             }

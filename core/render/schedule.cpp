@@ -73,16 +73,17 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
     const int rows = rows_per_band(scene, limits);
     const bool by_time = limits.seconds_per_band > 0;
     int next = by_time ? static_cast<int>(std::clamp<std::int64_t>(first_band / scene.width, 1, rows)) : rows;
-    for (int row = 0; row < scene.height;) {
+    const auto share = [&](int row) { return static_cast<double>(row - image.first_row()) / image.height(); };
+    for (int row = image.first_row(); row < image.end_row();) {
         const Clock::time_point start = Clock::now();
-        const Band band{row, std::min(next, scene.height - row)};
+        const Band band{row, std::min(next, image.end_row() - row)};
         if (plan.whole) {
             executor.run(Entry::draw, band, max_steps);
         } else {
             executor.run(Entry::begin, band, 0);
             do {
                 // A sign of life: a band may take many passes.
-                if (progress) progress(static_cast<double>(row) / scene.height);
+                if (progress) progress(share(row));
                 executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));
             for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
@@ -92,7 +93,7 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
         }
         executor.read_back(band, image);
         row += band.rows;
-        if (progress) progress(static_cast<double>(row) / scene.height);
+        if (progress) progress(share(row));
         if (by_time) {
             const double growth = std::min(limits.seconds_per_band / seconds_since(start), most_growth);
             next = std::clamp(static_cast<int>(growth * band.rows), 1, rows);

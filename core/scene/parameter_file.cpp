@@ -99,9 +99,9 @@ public:
         scene.target = vector(Item::target, "look-at point");
         scene.up = vector(Item::up, "up vector");
         begin(Item::field_of_view, "field of view", 1);
-        scene.field_of_view = real({"field of view", 0, max_field_of_view, true});
+        scene.field_of_view = real({"field of view, in units of 65 degrees,", 0, max_field_of_view, true});
         if (scene.field_of_view >= max_field_of_view) {
-            fail("field of view is 180 degrees or more, expected less than 180/65");
+            fail("field of view, in units of 65 degrees, is 180 degrees or more, expected less than 180/65");
         }
         begin(Item::size, "width and height", 2);
         scene.width = whole("width", 1, max_side);
@@ -153,10 +153,12 @@ private:
             rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
             ++number_;
             if (line_.find('\0') != std::string_view::npos) fail("the line holds a NUL byte, expected text");
+            const std::string_view all = trimmed(line_);
             const std::string_view entry = without_comment(line_);
             std::ranges::transform(line_.substr(entry.size()), std::back_inserter(comments_),
                                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
             line_ = trimmed(entry);
+            commented_ = line_.size() < all.size();
             if (!line_.empty()) return true;
         }
         return false;
@@ -238,14 +240,17 @@ private:
     {
         constexpr const char* what = "the image's file name";
         if (!next_line()) fail(fmt::format("the file ends, expected {}", what));
-        if (parse_real(line_)) {
+        if (const auto super_sampling = parse_real(line_)) {
+            const bool off = *super_sampling == 0;
             const std::string number = quoted(line_);
             const std::string here = place(number_);
             if (!next_line()) fail(fmt::format("{} is no file name, expected {}", number, what));
-            result_.warnings.push_back(fmt::format(
-                "{}: warning: {} taken as the super-sampling of an older format and ignored", here, number));
+            result_.warnings.push_back(
+                fmt::format("{}: warning: {} taken as the super-sampling of an older format and ignored{}", here,
+                            number, off ? "" : "; bin/render --samples 2 draws 2 x 2 samples a pixel"));
         }
         lines_.at(static_cast<std::size_t>(Item::image_file)) = number_;
+        result_.comment_behind_name = commented_;
         if (line_.size() > 4096) fail(fmt::format("the line has {} characters, expected a file name", line_.size()));
         return std::string(line_);
     }
@@ -253,6 +258,7 @@ private:
     std::string_view rest_;    // what has not been read
     std::string_view line_;    // the current line, trimmed
     std::string_view fields_;  // what is left of its values
+    bool commented_ = false;   // a comment is behind it
     int number_ = 0;           // the current line's number, from 1
     std::array<int, item_count> lines_{};
     std::string comments_;  // all, in lower case

@@ -17,12 +17,12 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;            // hull sizes: an estimate under it is inside solid
+constexpr double in_solid = 1e-5;         // hull sizes: an estimate under it is inside solid
 constexpr double most_wall_step = 0.25;   // what a change of shape may move the nearest wall by, in clearances
 constexpr double turn_cap = 1.2;          // degrees a frame
 constexpr double aside = 60;              // degrees off the motion
 constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
-constexpr double official_frames = 7200;  // that the bar on passages is for
+constexpr double official_seconds = 240;  // that the bar on passages is for
 
 class Auditor {
 public:
@@ -50,7 +50,7 @@ public:
         const auto field = [this](std::size_t frame) -> const Field& { return runs_.field(frame); };
         const auto passages = distinct_passages(field, places_, clearances_);
         add({"distinct passages", static_cast<double>(passages.size()),
-             std::floor(bars.passages * static_cast<double>(places_.size()) / official_frames), false, false, "", ""});
+             std::floor(bars.passages * seconds(places_.size()) / official_seconds), false, false, "", ""});
         add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%", ""});
         gazes(bars.aside);
         for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
@@ -67,14 +67,19 @@ private:
     {
         return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
     }
-    static double seconds(std::size_t frames) { return static_cast<double>(frames) / frames_per_second; }
+    double seconds(std::size_t frames) const { return static_cast<double>(frames) / path_.frames_per_second; }
+    // Of a bar on what changes from frame to frame, which is meant for the rate that flights are planned at.
+    double by_rate(double bar) const
+    {
+        return bar * (static_cast<double>(frames_per_second) / path_.frames_per_second);
+    }
 
     void solids()
     {
         std::vector<char> hit(places_.size(), 0);
         parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
-                const bool inside = clearances_[i] <= solid * hull(i).size;
+                const bool inside = clearances_[i] <= in_solid * hull(i).size;
                 hit[i] = inside || (i > 0 && !runs_.free_before(i, clearances_)) ? 1 : 0;
             }
         });
@@ -96,7 +101,7 @@ private:
                 where = i;
             }
         }
-        add({"largest step between frames / DE", worst, bar, true, true, "", at_frame(where)});
+        add({"largest step between frames / DE", worst, by_rate(bar), true, true, "", at_frame(where)});
     }
 
     // Where the shape changes: by how much that alone moves the nearest wall.
@@ -107,19 +112,20 @@ private:
             for (std::size_t i = first; i < last; ++i) steps[i] = runs_.wall_step(i, clearances_);
         });
         const auto worst = std::ranges::max_element(steps);
-        add({"largest change of DE between frames by the shape / DE", *worst, most_wall_step, true, true, "",
+        add({"largest change of DE between frames by the shape / DE", *worst, by_rate(most_wall_step), true, true, "",
              at_frame(static_cast<std::size_t>(worst - steps.begin()))});
     }
 
     void turns()
     {
         const std::vector<double> turns = turns_of(path_);
+        const double cap = by_rate(turn_cap);
         turned_at_cap_ =
-            static_cast<std::size_t>(std::ranges::count_if(turns, [](double t) { return t > 0.98 * turn_cap; }));
+            static_cast<std::size_t>(std::ranges::count_if(turns, [cap](double t) { return t > 0.98 * cap; }));
         const auto most = std::ranges::max_element(turns);
         const double worst = *most;
         const auto where = static_cast<std::size_t>(most - turns.begin());
-        add({"largest turn per frame", worst, turn_cap, true, true, "deg", at_frame(where)});
+        add({"largest turn per frame", worst, cap, true, true, "deg", at_frame(where)});
     }
 
     // The longest time that the camera stays within a quarter of its clearance of one place.
@@ -163,7 +169,7 @@ private:
 
     void views()
     {
-        Seen seen;
+        Seen seen{.frames_per_second = path_.frames_per_second, .frames = {}, .views = {}};
         for (std::size_t i = 0; i < places_.size(); i += stride_) seen.frames.push_back(i);
         seen.views.resize(seen.frames.size());
         parallel(seen.frames.size(), 16, runs_.threads(), [&](std::size_t first, std::size_t last) {

@@ -78,7 +78,7 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
         "\"hull\": {{\"shape\": \"{}\", \"size\": {}}},\n\"safety\": {},\n\"ball_count\": {},\n"
         "\"gate_count\": {},\n\"balls\": {},\n\"gates\": {},\n"
         "\"passages\": {},\n\"x\": {},\n\"y\": {},\n\"z\": {},\n\"clearance\": {},\n\"turn\": {}\n}}\n",
-        format_name, version_line("flythrough"), path.scene.fractal->name, path.seed, frames_per_second,
+        format_name, version_line("flythrough"), path.scene.fractal->name, path.seed, path.frames_per_second,
         field.hull().shape == Hull::Shape::cube ? "cube" : "sphere", number(field.hull().size), number(field.safety()),
         balls.size(), gates.size(), places(field.hull(), at, balls, most_balls),
         places(field.hull(), at, gates, most_gates), list(passages, whole),

@@ -14,7 +14,7 @@ std::string table_of(const Path& path, const Audit& audit)
 {
     std::string text = fmt::format("{}, seed {}, {} frames ({:.1f} s); ! is a promise, the others are quality\n",
                                    path.scene.fractal->name, path.seed, path.frames.size(),
-                                   static_cast<double>(path.frames.size()) / frames_per_second);
+                                   static_cast<double>(path.frames.size()) / path.frames_per_second);
     for (const Row& row : audit.rows) {
         const auto value = [&](double v) {
             return fmt::format("{:.4g}{}{}", v, row.unit.empty() ? "" : " ", row.unit);

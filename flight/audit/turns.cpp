@@ -17,7 +17,6 @@ constexpr double most_jerk = 0.3;         // of the cube of the pace in clearanc
 constexpr double most_angular_jerk = 30;  // degrees a second^3
 constexpr double some_horizon = 0.25;     // of Tilt::horizon: the gaze is 30 degrees off straight up or down
 constexpr double level = 30;              // degrees: a picture that is off by less looks level
-constexpr double cube = static_cast<double>(frames_per_second) * frames_per_second * frames_per_second;
 
 // The rotation from each frame's camera to the next: its axis, as long as its angle in radians.
 std::vector<Vector> rotations(const Path& path)
@@ -61,6 +60,7 @@ std::vector<double> turns_of(const Path& path)
 
 std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
 {
+    const double cube = std::pow(path.frames_per_second, 3);
     std::vector<double> jerk;
     for (std::size_t i = 3; i < path.frames.size(); ++i) {
         const auto eye = [&](std::size_t back) { return path.frames[i - back].eye; };

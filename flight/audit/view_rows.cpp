@@ -14,7 +14,7 @@ constexpr double moved_on = 0.5;    // a view is seen again only after one that 
 constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // share of a view that shows something: less is mostly sky
 constexpr double shown = 0.05;      // share of a view's middle that shows something: less is the subject at its edge
-constexpr int view_every = 15;      // frames between views that are compared for likeness
+constexpr double view_every = 0.5;  // seconds between views that are compared for likeness
 
 }  // namespace
 
@@ -66,7 +66,7 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
                                 ? fmt::format("empty {:.1f} %, one depth {:.1f} %, a wall {:.1f} %",
                                               share(Dullness::empty), share(Dullness::one_depth), share(Dullness::wall))
                                 : "";
-    const double seconds = static_cast<double>(longest * stride) / frames_per_second;
+    const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
     return {{"dull frames", dull, 3, true, false, "%", why},
             {"longest time of dull frames on end", seconds, 1, true, false, "s", longest > 0 ? at_frame(where) : ""}};
 }
@@ -86,7 +86,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
         }
     }
     const double share = 100.0 * static_cast<double>(sky) / static_cast<double>(seen.views.size());
-    const double seconds = static_cast<double>(longest * stride) / frames_per_second;
+    const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
     return {{"frames under 40 % of which something is hit", share, 10, true, false, "%", ""},
             {"longest time with the subject at the edge only", seconds, 2, true, false, "s",
              longest > 0 ? at_frame(where) : ""}};
@@ -94,16 +94,18 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
 
 Row again_row(const Seen& seen)
 {
-    std::vector<std::size_t> some;  // views, half a second apart
+    std::vector<std::size_t> some;  // views
+    const auto every = static_cast<std::size_t>(view_every * seen.frames_per_second);
     for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        if (some.empty() || seen.frames[v] >= seen.frames[some.back()] + view_every) some.push_back(v);
+        if (some.empty() || seen.frames[v] >= seen.frames[some.back()] + every) some.push_back(v);
     }
     const auto frame = [&](std::size_t i) { return seen.frames[some[i]]; };
     std::size_t again = 0;
     std::string first;
     for (std::size_t i = 0; i < some.size(); ++i) {
         bool other = false;
-        for (std::size_t j = i + 1; j < some.size() && frame(j) - frame(i) <= minute * frames_per_second; ++j) {
+        for (std::size_t j = i + 1;
+             j < some.size() && static_cast<double>(frame(j) - frame(i)) <= minute * seen.frames_per_second; ++j) {
             const double like = likeness(seen.views[some[i]], seen.views[some[j]]);
             other = other || like < moved_on;
             if (!other || like <= same_view) continue;

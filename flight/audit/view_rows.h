@@ -11,6 +11,7 @@ namespace mandelmarch {
 
 // Views of some frames: `frames[i]` is the number of the frame that `views[i]` is of.
 struct Seen {
+    int frames_per_second;
     std::vector<std::size_t> frames;
     std::vector<Glimpse> views;
 };

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/film/description.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.h"
 #include "flight/film/note.h"
 
 namespace mandelmarch {
@@ -28,13 +31,34 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
         {"backend", backend.name()},
         {"device", device.name},
         {"driver", device.driver},
-        {"instructions", instructions != nullptr ? instructions : ""},
+        {"instructions", instructions != nullptr ? instructions : "all of the machine"},
         {"precision", name_of(renderer.precision)},
         {"mode", name_of(renderer.mode)},
         {"program", digest_of_file("/proc/self/exe")},
     };
     for (const auto& [name, value] : more) json[name] = value;
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string differences(const std::string& theirs, const std::string& ours)
+{
+    using Json = nlohmann::ordered_json;
+    const Json a = Json::parse(theirs, nullptr, false);
+    const Json b = Json::parse(ours, nullptr, false);
+    if (!a.is_object() || !b.is_object()) return theirs == ours ? "" : "another format";
+    constexpr std::size_t longest = 60;  // bytes of a value
+    const auto shown = [](const Json& object, const std::string& key) {
+        const auto found = object.find(key);
+        if (found == object.end()) return std::string("none");
+        const std::string text = found->is_string() ? found->get<std::string>() : found->dump();
+        return "'" + printable(text, longest) + "'";
+    };
+    std::string text;
+    for (const auto& [key, value] : b.items()) {
+        if (a.contains(key) && a[key] == value) continue;
+        text += fmt::format("{}{}: {}, here {}", text.empty() ? "" : "; ", key, shown(a, key), shown(b, key));
+    }
+    return text.empty() && theirs != ours ? "other keys" : text;
 }
 
 }  // namespace mandelmarch

@@ -18,4 +18,8 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more);
 
+// Where two such descriptions differ, in words: "instructions: 'SCALAR', here 'AVX2'; ...", `here` being the second's.
+// Empty where they are the same.
+std::string differences(const std::string& theirs, const std::string& ours);
+
 }  // namespace mandelmarch

@@ -11,25 +11,15 @@
 #include "core/scene/number.h"
 #include "flight/film/process.h"
 #include "flight/film/title.h"
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
 
-// Before the output's name. Bitexact leaves out what changes from run to run; four threads whatever the machine. A
-// lookahead in a thread of its own sometimes decides otherwise at the end of a clip when the machine is busy.
+// Before the output's name. Bitexact leaves out what changes from run to run.
 std::vector<std::string> encoding()
 {
-    return {"-c:v",
-            "libx264",
-            "-preset",
-            "veryfast",
-            "-crf",
-            "18",
-            "-threads",
+    return {"-threads",
             "4",
-            "-x264-params",
-            "sync-lookahead=0",
             "-pix_fmt",
             "yuv420p",
             "-g",
@@ -46,8 +36,6 @@ std::vector<std::string> encoding()
             "bt709",
             "-color_range",
             "tv",
-            "-video_track_timescale",
-            "15360",
             "-f",
             "mp4"};
 }
@@ -85,22 +73,29 @@ double ffmpeg_timeout(double usual)
     return seconds > 0 ? std::min(seconds, longest) : usual;
 }
 
-void check_ffmpeg()
+std::vector<std::string> time_scale(int rate)
+{
+    constexpr int ticks = 512;  // of a frame
+    return {"-video_track_timescale", fmt::format("{}", ticks * rate)};
+}
+
+void check_ffmpeg(Container container)
 {
     if (!std::filesystem::exists(title_font())) {
         throw Error(fmt::format("the font {} for the title is missing, install fonts-dejavu-core", title_font()));
     }
     const std::string filter = fmt::format("drawtext={}:text=x,{}", font_option(), conversion);
+    const std::vector<std::string> codec = video_codec(container);
     try {
         Process process(
-            joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter,
-                                                       "-c:v", "libx264", "-f", "null", "-"}),
+            joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter},
+                   codec, std::vector<std::string>{"-f", "null", "-"}),
             "", ffmpeg_timeout(check_seconds));
         const auto result = process.finish();
         if (!result.fine) throw Error(result.cause);
     } catch (const Error& error) {
-        throw Error(
-            fmt::format("{} does not work: {}; films need ffmpeg with libx264 and drawtext", ffmpeg(), error.what()));
+        throw Error(fmt::format("{} does not work: {}; films need ffmpeg with {} and drawtext", ffmpeg(), error.what(),
+                                codec[1]));
     }
 }
 
@@ -132,7 +127,8 @@ struct Encoder::Pipe {
     Process process;
 };
 
-Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter)
+Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
+                 const Coding& coding)
     : file_(file)
 {
     const std::vector<std::string> input{"-f",
@@ -142,7 +138,7 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
                                          "-video_size",
                                          fmt::format("{}x{}", width, height),
                                          "-framerate",
-                                         fmt::format("{}", frames_per_second),
+                                         fmt::format("{}", coding.frames_per_second),
                                          "-i",
                                          "-",
                                          "-progress",
@@ -151,7 +147,8 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
                                          "3600",
                                          "-vf",
                                          (filter.empty() ? "" : filter + ",") + std::string(conversion)};
-    auto command = joined(quietly(), input, encoding(), std::vector<std::string>{file});
+    auto command = joined(quietly(), input, video_codec(coding.container), encoding(),
+                          time_scale(coding.frames_per_second), std::vector<std::string>{file});
     std::erase(command, "-nostdin");
     pipe_.reset(new Pipe{.process = {command, folder, ffmpeg_timeout(encoding_seconds)}});
 }

@@ -9,6 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "flight/film/container.h"
+#include "flight/path/path.h"
+
 namespace mandelmarch {
 
 // The program: MANDELMARCH_FFMPEG in the environment (a path is made absolute, as it runs in other folders), or ffmpeg.
@@ -18,20 +21,30 @@ std::string ffmpeg();
 double ffmpeg_timeout(double usual);
 inline constexpr double encoding_seconds = 600;  // for the largest frame on a busy machine
 
-// Throws Error, in one line, where ffmpeg is missing, does not answer, or cannot do what films need: libx264, drawtext
-// and the font.
-void check_ffmpeg();
+// Throws Error, in one line, where ffmpeg is missing, does not answer, or cannot do what films need: the container's
+// codec, drawtext and the font.
+void check_ffmpeg(Container container);
+
+// ffmpeg's scale of time for `rate` frames a second, as an option.
+std::vector<std::string> time_scale(int rate);
 
 // What ffmpeg says of its version: frames are promised to be the same for the same one.
 std::string ffmpeg_version();
 
-// One segment: H.264, yuv420p, BT.709, `frames_per_second`, always with the same number of threads so that the same
-// frames give the same bytes.
+// How a film's frames are kept.
+struct Coding {
+    Container container = Container::mp4;
+    int frames_per_second = mandelmarch::frames_per_second;
+};
+
+// One segment: an MP4 file of the container's codec, yuv420p, BT.709, always with the same number of threads so that
+// the same frames give the same bytes.
 class Encoder {
 public:
     // Writes `file` in `folder`. `filter` is an ffmpeg video filter before the conversion, or empty. width and height:
     // pixels, even.
-    Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter);
+    Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
+            const Coding& coding);
     ~Encoder();
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;

@@ -16,10 +16,11 @@
 #include "core/base/stopwatch.h"
 #include "core/base/temporary_path.h"
 #include "flight/film/description.h"
+#include "flight/film/container.h"
 #include "flight/film/encoder.h"
-#include "flight/film/mp4.h"
 #include "flight/film/parts.h"
 #include "flight/film/progress.h"
+#include "flight/film/spherical.h"
 #include "flight/film/title.h"
 #include "flight/film/workshop.h"
 
@@ -32,29 +33,38 @@ constexpr std::size_t worth_a_forecast = 10;  // segments
 constexpr std::size_t forecast_frames = 8;
 constexpr int least_side = 16;  // pixels: what libx264 takes
 
+Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
+
 // What the film is made of: the pictures, and the title, where there is one.
 std::string description_of(const Path& path, const Backend& backend, const FilmOptions& options)
 {
-    const bool titled = !options.title.empty() || !options.authors.empty();
+    const auto [first, last] = chosen_frames(options.frames, path.frames.size());
     return description_of(path, backend, options.picture, options.renderer,
-                          {{"title", digest(options.title)},
+                          {{"film of frames", fmt::format("{}-{}", first, last)},
+                           {"encoding", fmt::format("{}", fmt::join(video_codec(container_of(options.output)), " "))},
+                           {"title", digest(options.title)},
                            {"authors", digest(options.authors)},
-                           {"font", titled ? digest_of_file(title_font()) : ""},
+                           {"font", title_of(options).empty() ? "" : digest_of_file(title_font())},
                            {"encoder", ffmpeg_version()}});
 }
 
 class Filming {
 public:
     Filming(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks, Workshop& work)
-        : path_(path), backend_(backend), options_(options), ranks_(ranks), work_(work)
+        : path_(path),
+          backend_(backend),
+          options_(options),
+          ranks_(ranks),
+          work_(work),
+          frames_(chosen_frames(options.frames, path.frames.size())),
+          coding_{container_of(options.output), path.frames_per_second}
     {
     }
 
     // Renders what is missing of the segments asked for; returns how many segments and frames these were.
     std::pair<std::size_t, std::size_t> render()
     {
-        const auto [first, last] =
-            options_.segments.value_or(std::pair<std::size_t, std::size_t>{0, work_.segments() - 1});
+        const auto [first, last] = chosen_segments(options_.segments, work_.frames());
         // Rank 0 looks what is missing, so that all ranks count the same.
         std::string missing;
         std::size_t finished = 0;
@@ -67,7 +77,7 @@ public:
         }
         missing = ranks_.share(missing);
         if (!fs::is_directory(work_.folder())) {
-            throw Error(work_.folder() + ": it is not there, expected a folder that all ranks share");
+            throw Error(work_.folder() + ": the folder is missing on a rank, expected one that all ranks share");
         }
         std::vector<std::size_t> todo;
         for (const char* at = missing.c_str(); *at != '\0';) {
@@ -92,50 +102,43 @@ public:
     // Title and segments into one file, without encoding again.
     void join()
     {
-        const std::string title = "title.mp4";
-        std::string list;
-        if (!options_.title.empty() || !options_.authors.empty()) {
-            if (!is_finished(title)) {
+        std::vector<std::string> pieces;
+        if (const Title title = title_of(options_); !title.empty()) {
+            pieces.emplace_back("title.mp4");
+            if (!is_finished(pieces[0])) {
                 FrameMaker maker(backend_, options_.renderer, path_, options_.picture);
-                piece(title, ".part-title.mp4", [&](const std::string& part) {
-                    write_title(work_.folder(), part, maker.draw(0), options_.picture.width, options_.picture.height,
-                                options_.title, options_.authors);
+                piece(pieces[0], ".part-title.mp4", [&](const std::string& part) {
+                    write_title(work_.folder(), part, maker.draw(frames_.first), options_.picture, title, coding_);
                 });
             }
-            list = fmt::format("file '{}'\n", title);
         }
-        for (std::size_t s = 0; s < work_.segments(); ++s) list += fmt::format("file '{}'\n", work_.segment_file(s));
-        write_file(work_.folder() + "/list.txt", list);
+        const std::size_t frames = work_.frames() + pieces.size() * title_frames(coding_.frames_per_second);
+        for (std::size_t s = 0; s < work_.segments(); ++s) pieces.push_back(work_.segment_file(s));
+        std::vector<std::string> joining{"-f", "concat", "-safe", "0", "-i", "list.txt"};
+        const auto add = [&](const std::vector<std::string>& more) {
+            joining.insert(joining.end(), more.begin(), more.end());
+        };
+        add(mandelmarch::joining(coding_.container));
+        if (coding_.container == Container::mp4) add(time_scale(coding_.frames_per_second));
+        // ffmpeg copies the tags of the first piece to the film, under this option.
+        const Tags tags{options_.picture.projection == Projection::equirectangular, options_.picture.stereo};
+        std::optional<TemporaryPath> tagged;
+        if (!tags.none() && coding_.container != Container::gif) {
+            tagged.emplace(work_.folder() + "/.part-tagged.mp4");
+            tag_mp4(work_.folder() + "/" + pieces[0], tagged->path(), tags);
+            pieces[0] = ".part-tagged.mp4";
+            add({"-strict", "unofficial"});
+        }
+        add({"-fflags", "+bitexact", "-progress", "pipe:1", "-stats_period", "3600"});
+        write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")));
         const auto join_to = [&](const std::string& part) {
-            const auto told = run_ffmpeg({"-f",
-                                          "concat",
-                                          "-safe",
-                                          "0",
-                                          "-i",
-                                          "list.txt",
-                                          "-c",
-                                          "copy",
-                                          "-movflags",
-                                          "+faststart",
-                                          "-video_track_timescale",
-                                          "15360",
-                                          "-fflags",
-                                          "+bitexact",
-                                          "-progress",
-                                          "pipe:1",
-                                          "-stats_period",
-                                          "3600",
-                                          "-f",
-                                          "mp4",
-                                          part},
-                                         work_.folder(), options_.output);
-            const auto expected =
-                static_cast<std::int64_t>(path_.frames.size()) + (list.starts_with("file 't") ? title_frames : 0);
-            if (frames_in(told) != expected) {
-                throw Error(fmt::format("{}: joined {} frames of {}", options_.output, frames_in(told), expected));
+            add({part});
+            const auto told = run_ffmpeg(joining, work_.folder(), options_.output);
+            if (frames_in(told) != static_cast<std::int64_t>(frames)) {
+                throw Error(fmt::format("{}: joined {} frames of {}", options_.output, frames_in(told), frames));
             }
         };
-        make(".part-film.mp4", join_to, [&](const std::string& part) { deliver(part); });
+        make(".part-film", coding_.container, join_to, [&](const std::string& part) { deliver(part); });
         work_.close();
     }
 
@@ -169,11 +172,11 @@ private:
 
     // Lets `write` make a part, looks whether it is whole and lets `take` have it; what fails leaves nothing behind.
     template <class Write, class Take>
-    void make(const std::string& part, Write write, Take take)
+    void make(const std::string& part, Container container, Write write, Take take)
     {
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
-        if (!whole_mp4(temporary.path())) {
+        if (!is_whole(temporary.path(), container)) {
             throw Error(fmt::format("{}: ffmpeg left half a file, is there room on the disk?", temporary.path()));
         }
         take(part);
@@ -182,7 +185,7 @@ private:
     template <class Write>
     void piece(const std::string& file, const std::string& part, Write write)
     {
-        make(part, write, [&](const std::string& whole) { work_.finish(whole, file); });
+        make(part, Container::mp4, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
     // How long it will take, from a few frames between the first and the last, drawn and encoded.
@@ -191,10 +194,10 @@ private:
         const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
         const auto start = Clock::now();
         Encoder encoder(work_.folder(), fs::path(part.path()).filename().string(), options_.picture.width,
-                        options_.picture.height, "");
+                        options_.picture.height, "", coding_);
         for (std::size_t i = 0; i < forecast_frames; ++i) {
             const std::size_t segment = todo[(2 * i + 1) * todo.size() / (2 * forecast_frames)];
-            encoder.add(maker.draw((work_.first(segment) + work_.last(segment)) / 2));
+            encoder.add(maker.draw(frames_.first + (work_.first(segment) + work_.last(segment)) / 2));
         }
         encoder.finish();
         const double each = seconds_since(start) / forecast_frames;
@@ -208,9 +211,9 @@ private:
     void segment(FrameMaker& maker, std::size_t number, FilmProgress* progress)
     {
         piece(work_.segment_file(number), work_.part_file(number), [&](const std::string& part) {
-            Encoder encoder(work_.folder(), part, options_.picture.width, options_.picture.height, "");
+            Encoder encoder(work_.folder(), part, options_.picture.width, options_.picture.height, "", coding_);
             for (std::size_t frame = work_.first(number); frame < work_.last(number); ++frame) {
-                encoder.add(maker.draw(frame));
+                encoder.add(maker.draw(frames_.first + frame));
                 if (progress != nullptr) progress->add(1);
             }
             encoder.finish();
@@ -222,19 +225,45 @@ private:
     const FilmOptions& options_;
     Ranks& ranks_;
     Workshop& work_;
+    Range frames_;
+    Coding coding_;
 };
+
+// All ranks draw the same bits, or none begins.
+void check_ranks(const std::string& description, Ranks& ranks)
+{
+    const std::string first = ranks.share(description);
+    if (description == first) return;
+    throw Error(
+        fmt::format("rank {} would draw other pictures than rank 0: {}; expected machines, drivers and instruction "
+                    "sets that are alike (MANDELMARCH_INSTRUCTIONS names one that all have)",
+                    ranks.rank(), differences(first, description)));
+}
+
+// What gathered for another film of this name: by an array's task on another kind of machine, or before options
+// changed.
+void name_leftovers(const Workshop& work, const std::string& description)
+{
+    for (const auto& [folder, other] : work.others()) {
+        say("film: {} has {} segments of another film, which this one leaves there: {}\n", folder, other.segments,
+            differences(other.description, description));
+    }
+}
 
 }  // namespace
 
-void check_film(const FilmOptions& options, std::size_t frames)
+void check_film(const FilmOptions& options, std::size_t frames, int rate)
 {
+    check_rate(container_of(options.output), options.output, rate);
     const Picture& picture = options.picture;
     if (picture.width % 2 != 0 || picture.height % 2 != 0 || std::min(picture.width, picture.height) < least_side) {
         throw InputError(fmt::format("--size: a film of {} x {} pixels, expected even sides of at least {}",
                                      picture.width, picture.height, least_side));
     }
     check_picture(picture);
-    if (options.segments) check_segments(*options.segments, frames);
+    check_title(title_of(options), picture);
+    const auto [first, last] = chosen_frames(options.frames, frames);
+    static_cast<void>(chosen_segments(options.segments, last - first + 1));
     OutputFile::check(options.output);
     if (!OutputFile::is_stream(options.output)) {
         OutputFile::check(note_of(end_of_links(options.output)));
@@ -249,13 +278,15 @@ void check_film(const FilmOptions& options, std::size_t frames)
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
 {
     const auto start = Clock::now();
-    if (ranks.rank() == 0) check_film(options, path.frames.size());
-    check_ffmpeg();
+    if (ranks.rank() == 0) check_film(options, path.frames.size(), path.frames_per_second);
+    check_ffmpeg(container_of(options.output));
     const std::string description = description_of(path, backend, options);
+    check_ranks(description, ranks);
     const std::string made_of = digest(description);
     const bool stream = OutputFile::is_stream(options.output);
     const std::string parts = ranks.share(ranks.rank() == 0 ? parts_folder(options.output, made_of) : "");
-    Workshop work(options.output, parts, description, path.frames.size());
+    const auto [first, last] = chosen_frames(options.frames, path.frames.size());
+    Workshop work(options.output, parts, description, last - first + 1);
     FilmReport report;
     report.segments = work.segments();
     const auto complete = [&] {
@@ -266,6 +297,7 @@ FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions
             if (stream) make_private_folder(parts);
             // Array jobs work side by side in one folder.
             work.open(options.segments.has_value());
+            name_leftovers(work, description);
         }
         Filming filming(path, backend, options, ranks, work);
         std::tie(report.rendered, report.frames) = filming.render();

@@ -13,14 +13,20 @@
 
 namespace mandelmarch {
 
+// From the first to the second, both included.
+using Range = std::pair<std::size_t, std::size_t>;
+
 struct FilmOptions {
     std::string output = "video.mp4";
     std::string title;    // first line before the flight; empty: none
     std::string authors;  // second line
     Picture picture;
     RendererOptions renderer;
-    // Segments [first, second] alone, for array jobs: they are rendered, and the film is not joined.
-    std::optional<std::pair<std::size_t, std::size_t>> segments;
+    // Segments [first, second] alone, for array jobs: those of them that the film has are rendered, and the film is not
+    // joined.
+    std::optional<Range> segments;
+    // A film of the path's frames [first, second] alone.
+    std::optional<Range> frames;
 };
 
 // What was done, for the log.
@@ -32,12 +38,17 @@ struct FilmReport {
     bool joined = false;  // the film stands
 };
 
-// Throws InputError where segments [first, second] are not all there in a path of so many frames.
-void check_segments(const std::pair<std::size_t, std::size_t>& segments, std::size_t frames);
+// The frames that are asked for of a path with so many. Throws InputError where it does not have all of them.
+Range chosen_frames(const std::optional<Range>& frames, std::size_t all);
 
-// Throws InputError where such a film of so many frames certainly cannot be made: a size that is odd or too large,
-// segments that are not there, an output that cannot be written. Touches nothing.
-void check_film(const FilmOptions& options, std::size_t frames);
+// The segments that are asked for of a film of so many frames; the last task of an array job may ask for more than
+// there are. Throws InputError where the film has none of them.
+Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
+
+// Throws InputError where such a film of so many frames, at so many a second, certainly cannot be made: a size that is
+// odd or too large, frames or segments that the path does not have, a title that does not fit, an output that cannot be
+// written or whose ending names no kind of film. Touches nothing.
+void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
 // Makes the film: every segment that is not finished yet, by all ranks, then the title, and joins them without encoding
 // again. The film appears whole or not at all; a run that ends before goes on where it stopped. A piece that is no
@@ -51,8 +62,8 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // Only frames of these segments [first, second].
-    std::optional<std::pair<std::size_t, std::size_t>> segments;
+    // Only frames of these segments [first, second], or of these frames; segments are counted from the first of these.
+    std::optional<Range> segments, frames;
 };
 
 // As check_film(), for stills.

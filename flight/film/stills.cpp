@@ -72,28 +72,35 @@ void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& 
 
 std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)
 {
-    const auto [first, last] = options.segments.value_or(std::pair<std::size_t, std::size_t>{0, all / segment_frames});
+    const auto [begin, end] = chosen_frames(options.frames, all);
+    const auto [first, last] = chosen_segments(options.segments, end - begin + 1);
     std::vector<std::size_t> frames;
-    for (std::size_t f = first * segment_frames; f < std::min(all, (last + 1) * segment_frames); f += options.every) {
-        frames.push_back(f);
-    }
+    const std::size_t behind = std::min(end + 1, begin + (last + 1) * segment_frames);
+    for (std::size_t f = begin + first * segment_frames; f < behind; f += options.every) frames.push_back(f);
     return frames;
 }
 
 }  // namespace
 
-void check_segments(const std::pair<std::size_t, std::size_t>& segments, std::size_t frames)
+Range chosen_frames(const std::optional<Range>& frames, std::size_t all)
+{
+    const Range chosen = frames.value_or(Range{0, all - 1});
+    if (chosen.first <= chosen.second && chosen.second < all) return chosen;
+    throw InputError(fmt::format("--frames: {}-{} given, expected some of 0-{}", chosen.first, chosen.second, all - 1));
+}
+
+Range chosen_segments(const std::optional<Range>& segments, std::size_t frames)
 {
     const std::size_t last = (frames - 1) / segment_frames;
-    if (segments.first <= segments.second && segments.second <= last) return;
-    throw InputError(
-        fmt::format("--segments: {}-{} given, expected some of 0-{}", segments.first, segments.second, last));
+    const Range chosen = segments.value_or(Range{0, last});
+    if (chosen.first <= chosen.second && chosen.first <= last) return {chosen.first, std::min(chosen.second, last)};
+    throw InputError(fmt::format("--segments: {}-{} given, expected some of 0-{}", chosen.first, chosen.second, last));
 }
 
 void check_stills(const StillOptions& options, std::size_t frames)
 {
     check_picture(options.picture);
-    if (options.segments) check_segments(*options.segments, frames);
+    static_cast<void>(frames_of(options, frames));
     // The nearest folder that is there must take the next one, or the pictures.
     std::error_code error;
     fs::path folder = fs::absolute(options.folder);
@@ -109,7 +116,7 @@ void check_stills(const StillOptions& options, std::size_t frames)
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks)
 {
     if (ranks.rank() == 0) check_stills(options, path.frames.size());
-    if (options.jpeg) check_ffmpeg();
+    if (options.jpeg) check_ffmpeg(Container::mp4);
     std::error_code error;
     fs::create_directories(options.folder, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.folder, error.message()));

@@ -21,7 +21,7 @@ std::string summary_of(const Path& path, const Backend& backend, const FilmOptio
         {"fractal", path.scene.fractal->name},
         {"seed", path.seed},
         {"frames", path.frames.size()},
-        {"frames_per_second", frames_per_second},
+        {"frames_per_second", path.frames_per_second},
         {"width", options.picture.width},
         {"height", options.picture.height},
         {"samples", options.picture.samples},

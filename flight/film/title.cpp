@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
 #include "core/base/output_file.h"
-#include "flight/film/encoder.h"
+#include "flight/film/lettering.h"
 
 namespace mandelmarch {
 namespace {
@@ -25,16 +26,53 @@ std::string escaped(const std::string& text, std::string_view characters)
     return made;
 }
 
-constexpr int brightening = 15;  // frames
+constexpr double brightening = 0.5;  // seconds
+// Of a picture's width that a line may take. A panorama's is the whole circle.
+constexpr double share_of_width = 0.92;
+constexpr double share_of_circle = 0.25;
+constexpr double title_height = 0.4;  // of a picture's height, all lines together
+constexpr double authors_height = 0.3;
 
-// The text stands in a file, so that it needs no escapes.
-std::string line_filter(const std::string& file, int size, int below_middle)
+// One line of the title, in pixels. Its text stands in a file, so that it needs no escapes.
+struct TitleLine {
+    std::string text;
+    int size;
+    int below_middle;
+};
+
+std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
+{
+    const bool circle = picture.projection == Projection::equirectangular;
+    const double width = picture.width / (picture.stereo ? 2.0 : 1.0) * (circle ? share_of_circle : share_of_width);
+    const int height = picture.height;
+    std::vector<TitleLine> all;
+    if (title.empty()) return all;
+    const Font font(title_font());
+    // A title's last line stands where a single one does, as the first one of the authors.
+    const auto add = [&](const Lettering& letters, int below_middle, std::size_t fixed) {
+        for (std::size_t i = 0; i < letters.lines.size(); ++i) {
+            const double lines = static_cast<double>(i) - static_cast<double>(fixed);
+            const auto offset = static_cast<int>(std::lround(lines * line_height * letters.size));
+            if (!letters.lines[i].empty()) all.push_back({letters.lines[i], letters.size, below_middle + offset});
+        }
+    };
+    if (!title.title.empty()) {
+        const auto letters = lettering(font, "--title", title.title, height / 11, width, title_height * height);
+        add(letters, -height / 24, letters.lines.size() - 1);
+    }
+    if (!title.authors.empty()) {
+        add(lettering(font, "--authors", title.authors, height / 28, width, authors_height * height), height / 12, 0);
+    }
+    return all;
+}
+
+// `centre`: pixels from the left.
+std::string line_filter(const std::string& file, const TitleLine& line, int centre)
 {
     return fmt::format(
-        "drawtext={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x=(w-text_w)/2:y=(h-text_h)/"
-        "2+{}:alpha='min(1,t/"
-        "0.8)*min(1,max(0,(3.9-t)/0.6))'",
-        font_option(), file, size, below_middle);
+        "drawtext={}:textfile={}:expansion=none:fontcolor=white:fontsize={}:x={}-text_w/2:y=(h-text_h)/"
+        "2+{}:alpha='min(1,t/0.8)*min(1,max(0,(3.9-t)/0.6))'",
+        font_option(), file, line.size, centre, line.below_middle);
 }
 
 }  // namespace
@@ -53,26 +91,30 @@ std::string font_option()
     return "fontfile=" + escaped(escaped(title_font(), "\\':\t\n "), "\\'[],;\t\n ");
 }
 
-void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first, int width,
-                 int height, const std::string& title, const std::string& authors)
+void check_title(const Title& title, const Picture& picture) { static_cast<void>(title_lines(title, picture)); }
+
+void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
+                 const Picture& picture, const Title& title, const Coding& coding)
 {
     std::string filter;
-    if (!title.empty()) {
-        write_file(folder + "/title.txt", title);
-        filter = line_filter("title.txt", height / 11, -height / 24);
+    const std::vector<TitleLine> lines = title_lines(title, picture);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string text = fmt::format("title-{}.txt", i);
+        write_file(folder + "/" + text, lines[i].text);
+        const int eyes = picture.stereo ? 2 : 1;
+        for (int eye = 0; eye < eyes; ++eye) {
+            if (!filter.empty()) filter += ',';
+            filter += line_filter(text, lines[i], (2 * eye + 1) * picture.width / (2 * eyes));
+        }
     }
-    if (!authors.empty()) {
-        write_file(folder + "/authors.txt", authors);
-        if (!filter.empty()) filter += ',';
-        filter += line_filter("authors.txt", height / 28, height / 12);
-    }
-    Encoder encoder(folder, file, width, height, filter);
-    for (int i = 0; i < title_frames; ++i) {
-        // In the last half second the picture brightens to the first frame of the flight: from a third to all its
-        // light.
-        const int light = brightening + 2 * std::max(0, i - (title_frames - brightening));
+    Encoder encoder(folder, file, picture.width, picture.height, filter, coding);
+    const auto frames = static_cast<int>(title_frames(coding.frames_per_second));
+    const int bright = std::max(1, static_cast<int>(std::lround(brightening * coding.frames_per_second)));
+    for (int i = 0; i < frames; ++i) {
+        // At the end the picture brightens to the first frame of the flight: from a third to all its light.
+        const int light = bright + 2 * std::max(0, i - (frames - bright));
         std::vector<std::uint8_t> frame = first;
-        for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * brightening));
+        for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * bright));
         encoder.add(std::move(frame));
     }
     encoder.finish();

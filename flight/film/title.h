@@ -6,9 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "flight/film/encoder.h"
+#include "flight/film/frames.h"
+
 namespace mandelmarch {
 
-inline constexpr int title_frames = 120;  // 4 s
+inline constexpr int title_seconds = 4;
+constexpr std::size_t title_frames(int rate)
+{
+    return static_cast<std::size_t>(title_seconds) * static_cast<std::size_t>(rate);
+}
 
 // A font file of Debian's fonts-dejavu-core, or what MANDELMARCH_FONT names.
 std::string title_font();
@@ -16,9 +23,20 @@ std::string title_font();
 // The same as an option of ffmpeg's drawtext, whatever characters its path has.
 std::string font_option();
 
-// Writes the title as a segment: `first` (RGB, from the top row) darkened, with both lines of text. The texts may hold
-// any characters; an empty line is left out. Throws Error where the encoder fails.
-void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first, int width,
-                 int height, const std::string& title, const std::string& authors);
+struct Title {
+    std::string title;    // large, in the middle; may have several lines
+    std::string authors;  // smaller, below
+
+    bool empty() const { return title.empty() && authors.empty(); }
+};
+
+// Throws InputError where a text does not fit into such pictures, however small its letters, or the font lacks some of
+// them, Error where the font cannot be read.
+void check_title(const Title& title, const Picture& picture);
+
+// Writes the title as a segment: `first` (RGB, from the top row) darkened, with both texts as large as they fit, once
+// for each eye. An empty text is left out. Throws what check_title() throws, and Error where the encoder fails.
+void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
+                 const Picture& picture, const Title& title, const Coding& coding);
 
 }  // namespace mandelmarch

@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
 
 namespace mandelmarch {
@@ -122,6 +124,25 @@ void Workshop::finish(const std::string& part, const std::string& file) const
     std::error_code error;
     fs::rename(path, finished, error);
     if (error) throw Error(fmt::format("{}: cannot be renamed to {}: {}", path, finished, error.message()));
+}
+
+std::map<std::string, Workshop::Other> Workshop::others() const
+{
+    std::map<std::string, Other> all;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(parts_, error)) {
+        if (entry.path().filename() == digest_ || !entry.is_directory(error)) continue;
+        std::ifstream manifest(entry.path() / "manifest.json");
+        Other other;
+        if (!std::getline(manifest, other.description)) continue;
+        other.description += '\n';
+        for (const std::string& file : files_in(entry.path().string())) {
+            const std::string name = fs::path(file).filename().string();
+            if (name.starts_with("segment-") && name.ends_with(".mp4")) ++other.segments;
+        }
+        if (other.segments > 0) all.emplace(entry.path().string(), std::move(other));
+    }
+    return all;
 }
 
 void Workshop::close()

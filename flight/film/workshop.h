@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "flight/film/note.h"
@@ -23,6 +24,7 @@ public:
     const std::string& folder() const { return folder_; }
     // What a note says that the film was made of.
     const std::string& made_of() const { return digest_; }
+    std::size_t frames() const { return frames_; }
     std::size_t segments() const;
     // Frames [first, last) of a segment.
     std::size_t first(std::size_t segment) const { return segment * segment_frames; }
@@ -38,6 +40,13 @@ public:
     Standing standing(const std::string& file) const;
     // A whole part becomes the finished file, with its note. Throws Error.
     void finish(const std::string& part, const std::string& file) const;
+
+    // What gathered beside this film for other ones of this name, by folder.
+    struct Other {
+        std::string description;
+        std::size_t segments = 0;
+    };
+    std::map<std::string, Other> others() const;
 
     // The film stands: its parts go.
     void close();

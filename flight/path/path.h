@@ -12,7 +12,9 @@
 
 namespace mandelmarch {
 
+// What flights are planned at; a path file may have another rate.
 inline constexpr int frames_per_second = 30;
+inline constexpr int most_frames_per_second = 240;
 
 // What a frame says instead of the path's scene; the values are those of a parameter file.
 struct Changes {
@@ -36,6 +38,7 @@ struct Frame {
 struct Path {
     Scene scene;  // what all frames share, the estimate too; its camera and size mean nothing
     std::uint64_t seed = 0;
+    int frames_per_second = mandelmarch::frames_per_second;
     bool detail_by_size = true;  // the detail level follows the pixel's footprint; else it is the scene's
     std::vector<Frame> frames;
 };

@@ -103,9 +103,7 @@ public:
     {
         const Json& found = value(key);
         if (!found.is_number_integer() || found.get<double>() < low || found.get<double>() > high) {
-            fail(fmt::format(
-                "\"{}\" is {}, expected {}", key, shown(found),
-                low == high ? fmt::format("{}", low) : fmt::format("a whole number from {} to {}", low, high)));
+            fail(fmt::format("\"{}\" is {}, expected a whole number from {} to {}", key, shown(found), low, high));
         }
         return found.get<int>();
     }
@@ -229,7 +227,7 @@ std::string to_text(const Path& path)
         "{{\"detail\": {}, "
         "\"shape\": {}, \"iterations\": {}, \"escape\": {}, \"colouring\": {}, \"brightness\": {}, \"estimate\": "
         "\"{}\"}},\n\"frames\": [\n",
-        format_name, scene.fractal->name, path.seed, frames_per_second,
+        format_name, scene.fractal->name, path.seed, path.frames_per_second,
         path.detail_by_size ? fmt::format("\"{}\"", by_size) : number(scene.detail), triple({a, b, c}),
         scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness),
         scene.conservative ? conservative_estimate : counted_estimate);
@@ -265,7 +263,8 @@ Path path_from_text(const std::string& text, const std::string& name)
     const Reader whole(json, name, *path.scene.fractal);
     whole.know(whole_keys);
     if (whole.has("seed")) path.seed = whole.seed();
-    if (whole.has("frames_per_second")) whole.whole("frames_per_second", frames_per_second, frames_per_second);
+    if (whole.has("frames_per_second"))
+        path.frames_per_second = whole.whole("frames_per_second", 1, most_frames_per_second);
     read_scene(whole.value("scene"), name + ": scene", path);
     const Json& frames = whole.value("frames");
     if (!frames.is_array() || frames.empty()) whole.fail("\"frames\" is empty or no list, expected a list of cameras");

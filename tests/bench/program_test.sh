@@ -142,6 +142,11 @@ grep -q '^box' out || fail "no table"
 
 expect 0 --list
 grep -q box-vs-bulb out || fail "--list shows no studies"
+expect 0 --list --study resolution --backend openmp,reference
+[ "$(grep -oE '/(openmp|reference)/' out | sort -u | tr -d '\n')" = /openmp//reference/ ] || fail "two backends: $(cat out)"
+grep -qE '/(vulkan|opencl|stdpar)/' out && fail "a backend that nobody asked for: $(cat out)"
+expect 2 --list --backend openmp,nosuch
+[ "$(wc -l <err)" = 1 ] && grep -q "^--backend: 'nosuch' given" err || fail "an unknown one of two: $(cat err)"
 expect 0 --benchmark_list_tests
 expect 0 --help
 # Data on standard output stand alone.

@@ -90,7 +90,16 @@ TEST(PathFile, NeedsEveryKeyButSeedAndRate)
     EXPECT_EQ(path.frames.size(), 2U);
 }
 
-TEST(PathFile, HasOneRate) { says("\"frames_per_second\": 30", "\"frames_per_second\": 60", "60, expected 30"); }
+TEST(PathFile, KeepsItsRate)
+{
+    const Path path = path_from_text(with("\"frames_per_second\": 30", "\"frames_per_second\": 24"), "a.json");
+    EXPECT_EQ(path.frames_per_second, 24);
+    EXPECT_EQ(path_from_text(to_text(path), "b.json").frames_per_second, 24);
+    for (const char* wrong : {"0", "241", "-30", "29.97", "\"30\""}) {
+        says("\"frames_per_second\": 30", std::string("\"frames_per_second\": ") + wrong,
+             "expected a whole number from 1");
+    }
+}
 
 // Readers of JSON use the stack, and messages show what they are given.
 TEST(PathFile, MayBeAnything)

@@ -49,7 +49,11 @@ for format in bmp png exr; do
     expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.$format
     expect 0 "$bin/imgdiff" a.$format a.$format
 done
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.ppm
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output a.jpg
+[ "$(head -c 3 a.jpg | od -An -tx1)" = " ff d8 ff" ] || fail "a.jpg is no JPEG"
 expect 0 "$bin/imgdiff" a.bmp a.png
+expect 0 "$bin/imgdiff" a.bmp a.ppm
 expect 0 "$bin/imgdiff" a.png a.exr
 expect 0 "$bin/mandelbulb" paramsBulb.dat --size 333x217 --backend openmp --output odd.bmp
 [ "$(stat -c %s odd.bmp)" = $((54 + 217 * 1000)) ] || fail "size of a padded BMP"
@@ -57,6 +61,50 @@ expect 0 "$bin/mandelbulb" paramsBulb.dat --size 1x1 --output one.bmp
 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/stdout >piped.bmp 2>/dev/null || fail "writing to /dev/stdout"
 expect 0 cmp piped.bmp a.bmp
 [ -s stderr ] && fail "something on stderr without a terminal: $(cat stderr)"
+"$bin/mandelbulb" - $small --output - <paramsBulb.dat >piped.bmp 2>stderr || fail "from - to -: $(cat stderr)"
+expect 0 cmp piped.bmp a.bmp
+"$bin/imgdiff" - a.png <a.ppm >stdout || fail "imgdiff of standard input"
+sed 's/^imageBulb.bmp/-/' paramsBulb.dat >dash.dat
+"$bin/mandelbulb" dash.dat $small --stats dash.json >piped.bmp 2>stderr || fail "a file called -: $(cat stderr)"
+expect 0 cmp piped.bmp a.bmp
+[ -e ./- ] && fail "a file called - is made"
+
+# Samples against jagged edges: flat background stays, edges are between.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 3 --output fine.png
+expect 1 "$bin/imgdiff" fine.png a.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 1 --output fine.png
+expect 0 "$bin/imgdiff" fine.png a.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 2 --output fine.exr
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 2 --output fine.png
+"$bin/imgdiff" fine.exr fine.png >stdout
+grep -q 'at most 1/255' stdout || fail "samples of an EXR are others: $(cat stdout)"
+for samples in 0 9 1.5 x; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --samples $samples
+done
+expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
+says 'expected sides of up to'
+
+# A region is that part of the whole picture, which may be larger than any that is drawn whole.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,40,30 --output region.exr
+expect 0 "$bin/imgdiff" region.exr a.exr
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 5,10,20x10 --output region.ppm
+python3 - <<'PY' || fail "a region is no part of the whole picture"
+def rows(name):
+    data = open(name, "rb").read()
+    kind, size, most, pixels = data.split(b"\n", 3)
+    width, height = map(int, size.split())
+    return width, height, [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
+whole, part = rows("a.ppm"), rows("region.ppm")
+assert part[:2] == (20, 10), part[:2]
+assert part[2] == [row[3 * 5:3 * 25] for row in whole[2][10:20]]
+PY
+expect 0 "$bin/mandelbulb" paramsBulb.dat --size 100000x40 --region 50000,20,30,2 --mode fast --precision float \
+    --backend openmp --output region.png
+for region in 0,0,41,30 0,0,40,31 39,29,2,1 -1,0,2,2 0,0,0,1 0,0,1 0,0,1,1,1 x 0,0,1x; do
+    expect 2 "$bin/mandelbulb" paramsBulb.dat $small --region $region
+done
+says 'expected X,Y,WIDTH,HEIGHT of a part of 40 x 30 pixels'
+expect 2 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,4,4 --eyes 1
 
 # imgdiff.
 expect 1 "$bin/imgdiff" a.bmp image.bmp
@@ -158,10 +206,25 @@ head -c 9000000 /dev/zero >zeros.dat
 expect 2 "$bin/mandelbulb" zeros.dat
 says '^zeros.dat:'
 
+# What a message has to say of units, comments and super-sampling.
+awk '!/^#/ && NF == 1 && !done { print 60; done = 1; next } { print }' paramsBulb.dat >degrees.dat
+expect 2 "$bin/mandelbulb" degrees.dat
+says "field of view, in units of 65 degrees, is '60', expected"
+"$bin/mandelbulb" --help | grep -q '65 degrees' || fail "--help has no unit of the field of view"
+sed 's/^imageBulb.bmp/frame #3.bmp/' paramsBulb.dat >comment.dat
+expect 2 "$bin/mandelbulb" comment.dat $small
+says 'frame: .* # behind a blank'
+for number in 0 1; do
+    awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
+    expect 0 "$bin/mandelbulb" super.dat $small --output a.png
+    [ $number = 0 ] || says 'super-sampling .* ignored; .*--samples 2'
+    [ $number = 1 ] || ! grep -q -- --samples stderr || fail "no super-sampling is wanted, and --samples is named"
+done
+
 # Wrong outputs, seen before anything is drawn.
 sed 's/^imageBulb.bmp/image/' paramsBulb.dat >noending.dat
 expect 2 "$bin/mandelbulb" noending.dat $small
-sed 's/^imageBulb.bmp/image.jpeg/' paramsBulb.dat >unknown.dat
+sed 's/^imageBulb.bmp/image.tiff/' paramsBulb.dat >unknown.dat
 expect 2 "$bin/mandelbulb" unknown.dat $small
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output missing/a.bmp
 mkdir folder.bmp

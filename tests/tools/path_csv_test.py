@@ -35,8 +35,8 @@ class TableTest(unittest.TestCase):
     def name(self, name):
         return os.path.join(self.folder, name)
 
-    def write(self, name, text):
-        with open(self.name(name), "w", encoding="utf-8") as file:
+    def write(self, name, text, encoding="utf-8"):
+        with open(self.name(name), "w", encoding=encoding, newline="") as file:
             file.write(text)
 
     def read(self, name):
@@ -71,10 +71,38 @@ class TableTest(unittest.TestCase):
         self.run_tool("import", "path.json", "path.csv", "new.json")
         self.assertEqual([f["shape"] for f in json.loads(self.read("new.json"))["frames"]], [[0, 4, 8], [0, 4, 7.5], [0, 4, 6]])
 
+    def test_a_table_of_a_spreadsheet_is_the_same_path(self):
+        self.run_tool("export", "path.json", "path.csv")
+        good = self.read("path.csv")
+        head, *lines = good.splitlines()
+        semicolons = good.replace(",", ";")
+        for what, text in (("lines in another order", "\n".join([head, *reversed(lines)]) + "\n"),
+                           ("a byte-order mark", "\ufeff" + good), ("an empty line at the end", good + "\n"),
+                           ("commas alone in a line", good + "," * 10 + "\n"), ("an empty line before", "\n" + good),
+                           ("semicolons", semicolons), ("decimal commas", semicolons.replace(".", ",")),
+                           ("UTF-16", good.replace(",", "\t")), ("tabs", good.replace(",", "\t")),
+                           ("ends of lines of Windows", good.replace("\n", "\r\n")),
+                           ("quotes", '"' + head.replace(",", '","') + '"\n' + "\n".join(lines)),
+                           ("all of Excel", "\ufeff" + semicolons.replace(".", ",").replace("\n", "\r\n") + "\r\n")):
+            self.write("path.csv", text, "utf-16" if what == "UTF-16" else "utf-8")
+            done = self.run_tool("import", "path.json", "path.csv", "new.json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), what)
+            self.assertEqual(json.loads(self.read("new.json")), PATH, what)
+
+    def test_frames_that_are_left_out_are_no_more(self):
+        self.run_tool("export", "path.json", "path.csv")
+        lines = self.read("path.csv").splitlines()
+        self.write("path.csv", "\n".join([lines[0], lines[4], lines[2]]) + "\n")
+        self.run_tool("import", "path.json", "path.csv", "new.json")
+        self.assertEqual(json.loads(self.read("new.json"))["frames"], [PATH["frames"][1], PATH["frames"][3]])
+
     def test_bad_tables_are_one_line(self):
         self.run_tool("export", "path.json", "path.csv")
         good = self.read("path.csv")
-        for bad, said in ((good.replace("frame,", "picture,"), "path.csv:1:"), (good.replace("3.5", "nan"), "path.csv:4:"),
+        for bad, said in ((good.replace("\n2,", "\n1,"), "path.csv:4: frame 1 is there twice"),
+                          (good.replace("\n2,", "\n1.5,"), "path.csv:4: the frame is 1.5"),
+                          (good.replace("\n2,", "\n,"), "path.csv:4:"),
+                          (good.replace("frame,", "picture,"), "path.csv:1:"), (good.replace("3.5", "nan"), "path.csv:4:"),
                           (good.replace("3.5", "x"), "path.csv:4:"), ("\n".join(good.splitlines()[:1]), "no frames")):
             self.write("path.csv", bad)
             done = self.run_tool("import", "path.json", "path.csv", "new.json")

@@ -5,15 +5,24 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
+#include <vector>
+
+// jpeglib.h needs what cstdio declares.
+#include <jpeglib.h>
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
+#include "core/image/averaged.h"
 #include "core/image/compare.h"
 #include "core/image/image_file.h"
 
@@ -61,7 +70,7 @@ TEST_F(Files, EveryFormatComesBack)
 {
     for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {3, 2}, {5, 4}, {33, 17}, {64, 64}}) {
         const Image image = noise(width, height);
-        for (const char* name : {"a.bmp", "a.png", "a.exr"}) {
+        for (const char* name : {"a.bmp", "a.png", "a.ppm", "a.pnm", "a.exr"}) {
             write_image(path(name), *image_format(name), image);
             const Image back = read_image(path(name));
             EXPECT_EQ(back.bytes(), image.bytes()) << name << " " << width;
@@ -73,6 +82,55 @@ TEST_F(Files, EveryFormatComesBack)
             }
         }
     }
+}
+
+// The picture as libjpeg reads it, from the top row.
+std::vector<std::uint8_t> decoded_jpeg(const std::string& file, unsigned& width, unsigned& height)
+{
+    jpeg_decompress_struct info{};
+    jpeg_error_mgr errors{};
+    info.err = jpeg_std_error(&errors);
+    jpeg_create_decompress(&info);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
+    jpeg_stdio_src(&info, stream.get());
+    jpeg_read_header(&info, TRUE);
+    jpeg_start_decompress(&info);
+    width = info.output_width;
+    height = info.output_height;
+    std::vector<std::uint8_t> rgb(3ULL * width * height);
+    while (info.output_scanline < height) {
+        JSAMPLE* row = rgb.data() + 3ULL * info.output_scanline * width;
+        jpeg_read_scanlines(&info, &row, 1);
+    }
+    jpeg_destroy_decompress(&info);
+    return rgb;
+}
+
+TEST_F(Files, JpegsAreThePictureUpToItsLoss)
+{
+    Image image(40, 24, Image::Layers::bytes);
+    for (int y = 0; y < 24; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            std::uint8_t* pixel = image.bytes().data() + 3 * (static_cast<std::ptrdiff_t>(y) * 40 + x);
+            pixel[0] = static_cast<std::uint8_t>(6 * x);
+            pixel[1] = static_cast<std::uint8_t>(10 * y);
+            pixel[2] = static_cast<std::uint8_t>(255 - 6 * x);
+        }
+    }
+    write_image(path("a.jpg"), ImageFormat::jpeg, image);
+    unsigned width = 0;
+    unsigned height = 0;
+    const auto rgb = decoded_jpeg(path("a.jpg"), width, height);
+    ASSERT_EQ(width, 40U);
+    ASSERT_EQ(height, 24U);
+    for (int y = 0; y < 24; ++y) {
+        for (int i = 0; i < 120; ++i) {
+            const int wanted = image.bytes()[static_cast<std::size_t>((23 - y) * 120 + i)];
+            ASSERT_NEAR(rgb[static_cast<std::size_t>(y * 120 + i)], wanted, 10) << y << " " << i;
+        }
+    }
+    EXPECT_THROW(check_image_size(ImageFormat::jpeg, 65535, 10), InputError);
+    EXPECT_THROW(write_image("/dev/full", ImageFormat::jpeg, noise(80, 80)), Error);
 }
 
 TEST_F(Files, BmpRowsArePaddedToFourBytes)
@@ -158,7 +216,7 @@ TEST_F(Files, UnwritableTargetsAreSeenBeforehand)
 
 TEST_F(Files, DamagedPicturesAreRefused)
 {
-    for (const char* name : {"a.bmp", "a.png", "a.exr"}) {
+    for (const char* name : {"a.bmp", "a.png", "a.ppm", "a.exr"}) {
         write_image(path(name), *image_format(name), noise(20, 20));
         fs::resize_file(path(name), fs::file_size(path(name)) / 2);
         EXPECT_THROW(read_image(path(name)), InputError) << name;
@@ -188,12 +246,107 @@ TEST_F(Files, TopDownAnd32BitBmpsAreRead)
     EXPECT_EQ(image.bytes()[5], 10);
 }
 
+std::string little_endian(std::uint32_t value, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i));
+    return text;
+}
+
+// Two pixels of 32 bits, red 1, 4, green 2, 5, blue 3, 6, whose masks are as given, with a header of so many bytes.
+std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t header_bytes)
+{
+    std::string header = little_endian(header_bytes, 4) + little_endian(2, 4) + little_endian(1, 4) +
+                         little_endian(1, 2) + little_endian(32, 2) + little_endian(3, 4);
+    header.resize(40, '\0');
+    for (const std::uint32_t mask : {red, green, blue, ~(red | green | blue)}) header += little_endian(mask, 4);
+    if (header_bytes > header.size()) header.resize(header_bytes, '\0');
+    std::string pixels;
+    for (std::uint32_t i = 1; i <= 4; i += 3) {
+        // 0xff in what is no colour: alpha.
+        pixels += little_endian(~(red | green | blue) | i * (red & (~red + 1)) | (i + 1) * (green & (~green + 1)) |
+                                    (i + 2) * (blue & (~blue + 1)),
+                                4);
+    }
+    const auto start = static_cast<std::uint32_t>(14 + header.size());
+    return "BM" + little_endian(start + 8, 4) + little_endian(0, 4) + little_endian(start, 4) + header + pixels;
+}
+
+TEST(BmpMasks, AreHeededInAnyOrder)
+{
+    const std::pmr::vector<std::uint8_t> wanted{1, 2, 3, 4, 5, 6};
+    const std::array<std::uint32_t, 4> masks{0xff, 0xff00, 0xff0000, 0xff000000};
+    for (const std::uint32_t header : {40U, 52U, 56U, 108U, 124U}) {
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        do {
+            const std::string file = masked_bmp(masks[order[0]], masks[order[1]], masks[order[2]], header);
+            const Image image = decode_bmp(std::as_bytes(std::span(file)), "memory");
+            EXPECT_EQ(image.bytes(), wanted) << header << " " << order[0] << order[1] << order[2];
+        } while (std::ranges::next_permutation(order).found);
+    }
+}
+
+TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
+{
+    const std::string file = masked_bmp(0x3ff00000, 0x000ffc00, 0x000003ff, 40);
+    std::string full = file;
+    full.replace(full.size() - 8, 4, little_endian(0x3ff001ff, 4));
+    const Image image = decode_bmp(std::as_bytes(std::span(full)), "memory");
+    EXPECT_EQ(image.bytes()[0], 255);
+    EXPECT_EQ(image.bytes()[1], 0);
+    EXPECT_EQ(image.bytes()[2], 127);  // 511 of 1023
+    for (const std::uint32_t bad : {0U, 0xf0f0U}) {
+        const std::string wrong = masked_bmp(bad, 0xff000000, 0xff0000, 40);
+        EXPECT_THROW(decode_bmp(std::as_bytes(std::span(wrong)), "memory"), InputError);
+    }
+}
+
+TEST(Pnm, IsReadAsTextAndBytes)
+{
+    const std::pmr::vector<std::uint8_t> wanted{4, 5, 6, 255, 0, 9, 1, 2, 3, 0, 0, 255};  // from the bottom row
+    const auto read = [](const std::string& file) {
+        return decode_pnm(std::as_bytes(std::span(file)), "memory").bytes();
+    };
+    EXPECT_EQ(read("P6\n2 2\n255\n" + std::string("\1\2\3\0\0\xff\4\5\6\xff\0\11", 12)), wanted);
+    EXPECT_EQ(read("P3 # a comment\n2\t2 #another\n255\n1 2 3 0 0 255\n4 5 6 255 0 9\n"), wanted);
+    EXPECT_EQ(read("P5 1 1 65535 " + std::string("\x80\x80", 2)), (std::pmr::vector<std::uint8_t>{128, 128, 128}));
+    EXPECT_EQ(read("P2 1 1 100 50"), (std::pmr::vector<std::uint8_t>{128, 128, 128}));
+    for (const std::string bad :
+         {"P6", "P6 2 2 255 ", "P6 2 2 255 abc", "P3 1 1 255 1 2", "P6 0 2 255 ", "P6 2 2 0 abcdefabcdef",
+          "P6 99999 99999 255 a", "P3 1 1 255 1 2 x", "P6 2 2 70000 abcdefabcdef"}) {
+        EXPECT_THROW(read(bad), InputError) << bad;
+    }
+}
+
+TEST(Averaged, PixelsAreMeansOfTheirSamples)
+{
+    Image samples(4, 2, Image::Layers::all);
+    for (std::size_t i = 0; i < samples.pixels(); ++i) {
+        samples.bytes()[3 * i] = static_cast<std::uint8_t>(i);
+        PixelValue& value = samples.values()[i];
+        value.red = static_cast<double>(i);
+        value.depth = i == 5 ? 2 : INFINITY;
+        value.iterations = 2'000'000'000;
+    }
+    const Image image = averaged(samples, 2);
+    ASSERT_EQ(image.width(), 2);
+    ASSERT_EQ(image.height(), 1);
+    EXPECT_EQ(image.bytes()[0], 3);  // of 0, 1, 4, 5: 2.5
+    EXPECT_EQ(image.bytes()[3], 5);
+    EXPECT_EQ(image.values()[0].red, 2.5);
+    EXPECT_EQ(image.values()[0].depth, 2);
+    EXPECT_TRUE(std::isinf(image.values()[1].depth));
+    EXPECT_EQ(image.values()[1].iterations, 2'000'000'000);
+}
+
 TEST(Formats, ByEnding)
 {
     EXPECT_EQ(image_format("a.BMP"), ImageFormat::bmp);
     EXPECT_EQ(image_format("x/y.exr"), ImageFormat::exr);
     EXPECT_EQ(image_format("noending"), std::nullopt);
-    EXPECT_EQ(image_format("a.jpeg"), std::nullopt);
+    EXPECT_EQ(image_format("a.Jpeg"), ImageFormat::jpeg);
+    EXPECT_EQ(image_format("a.ppm"), ImageFormat::pnm);
+    EXPECT_EQ(image_format("a.tiff"), std::nullopt);
 }
 
 TEST(Memory, IsPlausible)

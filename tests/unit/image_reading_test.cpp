@@ -3,11 +3,15 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -131,21 +135,68 @@ TEST(ExrReading, AMissingColourIsNamed)
 {
     EXPECT_NO_THROW(decoded(decode_exr, exr({"R", "G", "B"})));
     EXPECT_TRUE(holds(refusal(decode_exr, exr({"R", "G"})), "no channel B"));
-    EXPECT_TRUE(holds(refusal(decode_exr, exr({"B", "G", "depth"})), "no channel R"));
+    EXPECT_TRUE(holds(refusal(decode_exr, exr({"B", "G", "Z"})), "no channel R"));
     EXPECT_TRUE(holds(refusal(decode_exr, exr({"Y"})), "no channel R"));
 }
 
 TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
 {
     const Image flat = decoded(decode_exr, exr({"R", "G", "B"}));
-    const Image deep = decoded(decode_exr, exr({"R", "G", "B", "depth"}));
-    const Image full = decoded(decode_exr, exr({"R", "G", "B", "depth", "steps", "iterations"}));
+    const Image deep = decoded(decode_exr, exr({"R", "G", "B", "Z"}));
+    const Image full = decoded(decode_exr, exr({"R", "G", "B", "Z", "steps", "iterations"}));
     EXPECT_FALSE(flat.has_depths());
     EXPECT_EQ(full.values()[0].steps, 5);
     const Comparison part = compare(flat, full);
     EXPECT_TRUE(part.same() && part.values_compared && !part.depths_compared);
     EXPECT_EQ(describe_pixel(flat, flat, 0).find("depth"), std::string::npos);
     EXPECT_TRUE(compare(deep, full).same() && compare(deep, full).depths_compared);
+}
+
+TEST(ExrReading, ColoursAreLightUnlessTheyAreAnOldFilesOfOurs)
+{
+    // Light of 0.5 is 188 of 255 as displayed.
+    EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B"})).bytes()[0], 187);
+    EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "Z"})).bytes()[0], 187);
+    EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "depth"})).bytes()[0], 127);
+    EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "depth"})).has_depths());
+}
+
+// As compositing programs read it; the values as displayed come back in every bit.
+TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
+{
+    Image image(3, 1, Image::Layers::all);
+    const std::array<float, 3> shown{0.02F, 0.5F, 1};
+    for (std::size_t i = 0; i < 3; ++i) {
+        PixelValue& value = image.values()[i];
+        value.red = value.green = shown[i];
+        value.blue = std::nextafter(shown[i], 0.0F);
+        value.depth = i == 1 ? INFINITY : 7;
+        for (std::size_t c = 0; c < 3; ++c) image.bytes()[3 * i + c] = static_cast<std::uint8_t>(255 * shown[i]);
+    }
+    const std::string name = std::filesystem::temp_directory_path() / ("light-" + std::to_string(getpid()) + ".exr");
+    write_image(name, ImageFormat::exr, image);
+    const Image back = read_image(name);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(back.values()[i].red, image.values()[i].red);
+        EXPECT_EQ(back.values()[i].blue, image.values()[i].blue);
+    }
+    Imf::InputFile file(name.c_str());
+    ASSERT_TRUE(Imf::hasChromaticities(file.header()));
+    EXPECT_EQ(Imf::chromaticities(file.header()).red, Imf::Chromaticities().red);
+    EXPECT_EQ(file.header().channels().findChannel("depth"), nullptr);
+    std::array<float, 3> red{};
+    std::array<float, 3> depth{};
+    Imf::FrameBuffer buffer;
+    buffer.insert("R", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(red.data()), 4, 0));
+    buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(depth.data()), 4, 0));
+    file.setFrameBuffer(buffer);
+    file.readPixels(0);
+    std::filesystem::remove(name);
+    EXPECT_NEAR(red[0], 0.02 / 12.92, 1e-8);
+    EXPECT_NEAR(red[1], 0.21404114, 1e-7);
+    EXPECT_EQ(red[2], 1);
+    EXPECT_EQ(depth[0], 7);
+    EXPECT_TRUE(std::isinf(depth[1]));
 }
 
 // The file with the last corner of its data window moved.

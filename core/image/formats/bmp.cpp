@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdlib>
 #include <vector>
 
 #include "core/base/error.h"
@@ -15,7 +16,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t header_size = 54;         // bytes, both headers
+constexpr std::size_t header_size = 54;  // bytes, both headers
+constexpr std::size_t file_header_size = 14;
 constexpr std::uint32_t info_size = 40;         // bytes
 constexpr std::uint32_t dots_per_metre = 2835;  // 72 dots per inch
 
@@ -69,41 +71,90 @@ void write_bmp(OutputFile& file, const Image& image)
     }
 }
 
+namespace {
+
+// Where a channel's bits are in a pixel of four bytes.
+struct BmpMask {
+    int shift = 0;
+    std::uint32_t most = 0;  // the largest value
+
+    std::uint8_t byte(std::uint32_t pixel) const
+    {
+        return static_cast<std::uint8_t>((255 * std::uint64_t{pixel >> shift & most} + most / 2) / most);
+    }
+};
+
+// What a file's headers say of its pixels.
+struct BmpPixels {
+    int width = 0, height = 0;
+    bool top_down = false;
+    int bits = 24;
+    std::uint32_t start = 0;  // of the pixels, in bytes from the file's beginning
+    std::array<BmpMask, 3> masks{BmpMask{16, 255}, BmpMask{8, 255}, BmpMask{0, 255}};  // red, green, blue
+};
+
+constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // kinds of compression that compress nothing
+
+template <class Refuse>
+BmpMask bmp_mask(std::uint32_t bits, const Refuse& refuse)
+{
+    if (bits == 0) refuse("a colour's mask is 0");
+    const BmpMask mask{std::countr_zero(bits), bits >> std::countr_zero(bits)};
+    if ((mask.most & (mask.most + 1)) != 0) refuse("a colour's mask has gaps");
+    return mask;
+}
+
+template <class Refuse>
+BmpPixels read_header(std::span<const std::byte> data, const Refuse& refuse)
+{
+    if (data.size() < file_header_size + 4) refuse("the file ends in its header");
+    if (get(data, 0, 2) != 0x4D42) refuse("it does not begin with BM");
+    if (get(data, 14, 4) < info_size) refuse("its header is of an old kind, OS/2's");
+    if (data.size() < header_size) refuse("the file ends in its header");
+    BmpPixels pixels;
+    pixels.start = get(data, 10, 4);
+    pixels.width = static_cast<std::int32_t>(get(data, 18, 4));
+    const auto height = std::int64_t{static_cast<std::int32_t>(get(data, 22, 4))};
+    pixels.top_down = height < 0;
+    pixels.bits = static_cast<int>(get(data, 28, 2));
+    const std::uint32_t compression = get(data, 30, 4);
+    if (pixels.bits != 24 && pixels.bits != 32) refuse(fmt::format("it has {} bits a pixel", pixels.bits));
+    const bool masked = pixels.bits == 32 && (compression == bit_fields || compression == alpha_bit_fields);
+    if (compression != 0 && !masked) refuse("it is compressed");
+    if (pixels.width < 1 || pixels.width > max_side || height == 0 || std::abs(height) > max_side) {
+        refuse(fmt::format("its size is {} x {} pixels", pixels.width, std::abs(height)));
+    }
+    pixels.height = static_cast<int>(std::abs(height));
+    // The masks come behind a header of 40 bytes and are a part of larger ones, at the same place.
+    constexpr std::size_t masks_size = 12;
+    if (masked && data.size() < header_size + masks_size) refuse("the file ends in its header");
+    for (std::size_t i = 0; masked && i < pixels.masks.size(); ++i) {
+        pixels.masks.at(i) = bmp_mask(get(data, header_size + 4 * i, 4), refuse);
+    }
+    return pixels;
+}
+
+}  // namespace
+
 Image decode_bmp(std::span<const std::byte> data, const std::string& name)
 {
     const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: {}, expected an uncompressed 24 or 32 bit BMP", name, why));
     };
-    if (data.size() < header_size) refuse("the file ends in its header");
-    if (get(data, 0, 2) != 0x4D42) refuse("it does not begin with BM");
-    if (get(data, 14, 4) < info_size) refuse("its header is of an old kind");
-    const std::uint32_t start = get(data, 10, 4);
-    const auto width = static_cast<std::int32_t>(get(data, 18, 4));
-    const auto signed_height = static_cast<std::int32_t>(get(data, 22, 4));
-    const auto bits = static_cast<int>(get(data, 28, 2));
-    const std::uint32_t compression = get(data, 30, 4);
-    if (bits != 24 && bits != 32) refuse(fmt::format("it has {} bits a pixel", bits));
-    // 3 is "bit fields", the usual way to write 32 bits; the masks are taken to be blue, green, red.
-    if (compression != 0 && !(compression == 3 && bits == 32)) refuse("it is compressed");
-    const bool top_down = signed_height < 0;  // a negative height: rows from the top down
-    const std::int64_t height = top_down ? -static_cast<std::int64_t>(signed_height) : signed_height;
-    if (width < 1 || width > max_side || height < 1 || height > max_side) {
-        refuse(fmt::format("its size is {} x {} pixels", width, height));
-    }
-    const std::size_t stride = row_size(width, bits);
-    if (start < header_size || start > data.size() ||
-        (data.size() - start) / stride < static_cast<std::size_t>(height)) {
+    const BmpPixels pixels = read_header(data, refuse);
+    const auto rows = static_cast<std::size_t>(pixels.height);
+    const std::size_t stride = row_size(pixels.width, pixels.bits);
+    if (pixels.start < header_size || pixels.start > data.size() || (data.size() - pixels.start) / stride < rows) {
         refuse("the file ends in its pixels");
     }
-    Image image(width, static_cast<int>(height), Image::Layers::bytes);
+    Image image(pixels.width, pixels.height, Image::Layers::bytes);
     std::uint8_t* to = image.bytes().data();
-    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-        const std::size_t row = top_down ? static_cast<std::size_t>(height) - 1 - y : y;
-        const std::byte* from = data.data() + start + row * stride;
-        for (int x = 0; x < width; ++x, from += bits / 8, to += 3) {
-            to[0] = std::to_integer<std::uint8_t>(from[2]);
-            to[1] = std::to_integer<std::uint8_t>(from[1]);
-            to[2] = std::to_integer<std::uint8_t>(from[0]);
+    const int bytes = pixels.bits / 8;
+    for (std::size_t y = 0; y < rows; ++y) {
+        std::size_t at = pixels.start + (pixels.top_down ? rows - 1 - y : y) * stride;
+        for (int x = 0; x < pixels.width; ++x, at += static_cast<std::size_t>(bytes)) {
+            const std::uint32_t pixel = get(data, at, bytes);
+            for (const BmpMask& mask : pixels.masks) *to++ = mask.byte(pixel);
         }
     }
     return image;

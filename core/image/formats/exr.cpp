@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR: the colour as displayed, depth, steps and iterations, 32 bits each, as named channels.
+// OpenEXR, 32 bits a channel: R, G, B are light, as compositing programs take them, the layer `displayed` has the same
+// colours as displayed, in every bit; Z is the depth. Steps and iterations are named so.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -7,11 +8,13 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <ImfTileDescription.h>
 #include <ImfVersion.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -26,34 +29,62 @@
 namespace mandelmarch {
 namespace {
 
+constexpr std::array exr_colours{"R", "G", "B"};
+constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
+constexpr std::array exr_counts{"steps", "iterations"};
+constexpr const char* depth_name = "Z";
+constexpr const char* old_depth_name = "depth";  // of files whose R, G and B are as displayed
+
+// sRGB's curve (IEC 61966-2-1): light of a displayed value, and back.
+float light_of(float displayed)
+{
+    const double c = displayed;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+float displayed_of(float light)
+{
+    const double c = light;
+    return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
+}
+
 // One row of the file.
 struct Row {
-    explicit Row(int width) : red(width), green(width), blue(width), depth(width), steps(width), iterations(width) {}
+    explicit Row(int width) : depth(width), steps(width), iterations(width)
+    {
+        for (auto& channel : light) channel.resize(static_cast<std::size_t>(width));
+        for (auto& channel : displayed) channel.resize(static_cast<std::size_t>(width));
+    }
 
-    std::vector<float> red, green, blue, depth;
+    std::array<std::vector<float>, 3> light, displayed;
+    std::vector<float> depth;
     std::vector<std::uint32_t> steps, iterations;
 
     // A frame buffer that takes every line of the file for this row.
-    Imf::FrameBuffer frame()
+    Imf::FrameBuffer frame(const char* depth_channel)
     {
         Imf::FrameBuffer buffer;
         const auto add = [&](const char* name, Imf::PixelType type, void* data) {
             buffer.insert(name, Imf::Slice(type, static_cast<char*>(data), 4, 0));
         };
-        add("R", Imf::FLOAT, red.data());
-        add("G", Imf::FLOAT, green.data());
-        add("B", Imf::FLOAT, blue.data());
-        add("depth", Imf::FLOAT, depth.data());
-        add("steps", Imf::UINT, steps.data());
-        add("iterations", Imf::UINT, iterations.data());
+        for (std::size_t c = 0; c < exr_colours.size(); ++c) {
+            add(exr_colours.at(c), Imf::FLOAT, light.at(c).data());
+            add(exr_displayed.at(c), Imf::FLOAT, displayed.at(c).data());
+        }
+        add(depth_channel, Imf::FLOAT, depth.data());
+        add(exr_counts[0], Imf::UINT, steps.data());
+        add(exr_counts[1], Imf::UINT, iterations.data());
         return buffer;
     }
 };
 
 void insert_channels(Imf::ChannelList& channels)
 {
-    for (const char* name : {"R", "G", "B", "depth"}) channels.insert(name, Imf::Channel(Imf::FLOAT));
-    for (const char* name : {"steps", "iterations"}) channels.insert(name, Imf::Channel(Imf::UINT));
+    for (const auto& names : {exr_colours, exr_displayed}) {
+        for (const char* name : names) channels.insert(name, Imf::Channel(Imf::FLOAT));
+    }
+    channels.insert(depth_name, Imf::Channel(Imf::FLOAT));
+    for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
 // OpenEXR's output, into an OutputFile that can seek.
@@ -83,16 +114,20 @@ void encode(Imf::OStream& stream, const Image& image)
     Imf::Header header(image.width(), image.height());
     header.compression() = Imf::ZIP_COMPRESSION;
     insert_channels(header.channels());
+    // Of Rec. 709 and sRGB, which are the default.
+    Imf::addChromaticities(header, Imf::Chromaticities());
     Imf::OutputFile output(stream, header, 0);
     Row row(image.width());
-    output.setFrameBuffer(row.frame());
+    output.setFrameBuffer(row.frame(depth_name));
     for (int line = 0; line < image.height(); ++line) {
         const int y = image.height() - 1 - line;
-        const PixelValue* value = image.values().data() + static_cast<std::size_t>(y) * row.red.size();
-        for (std::size_t x = 0; x < row.red.size(); ++x, ++value) {
-            row.red[x] = static_cast<float>(value->red);
-            row.green[x] = static_cast<float>(value->green);
-            row.blue[x] = static_cast<float>(value->blue);
+        const PixelValue* value = image.values().data() + static_cast<std::size_t>(y) * row.depth.size();
+        for (std::size_t x = 0; x < row.depth.size(); ++x, ++value) {
+            const std::array<double, 3> colour{value->red, value->green, value->blue};
+            for (std::size_t c = 0; c < colour.size(); ++c) {
+                row.displayed.at(c)[x] = static_cast<float>(colour.at(c));
+                row.light.at(c)[x] = light_of(row.displayed.at(c)[x]);
+            }
             row.depth[x] = static_cast<float>(value->depth);
             row.steps[x] = static_cast<std::uint32_t>(value->steps);
             row.iterations[x] = static_cast<std::uint32_t>(value->iterations);
@@ -176,8 +211,15 @@ void check_attributes(std::span<const std::byte> data)
     }
 }
 
-// Reads the header alone, before OpenEXR takes memory for what it claims. True if the picture has depths.
-bool check_header(std::span<const std::byte> data, const std::string& name)
+// Which channels a file has besides its colours.
+struct ExrChannels {
+    const char* depth = nullptr;  // its channel; nullptr: none
+    bool displayed = false;       // the layer of displayed colours is there
+    bool light = true;            // R, G and B are light, as everywhere but in old files of this program
+};
+
+// Reads the header alone, before OpenEXR takes memory for what it claims.
+ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
     constexpr int largest_tile = 4096;  // pixels, both ways
@@ -212,15 +254,43 @@ bool check_header(std::span<const std::byte> data, const std::string& name)
             : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
     constexpr std::uint64_t usual_block = 64 << 20;  // bytes; a small picture may have a large block
     const std::uint64_t most = data.size() * ratio_of(header.compression());
-    const bool depths = header.channels().findChannel("depth") != nullptr;
+    const auto has = [&](const char* channel) { return header.channels().findChannel(channel) != nullptr; };
+    const ExrChannels found{.depth = has(depth_name)       ? depth_name
+                                     : has(old_depth_name) ? old_depth_name
+                                                           : nullptr,
+                            .displayed = std::ranges::all_of(exr_displayed, has),
+                            .light = has(depth_name) || !has(old_depth_name)};
     check_claim(name, {.width = width,
                        .height = height,
                        .pixel_bits = bits,
                        .most_bytes = most,
                        .decoder = 3 * block * bytes,  // packed, unpacked and on the way between
-                       .layers = depths ? Image::Layers::all : Image::Layers::colours});
+                       .layers = found.depth != nullptr ? Image::Layers::all : Image::Layers::colours});
     if (block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
-    return depths;
+    return found;
+}
+
+// The row of the file as row y of the image, counted from the bottom.
+void put_row(const Row& row, const ExrChannels& channels, Image& image, int y)
+{
+    const std::size_t at = static_cast<std::size_t>(y) * row.depth.size();
+    const auto byte = [](float c) { return static_cast<std::uint8_t>(c > 0 ? (c < 1 ? 255 * c : 255) : 0); };
+    for (std::size_t x = 0; x < row.depth.size(); ++x) {
+        std::array<float, 3> colour{};
+        for (std::size_t c = 0; c < colour.size(); ++c) {
+            const float light = row.light.at(c)[x];
+            colour.at(c) = channels.displayed ? row.displayed.at(c)[x] : channels.light ? displayed_of(light) : light;
+            image.bytes()[3 * (at + x) + c] = byte(colour.at(c));
+        }
+        PixelValue& value = image.values()[at + x];
+        value.red = colour[0];
+        value.green = colour[1];
+        value.blue = colour[2];
+        if (channels.depth == nullptr) continue;
+        value.depth = row.depth[x];
+        value.steps = static_cast<std::int32_t>(row.steps[x]);
+        value.iterations = static_cast<std::int32_t>(row.iterations[x]);
+    }
 }
 
 }  // namespace
@@ -249,38 +319,21 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
 Image decode_exr(std::span<const std::byte> data, const std::string& name)
 {
     try {
-        const bool depths = check_header(data, name);
+        const ExrChannels channels = check_header(data, name);
         MemoryStream stream(data, name);
         Imf::InputFile input(stream, 0);
         const auto window = input.header().dataWindow();
         Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
-                    depths ? Image::Layers::all : Image::Layers::colours);
+                    channels.depth != nullptr ? Image::Layers::all : Image::Layers::colours);
         Row row(image.width());
-        Imf::FrameBuffer buffer = row.frame();
+        Imf::FrameBuffer buffer = row.frame(channels.depth != nullptr ? channels.depth : depth_name);
         for (auto slice = buffer.begin(); slice != buffer.end(); ++slice) {
             slice.slice().base -= 4 * static_cast<std::ptrdiff_t>(window.min.x);
         }
         input.setFrameBuffer(buffer);
         for (int line = 0; line < image.height(); ++line) {
             input.readPixels(window.min.y + line);
-            const std::size_t at = static_cast<std::size_t>(image.height() - 1 - line) * row.red.size();
-            for (std::size_t x = 0; x < row.red.size(); ++x) {
-                PixelValue& value = image.values()[at + x];
-                value.red = row.red[x];
-                value.green = row.green[x];
-                value.blue = row.blue[x];
-                if (depths) {
-                    value.depth = row.depth[x];
-                    value.steps = static_cast<std::int32_t>(row.steps[x]);
-                    value.iterations = static_cast<std::int32_t>(row.iterations[x]);
-                }
-                const auto byte = [](float c) {
-                    return static_cast<std::uint8_t>(c > 0 ? (c < 1 ? 255 * c : 255) : 0);
-                };
-                image.bytes()[3 * (at + x)] = byte(row.red[x]);
-                image.bytes()[3 * (at + x) + 1] = byte(row.green[x]);
-                image.bytes()[3 * (at + x) + 2] = byte(row.blue[x]);
-            }
+            put_row(row, channels, image, image.height() - 1 - line);
         }
         return image;
     } catch (const InputError&) {

@@ -16,6 +16,8 @@ std::uint64_t bmp_file_size(int width, int height);
 void write_bmp(OutputFile& file, const Image& image);
 void write_png(OutputFile& file, const std::string& path, const Image& image);
 void write_exr(OutputFile& file, const std::string& path, const Image& image);
+void write_pnm(OutputFile& file, const Image& image);
+void write_jpeg(OutputFile& file, const std::string& path, const Image& image);
 
 // Deflate's best: 258 bytes for two bits.
 inline constexpr std::uint64_t deflate_ratio = 1032;

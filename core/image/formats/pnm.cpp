@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Netpbm's pictures: a text header, then rows from the top down. Written as P6, 8 bits a channel; read as P2 and P3
+// (text), P5 and P6 (bytes), grey and colour, with any largest value.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/image/formats/formats.h"
+#include "core/image/image_file.h"
+
+namespace mandelmarch {
+namespace {
+
+[[noreturn]] void refuse_pnm(const std::string& name, const std::string& why)
+{
+    throw InputError(fmt::format("{}: {}, expected a PNM picture (P2, P3, P5 or P6)", name, why));
+}
+
+class PnmReader {
+public:
+    PnmReader(std::span<const std::byte> data, const std::string& name) : data_(data), name_(name) {}
+
+    Image read()
+    {
+        const char kind = data_.size() > 1 ? std::to_integer<char>(data_[1]) : '0';
+        at_ = 2;
+        const bool text = kind == '2' || kind == '3';
+        const std::size_t channels = kind == '3' || kind == '6' ? 3 : 1;
+        const std::uint32_t width = number();
+        const std::uint32_t height = number();
+        most_ = number();
+        if (most_ < 1 || most_ > 0xffff) refuse_pnm(name_, fmt::format("its largest value is {}", most_));
+        const std::size_t bytes = most_ < 256 ? 1 : 2;
+        // Behind the header stands one blank; a value of a text has a digit and a blank at least.
+        const std::size_t left = data_.size() - std::min(data_.size(), at_ + (text ? 0 : 1));
+        check_claim(name_, {.width = width,
+                            .height = height,
+                            .pixel_bits = 8 * channels * (text ? 2 : bytes),
+                            .most_bytes = left + (text ? 1 : 0),
+                            .decoder = 0,
+                            .layers = Image::Layers::bytes});
+        if (!text) ++at_;
+        Image image(static_cast<int>(width), static_cast<int>(height), Image::Layers::bytes);
+        for (std::size_t y = height; y-- > 0;) {
+            std::uint8_t* to = image.bytes().data() + 3 * y * width;
+            for (std::size_t x = 0; x < width; ++x, to += 3) {
+                for (std::size_t c = 0; c < channels; ++c) to[c] = byte(text ? number() : sample(bytes));
+                if (channels == 1) to[1] = to[2] = to[0];
+            }
+        }
+        return image;
+    }
+
+private:
+    bool is_blank() const { return std::isspace(std::to_integer<unsigned char>(data_[at_])) != 0; }
+
+    // The next whole number of a text; blanks and comments come before it.
+    std::uint32_t number()
+    {
+        while (at_ < data_.size() && (is_blank() || data_[at_] == std::byte{'#'})) {
+            if (data_[at_] == std::byte{'#'}) {
+                while (at_ < data_.size() && data_[at_] != std::byte{'\n'} && data_[at_] != std::byte{'\r'}) ++at_;
+            } else {
+                ++at_;
+            }
+        }
+        if (at_ == data_.size()) refuse_pnm(name_, "the file ends early");
+        std::uint32_t value = 0;
+        const std::size_t begin = at_;
+        for (; at_ < data_.size() && at_ - begin < 9; ++at_) {
+            const auto digit = std::to_integer<unsigned char>(data_[at_]);
+            if (digit < '0' || digit > '9') break;
+            value = 10 * value + digit - '0';
+        }
+        if (at_ == begin || (at_ < data_.size() && !is_blank() && data_[at_] != std::byte{'#'})) {
+            refuse_pnm(name_, fmt::format("there is no number at byte {}", begin));
+        }
+        return value;
+    }
+
+    std::uint32_t sample(std::size_t bytes)
+    {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | std::to_integer<std::uint32_t>(data_[at_++]);
+        return value;
+    }
+
+    std::uint8_t byte(std::uint32_t value) const
+    {
+        return static_cast<std::uint8_t>((255 * std::min(value, most_) + most_ / 2) / most_);
+    }
+
+    std::span<const std::byte> data_;
+    const std::string& name_;
+    std::size_t at_ = 0;
+    std::uint32_t most_ = 255;
+};
+
+}  // namespace
+
+void write_pnm(OutputFile& file, const Image& image)
+{
+    const std::string header = fmt::format("P6\n{} {}\n255\n", image.width(), image.height());
+    file.write(header.data(), header.size());
+    const std::size_t row = 3 * static_cast<std::size_t>(image.width());
+    for (auto y = static_cast<std::size_t>(image.height()); y-- > 0;) {
+        file.write(image.bytes().data() + y * row, row);
+    }
+}
+
+Image decode_pnm(std::span<const std::byte> data, const std::string& name) { return PnmReader(data, name).read(); }
+
+}  // namespace mandelmarch

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/film/spherical.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::size_t box_head = 8;      // bytes: size and type
+constexpr std::size_t entries_head = 8;  // of a box of sample entries: version, flags and their number
+constexpr char left_and_right = 2;       // st3d's way to hold two eyes
+constexpr std::string_view version_0{"\0\0\0\0", 4};
+
+std::string four_bytes(std::uint64_t number)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
+    return bytes;
+}
+
+std::string box_of(std::string_view type, std::string_view content)
+{
+    return four_bytes(box_head + content.size()).append(type).append(content);
+}
+
+// Yaw, pitch and roll of the middle are 0, and nothing is cut off at the four edges.
+std::string boxes_of(const Tags& tags)
+{
+    std::string boxes;
+    if (tags.side_by_side) boxes += box_of("st3d", std::string(version_0) + left_and_right);
+    if (tags.equirectangular) {
+        const std::string made_by = box_of("svhd", std::string(version_0).append("mandelmarch").append(1, '\0'));
+        const std::string pose = box_of("prhd", std::string(version_0.size() + 3 * 4, '\0'));
+        const std::string edges = box_of("equi", std::string(version_0.size() + 4 * 4, '\0'));
+        boxes += box_of("sv3d", made_by + box_of("proj", pose + edges));
+    }
+    return boxes;
+}
+
+std::size_t size_at(std::string_view data, std::size_t at)
+{
+    std::size_t size = 0;
+    for (std::size_t i = at; i < at + 4; ++i) size = size << 8 | static_cast<unsigned char>(data[i]);
+    return size;
+}
+
+// The first box of that type (empty: of any) in [begin, end) of the data; `end` where there is none.
+std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, std::string_view type)
+{
+    for (std::size_t at = begin; at + box_head <= end;) {
+        const std::size_t size = size_at(data, at);
+        if (size < box_head || size > end - at) return end;
+        if (type.empty() || data.substr(at + 4, 4) == type) return at;
+        at += size;
+    }
+    return end;
+}
+
+}  // namespace
+
+void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
+{
+    std::ostringstream text;
+    const std::ifstream stream(from, std::ios::binary);
+    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": it cannot be read");
+    std::string data = text.str();
+    const std::string boxes = boxes_of(tags);
+    std::vector<std::size_t> around;  // the boxes that grow
+    std::size_t begin = 0;
+    std::size_t end = data.size();
+    // The last one is the entry of the codec, avc1 or vp09.
+    for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
+        const std::size_t at = box_in(data, begin, end, type);
+        const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();
+        if (at == end || last) throw Error(fmt::format("{}: it is no MP4 file whose movie box is its last", from));
+        around.push_back(at);
+        begin = at + box_head + (type == "stsd" ? entries_head : 0);
+        end = at + size_at(data, at);
+    }
+    for (const std::size_t at : around) data.replace(at, 4, four_bytes(size_at(data, at) + boxes.size()));
+    data.insert(end, boxes);
+    write_file(to, data);
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# kinds_test.sh FLYTHROUGH: kinds of films: containers, rates, parts of a path, titles, tags for players, arrays.
+set -uo pipefail
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+# run CODE ARGUMENTS...: of flythrough; code 2 has one line on stderr and leaves no file.
+run() {
+    local code=$1 got before
+    shift
+    before=$(ls -A)
+    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null
+    got=$?
+    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
+    [ "$code" != 2 ] || [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $*"
+    [ "$code" != 2 ] || [ "$before" = "$(ls -A)" ] || fail "files are left: $*"
+}
+says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+# probe FILE ENTRIES: of the film's stream.
+probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
+
+# A straight flight beside the Mandelbulb, of two segments.
+make_path() {
+    python3 - "$@" <<'PY'
+import json, sys
+name, rate = sys.argv[1], int(sys.argv[2])
+frames = [{"location": [4 + 0.02 * i, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1} for i in range(64)]
+scene = {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2}
+json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "frames_per_second": rate, "scene": scene, "frames": frames},
+          open(name, "w"))
+PY
+}
+make_path path.json 30
+: >stdout # there before the first run
+: >stderr
+small="--size 32x16 --samples 1 --backend openmp --threads 1"
+run 0 render path.json $small --output whole.mp4
+
+# The ending decides the container; every one has all frames at the path's rate.
+for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
+    film=kind.${kind%:*}
+    run 0 render path.json $small --frames 50-59 --output "$film"
+    got=$(probe "$film" codec_name,r_frame_rate,nb_read_frames)
+    # A GIF counts hundredths of a second.
+    [ "$got" = "${kind#*:},30/1,10" ] || [[ $got = gif,*,10 ]] || fail "$film has $got"
+    cp "$film" first
+    rm "$film" "$film.made"
+    run 0 render path.json $small --frames 50-59 --output "$film"
+    cmp -s "$film" first || fail "$film is another one the second time"
+done
+[ "$(head -c 4 kind.mkv | xxd -p)" = 1a45dfa3 ] || fail "kind.mkv is no Matroska file"
+[ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
+for name in film film.avi film.mp5 mp4; do
+    run 2 render path.json $small --output $name
+    says 'expected .mp4, .mkv, .webm or .gif'
+done
+
+# Rates: of a path file, and planned.
+for rate in 24 25 50 60; do
+    make_path rate.json $rate
+    run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
+    got=$(probe rate.mp4 r_frame_rate,nb_read_frames)
+    [ "$got" = "$rate/1,$((2 + 4 * rate))" ] || fail "a path of $rate frames a second gives $got"
+done
+run 2 render rate.json $small --output rate.gif
+says 'a GIF of 60 frames a second, expected at most 50'
+run 2 render rate.json $small --fps 24
+run 2 plan new.json --fps 0
+run 2 plan new.json --fps 29.97
+run 0 plan plan30.json --frames 60
+run 0 plan plan60.json --frames 120 --fps 60
+run 0 plan plan24.json --frames 48 --fps 24
+python3 - <<'PY' || fail "flights of other rates are no longer the same flight"
+import json, math
+thirty, sixty, slow = (json.load(open(f"plan{rate}.json")) for rate in (30, 60, 24))
+assert (sixty["frames_per_second"], slow["frames_per_second"]) == (60, 24)
+assert (len(sixty["frames"]), len(slow["frames"])) == (120, 48)
+# The first second; the last frames of flights of other lengths differ.
+step = math.dist(thirty["frames"][0]["location"], thirty["frames"][1]["location"])
+for i in range(30):
+    assert math.dist(sixty["frames"][2 * i]["location"], thirty["frames"][i]["location"]) < step, i
+for i in range(6):
+    assert math.dist(slow["frames"][4 * i]["location"], thirty["frames"][5 * i]["location"]) < step, i
+PY
+
+# Some frames of a path, as stills and as a film.
+run 0 render path.json $small --stills stills --frames 10-12
+[ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
+    fail "--frames 10-12 gives $(ls stills)"
+run 0 render path.json $small --stills all
+cmp -s stills/frame-000011.png all/frame-000011.png || fail "a frame of --frames is another one"
+run 0 render path.json $small --stills one --frames 63-63
+[ "$(ls one | grep -vc made)" = 1 ] || fail "--frames 63-63 gives $(ls one)"
+run 0 render path.json ${small} --output part.mkv --frames 30-33
+[ "$(probe part.mkv nb_read_frames)" = 4 ] || fail "a film of four frames has others"
+for range in 60-64 70-80 5-3 5 x; do
+    run 2 render path.json $small --output part.mp4 --frames $range
+done
+says 'expected A-B'
+run 2 audit path.json --frames 1-2
+
+# An array's last task may ask for more segments than there are.
+run 0 render path.json $small --output array.mp4 --segments 0-0
+run 0 render path.json $small --output array.mp4 --segments 1-9
+says '1 of 2 segments'
+run 0 render path.json $small --output array.mp4
+says '0 of 2 segments'
+cmp -s array.mp4 whole.mp4 || fail "the film of an array that overhangs is another one"
+run 0 render path.json $small --stills array --segments 1-9
+[ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
+run 2 render path.json $small --output array2.mp4 --segments 2-9
+says '2-9 given, expected some of 0-1'
+
+# Segments of another kind of machine are named.
+MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
+run 0 render path.json $small --output mixed.mp4 --segments 1-1
+says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
+if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    timeout 60 mpirun --oversubscribe --bind-to none -n 1 "$program" render path.json $small --output mpi.mp4 : \
+        -n 1 -x MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 2>stderr
+    [ $? != 0 ] || fail "ranks of unlike instruction sets made a film"
+    says "rank 1 would draw other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
+fi
+
+# Titles: whole, once for each eye, in letters that the font has. white FILM: the columns that have white text at 2 s.
+white() {
+    ffmpeg -v error -ss 2 -i "$1" -frames:v 1 -pix_fmt gray -f rawvideo - | python3 -c '
+import sys
+width = int(sys.argv[1])
+data = sys.stdin.buffer.read()
+columns = {i % width for i, grey in enumerate(data) if grey > 160}
+assert columns, "no text"
+if sys.argv[2] == "eyes":
+    half = width // 2
+    left, right = {c for c in columns if c < half}, {c - half for c in columns if c >= half}
+    assert left == right, (sorted(left), sorted(right))
+    columns, width = left, half
+assert min(columns) > 0.02 * width and max(columns) < 0.98 * width, (min(columns), max(columns), width)
+assert abs(min(columns) + max(columns) - width) < 0.05 * width, "not in the middle"
+' "$2" "${3:-}"
+}
+middle="--samples 1 --backend openmp --frames 0-1 --authors A.B.C."
+long="The Flight through the Mandelbulb of Gro"
+for case in "640x360" "180x320" "320x320"; do
+    run 0 render path.json $middle --size "$case" --output title.mp4 --title "$long"
+    white title.mp4 "${case%x*}" || fail "a long title at $case"
+done
+run 0 render path.json $middle --size 640x180 --stereo --output title.mp4 --title "Inside the Mandelbulb"
+white title.mp4 640 eyes || fail "a title for two eyes"
+run 2 render path.json $middle --size 640x360 --output none.mp4 --title $'\u5206\u5f62'
+says 'lacks .*U\+5206'
+run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
+says '--authors: .*U\+674E'
+run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
+
+# Players know what shows all directions, or two eyes.
+tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
+for kind in mp4 mkv webm; do
+    run 0 render path.json --backend openmp --size 64x32 --frames 0-1 --projection equirectangular --output sphere.$kind
+    tags sphere.$kind | grep -q 'projection=equirectangular' || fail "sphere.$kind is not tagged: $(tags sphere.$kind)"
+    run 0 render path.json $small --frames 0-1 --stereo --output eyes.$kind
+    tags eyes.$kind | grep -q 'type=side by side' || fail "eyes.$kind is not tagged: $(tags eyes.$kind)"
+done
+grep -q sv3d sphere.mp4 || fail "sphere.mp4 has no box sv3d"
+[ -z "$(tags whole.mp4)" ] || fail "a usual film is tagged: $(tags whole.mp4)"
+[ $failures = 0 ] && echo "all well"
+exit $((failures > 0))
