@@ -22,6 +22,7 @@ NOT_RUN = {
     "make equivalence": "takes minutes",
     "make explore": "builds what is built already",
     "make bundle": "takes minutes, and has a test of its own",
+    "make gpu-quarter": "takes minutes, and has a test of its parts",
     "make report": "takes minutes and installs Python packages",
 }
 
