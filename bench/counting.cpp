@@ -64,14 +64,11 @@ Count counted(const Scene& scene, const CountOptions& options, CountPixel count_
               bool every_pixel)
 {
     const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode, options.techniques);
-    const Blocks blocks(scene, options.most_pixels);
-    std::vector<Sum> sums(static_cast<std::size_t>(usable_threads()), Sum(options));
-    std::atomic<int> next = 0;
     std::vector<BlockCount> counts(blocks.size());
     std::atomic<std::size_t> next = 0;
     {
         std::vector<std::jthread> threads;
-        for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+        for (int i = 0; i < usable_threads(); ++i) {
             threads.emplace_back([&] {
                 for (std::size_t block = next++; block < blocks.size(); block = next++) {
                     BlockCount mine;

@@ -31,7 +31,7 @@ class Regions : public testing::TestWithParam<std::string> {};
 
 TEST_P(Regions, HaveTheBitsOfTheWholePicture)
 {
-    const Registry registry = all_backends(Drivers::isolated);
+    const Registry registry = program_backends(0, nullptr);
     const Backend* backend = registry.find(GetParam());
     if (backend == nullptr || backend->unavailable() || backend->devices().empty()) GTEST_SKIP() << "no such device";
     const bool host = GetParam() == "openmp";
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::Values("openmp", "reference", "op
 // The comparison can fail: the same region one pixel aside is another picture.
 TEST(Region, OneAsideIsAnother)
 {
-    const Registry registry = all_backends(Drivers::isolated);
+    const Registry registry = program_backends(0, nullptr);
     const Scene scene = official_scene(fractals().front(), 75, 61);
     const auto renderer = registry.find("openmp")->create({});
     const auto a = render_region(*renderer, scene, {20, 20, 30, 20}, Image::Layers::all).first;
