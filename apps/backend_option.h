@@ -19,7 +19,7 @@ void add_isolation_option(CLI::App& app);
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
                               const RendererOptions& options = {});
 
-// Throws InputError where the options ask for a number of threads or a pack width of a backend that takes none.
+// Throws InputError if the options give a number of threads or a pack width and the backend does not support it.
 void refuse_unheeded(const Registry& registry, const Backend& backend, const RendererOptions& options);
 
 }  // namespace mandelmarch

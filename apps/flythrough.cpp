@@ -36,7 +36,7 @@ using namespace mandelmarch;
 constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
 
 // The scene whose fractal is flown through: a parameter file's, or the official one. Each frame has its own camera.
-// `warns`: what is odd about the file is said.
+// `warns`: print the warnings about the file.
 Scene scene_of(const Flythrough& options, bool warns = false)
 {
     const Fractal& fractal = fractal_named(options.fractal);
@@ -53,7 +53,7 @@ Scene scene_of(const Flythrough& options, bool warns = false)
     return scene;
 }
 
-// Throws InputError where it cannot be flown through.
+// Throws InputError if the scene's shape cannot be flown through.
 void check_shape(const Flythrough& options, const Scene& scene)
 {
     const std::string objection = flight_objection(scene);
@@ -64,7 +64,7 @@ void check_shape(const Flythrough& options, const Scene& scene)
 // Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
-// Flights are planned at one rate, whatever theirs is.
+// The number of frames to plan: every flight is planned at one rate, and resampled to its own rate afterwards.
 int planned_frames(const Flythrough& options)
 {
     return std::max(2, frames_at_rate(options.frames, frames_per_second, options.rate));

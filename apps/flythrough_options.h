@@ -55,8 +55,8 @@ struct Flythrough {
 // `done`: the exit code where there is nothing to do but that (help). Throws InputError.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
-// Threads for one of `local` processes on this machine: those of core/base/cores.h, shared out
-// where it may run on all cores and OMP_NUM_THREADS is not set.
+// The number of threads for one of `local` processes on this machine: that of core/base/cores.h, divided
+// among the processes if this one may run on all cores and OMP_NUM_THREADS is not set.
 int threads_for(int local);
 
 // Throws Error, in one line, before anything is drawn, where films cannot be made on this machine.

@@ -24,14 +24,14 @@ double real_option(const std::string& name, const std::string& text, double low,
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected);
 
-// `-` is standard input or output, as everywhere on Unix; any other name stays. A file of that name is `./-`.
+// `-` means standard input or output, as usual on Unix; all other names are unchanged. A file named `-` is `./-`.
 std::string input_name(const std::string& name);
 std::string output_name(const std::string& name);
 
-// WIDTHxHEIGHT of a picture, in pixels, with sides of at most so many.
+// WIDTHxHEIGHT of a picture, in pixels; no side may exceed `most_side`.
 std::pair<int, int> size_option(const std::string& text, int most_side = max_side);
 
-// X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT: a part of a picture of that size, in pixels from the bottom left.
+// X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT: a part of a `width` x `height` picture, in pixels from the bottom left.
 Region region_option(const std::string& text, int width, int height);
 
 }  // namespace mandelmarch

@@ -9,7 +9,7 @@ namespace mandelmarch {
 
 class ProgressBar {
 public:
-    // `start`: when what it shows began.
+    // `start`: the time at which the work began.
     explicit ProgressBar(std::string title,
                          std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
     ~ProgressBar() { finish(); }
@@ -17,7 +17,7 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     bool on_terminal() const { return terminal_; }
-    // share: 0 to 1. `detail` stands behind it, "round 3 of 40".
+    // share: 0 to 1. `detail` follows it on the line, e.g. "round 3 of 40".
     void show(double share, const std::string& detail = "");
     // Wipes the bar.
     void finish();

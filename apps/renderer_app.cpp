@@ -37,7 +37,7 @@ namespace {
 
 // Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is made in memory: nine channels of four bytes, twice while they are handed over.
+// An EXR for a pipe is made in memory: nine channels of four bytes, held twice while they are handed over.
 constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
 constexpr int most_samples = 8;                  // per pixel and side
 constexpr int largest_whole = 1'000'000;         // pixels of a side of a picture that is drawn in regions
@@ -175,7 +175,7 @@ void apply_size(const Options& options, Scene& scene)
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// `commented`: the name comes from a line of a parameter file that goes on as a comment.
+// `commented`: the name comes from a line of a parameter file that ends in a comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
@@ -185,7 +185,7 @@ ImageFormat format_of(const std::string& path, bool commented)
                     commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
 }
 
-// What is drawn, in samples: the scene, and its region.
+// The scene and the region to draw; sizes are in samples, not pixels.
 struct Drawing {
     Scene scene;
     Region region;

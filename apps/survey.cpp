@@ -27,7 +27,7 @@ Image drawn_by(Renderer& renderer, const Scene& scene)
     return image;
 }
 
-// In double and exact mode, by the ray of one pixel: its first sample is the eye's place.
+// Traces one pixel's ray in double and exact mode: its first sample lies at the eye.
 bool stands_in_solid(Scene scene)
 {
     scene.limits = {};

@@ -34,7 +34,7 @@ bool isolates(std::span<char*> arguments)
     return !refused && isolation != "off";
 }
 
-// The names in MANDELMARCH_BACKENDS; none where it is not set.
+// The names in MANDELMARCH_BACKENDS. An empty list, if it is not set, allows all backends.
 std::vector<std::string_view> opened_backends()
 {
     std::vector<std::string_view> known;

@@ -6,13 +6,13 @@
 
 namespace mandelmarch {
 
-// All of them; their drivers run in this process.
+// All backends, with their drivers in this process.
 Registry all_backends();
 
 // The backends of a program with these arguments; to be called before the program has threads. Each device's driver
 // runs in its own process (core/isolation/isolated.h), unless the argument --no-isolation or MANDELMARCH_ISOLATION=off
-// is given: profilers and debuggers then see a device's kernels in the program. MANDELMARCH_BACKENDS lists, with
-// commas, the backends whose drivers may be opened. Throws InputError for another value of either variable.
+// is given: profilers and debuggers then see a device's kernels in the program. MANDELMARCH_BACKENDS lists the backends
+// whose drivers may be opened, separated by commas. Throws InputError for invalid values of these variables.
 Registry program_backends(int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -13,7 +13,7 @@ namespace {
 
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
-// What all the picture's pixels took, as the counted text does it: in fast mode packs take other steps.
+// A row with the work of all pixels, done as the counted text does it: in fast mode, packs take other steps.
 const Row* whole_picture(const Result& result, const Counted& counted)
 {
     const std::string host = result.host();
@@ -24,7 +24,7 @@ const Row* whole_picture(const Result& result, const Counted& counted)
     return nullptr;
 }
 
-// The largest standard errors of what is counted on a part of the pixels; empty where all were, or it is not known.
+// The largest standard errors of the sampled counts; empty if every pixel was counted, or no errors are known.
 std::string errors_of(const Result& result)
 {
     double of_operations = 0;
@@ -77,7 +77,7 @@ std::string counts_table(const Result& result)
                       result.counts.empty() ? 0 : result.counts.front().count.lane_use.front().lanes);
 }
 
-// What vectors and warps would gain by lanes that take the next pixel when their ray has ended.
+// The gain of vectors and warps if each lane took the next pixel as soon as its ray has ended.
 std::string lanes_table(const Result& result)
 {
     constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";

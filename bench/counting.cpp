@@ -20,7 +20,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// What one block comes to.
+// The counts of one block.
 struct BlockCount {
     PixelCount pixels;
     std::vector<LaneCount> lanes{};

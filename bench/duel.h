@@ -58,9 +58,9 @@ struct Judged {
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Each row, and behind them the geometric mean of all that were tested, where there are several, by judge_all(). What
-// is tested are the launches' medians of the pairs' ratios, as logarithms, by Student's t: is the ratio beyond the
-// margin?
+// Judges each row and, if several were tested, also their geometric mean, which comes last (judge_all()). For each
+// launch, take the median of the pairs' ratios; Student's t of the logarithms of these medians tests whether the ratio
+// lies beyond the margin.
 std::vector<Judged> judge(const Duel& duel);
 
 // A row is slower or broken.

@@ -146,7 +146,7 @@ Figures figures_of(const Result& result, const Row& row)
         }
         if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
-            // Beside itself it is as fast as itself, for certain.
+            // The reference's speed-up over itself is exactly 1.
             f.speed_up = &other == &row ? Quotient{} : quotient(wall_launches(other), wall_launches(row));
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is derived from a result's raw samples: the figures of the tables.
+// The figures of the tables, derived from a result's raw samples.
 #pragma once
 
 #include <optional>
@@ -36,25 +36,25 @@ struct Figures {
     std::optional<double> share;                   // operation_rate / peak
     std::optional<double> share_error;             // its standard error that comes from the operations' alone
     std::optional<double> bound;                   // seconds: the counted work at that peak
-    // Of wall times: that of `reference`, double, exact, of the same setting / this one's. Its own is 1, without an
-    // interval.
+    // Wall time of `reference` (double, exact, same setting) / this row's wall time. For the reference itself it is 1,
+    // without an interval.
     std::optional<Quotient> speed_up;
-    // Of wall times: that of the same text as scalar C++ on the host's threads, of the same setting, precision and
-    // mode, / this one's. Not of that row itself.
+    // Wall time of the same text as scalar C++ on the host's threads (same setting, precision and mode) / this row's
+    // wall time. The scalar row itself has none.
     std::optional<Quotient> over_scalar;
 };
 
-// Of a row that is timed.
+// The figures of a timed row.
 Figures figures_of(const Result& result, const Row& row);
 
 // The row is the text as scalar C++, pixel by pixel: the backend of the host's cores with packs of one pixel.
 bool is_scalar(const Result& result, const Row& row);
 
-// By which name a row is compared with others: its backend's, and the scalar text's in the standard study, where it
-// stands beside the backend's packs, "openmp-scalar".
+// The name under which a row is compared with others: that of its backend; but in the standard study the scalar text,
+// which stands beside the same backend's packs, is called "openmp-scalar".
 std::string application_of(const Result& result, const Row& row);
 
-// The counted text is the row's.
+// True if `counted` is the text that the row runs.
 bool is_counted_for(const Counted& counted, const Row& row);
 
 // The highest rate that any backend reached on the platform; nullptr if none was measured.
@@ -81,8 +81,8 @@ std::vector<Ratio> box_to_bulb(const Result& result);
 std::vector<Ratio> double_to_float(const Result& result);
 std::vector<Ratio> others_to_host(const Result& result);
 
-// Of the rows of a sweep, which are alike but for their point: a later point / the first, and / the timed one before it
-// whose picture has the same shape.
+// Ratios within a sweep, whose rows differ only in their point: each later point / the first point, and each later
+// point / the last timed point before it whose picture has the same shape.
 std::vector<Ratio> to_first_point(const Result& result);
 std::vector<Ratio> to_previous_point(const Result& result);
 

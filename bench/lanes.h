@@ -22,8 +22,8 @@ struct LaneUse {
     // "Understanding the efficiency of ray traversal on GPUs", HPG 2009).
     // Not known of results of older builds.
     std::optional<ActiveLanes> refilled;
-    // Standard errors of both, where they come from a sample of blocks; 0 where every pixel was counted. Not known of
-    // results of older builds.
+    // Standard errors of `together` and `refilled` if they come from a sample of blocks; 0 if every pixel was counted.
+    // Unknown in results of older builds.
     std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 
@@ -38,8 +38,8 @@ public:
     // The rays of a block of neighbouring pixels; consecutive ones lie side by side.
     void add(std::span<const RaySteps> block);
 
-    // Of several blocks of a picture, one in each, all for the same number of lanes: their use together. `every_pixel`:
-    // they are the whole picture.
+    // The lane use of several blocks of a picture, each counted in one LaneCount, all with the same number of lanes.
+    // `every_pixel`: they cover the whole picture.
     static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
 
 private:
@@ -47,7 +47,7 @@ private:
         double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
     };
 
-    // Of the slots of each block: the use of all together, and its standard error.
+    // The share of active lanes over the slots of all blocks, and its standard error.
     static std::pair<ActiveLanes, ActiveLanes> active(std::span<const LaneCount> blocks, Slots LaneCount::*slots);
     // Rays march in a vector; a lane whose ray has ended takes the next of those that wait.
     void march(std::span<const RaySteps> rays, Slots& slots) const;

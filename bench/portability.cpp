@@ -42,10 +42,10 @@ struct Efficiencies {
     double application = 0, architecture = 0;
 };
 
-// What the row's time may be as well. Of several launches: their mean logarithm, off by Student's t times its standard
-// error, so that the values between which 95 % of the draws lie are launch_interval()'s ends (Weerahandi's generalized
-// interval, JASA 88, 1993, which carries over to what is computed from several rows). Of one launch: the median of its
-// times drawn again with replacement, which sees what one launch sees.
+// A random draw of the time that the row might have. With several launches: their mean logarithm plus Student's t times
+// its standard error, so that 95 % of the draws lie within launch_interval() (Weerahandi's generalized interval, JASA
+// 88, 1993, which also holds for quantities computed from several rows). With one launch: the median of its times
+// resampled with replacement, which shows only the scatter within that launch.
 double drawn(const Entry& entry, std::mt19937_64& random)
 {
     const std::vector<double>& x = entry.logarithms;
@@ -82,7 +82,7 @@ public:
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
-    // The result has a backend without any device, which could run on none of its platforms.
+    // Notes that the result has this backend without any device: it runs on none of the result's platforms.
     void add_unavailable(const Result& result, const std::string& application)
     {
         if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
@@ -90,7 +90,7 @@ public:
 
     const std::set<std::string>& platforms() const { return platforms_; }
 
-    // Of a result with the platform that has the application, on whichever platform.
+    // True if a result that has this platform also has this application, on any platform.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
         return std::ranges::any_of(platforms_of_, [&](const auto& of) {
@@ -98,7 +98,7 @@ public:
         });
     }
 
-    // Those of the platforms on which the application was measured.
+    // The platforms on which the application was measured.
     std::vector<std::string> measured(const std::string& application) const
     {
         std::vector<std::string> found;

@@ -5,7 +5,7 @@
 // An application here is a backend, a platform a device, a problem a fractal at a size, in one precision and mode. Of
 // the platforms of a set H with the efficiencies e_i of one application:
 //   PP = |H| / sum of 1 / e_i   where every platform of H is supported, else 0.
-// H are the platforms of all results, of an application without those on which nobody measured it.
+// An application's H holds the platforms of all results, except those on which it was not measured.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -45,27 +45,27 @@ struct Portability {
     Mode mode = Mode::exact;
     std::string application;            // backend
     std::vector<OnPlatform> platforms;  // H
-    // Platforms on which others were measured, by results that do not have the application: they are not in H.
+    // Platforms that occur only in results without this application: they are not in H.
     std::vector<std::string> not_measured;
     double application_portability = 0, architecture_portability = 0;
     Interval application_interval, architecture_interval;  // 95 %, from times drawn anew
     std::vector<CascadeStep> cascade;
 };
 
-// Over all platforms of all results, told apart as told_apart() does; rows of sweeps and of the reference, a yardstick
-// and no application, are left out, and so is the scalar text. Where a backend runs on a platform as several devices,
-// the fastest counts. A platform is unsupported where a result that has it has the application, too, and no right
-// picture of it there: it is unavailable, its picture is wrong, or it runs on another of the result's platforms only.
-// An application that was measured nowhere for a problem has an empty H.
+// The metric over all platforms of all results, distinguished as told_apart() does. Rows of sweeps, of the scalar text
+// and of the reference, which is no application, are left out. If a backend runs on a platform as several devices,
+// the fastest counts. An application does not support a platform if a result has both but no right picture: the
+// application is unavailable there, its picture is wrong, or it ran only on other platforms of that result. An
+// application that was measured nowhere for a problem has an empty H.
 std::vector<Portability> portability(std::span<const Result> given);
 
-// Those with an H.
+// Entries whose H is not empty.
 nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities);
 
 // The columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
-// p3-analysis-library reads them, and h, the application's set of platforms with "; " between: one line for each
-// application that runs on a platform. The library takes a missing line for a platform that is not supported, also
-// where h does not have it.
+// p3-analysis-library reads them, and h, the application's H, separated by "; ". There is one line for each
+// application and platform that it runs on. The library takes a missing line to mean that the platform is unsupported,
+// even if h does not contain it.
 std::string to_csv(const std::vector<Portability>& portabilities);
 
 // The table of `bench portability`.

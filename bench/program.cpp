@@ -32,7 +32,7 @@ class Display {
 public:
     explicit Display(bool quiet) : quiet_(quiet) {}
 
-    // `since`: when it began, for the time that is left of it.
+    // `since`: the time at which the step began; the time left is computed from it.
     void show(const Step& step, Clock::time_point since = Clock::now())
     {
         if (quiet_) return;

@@ -36,8 +36,8 @@ namespace fs = std::filesystem;
 constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
-// How far the eye moves for a round's view, in shares of its distance to the target: the least that changes this part
-// of the picture visibly.
+// For a round's view the eye moves by a share of its distance to the target: first_move, doubled until least_change of
+// the pixels change visibly or the share exceeds last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;
@@ -88,7 +88,7 @@ Scene scene_of(const RacePlan& plan, const Options& options)
     return scene;
 }
 
-// The scene seen from a place beside its eye: in a direction by chance, `share` of the distance to the target away.
+// The scene with its eye moved in a random direction, by `share` of its distance to the target.
 Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 {
     std::normal_distribution<double> normal;
@@ -168,7 +168,7 @@ private:
         RaceSample sample;
     };
 
-    // A scene that programs draw, and our scalar text's picture of it.
+    // A scene for the programs to draw, and our scalar text's picture of it.
     struct View {
         std::string parameters;
         Image expected;
@@ -183,7 +183,7 @@ private:
         return std::move(*drawn.image);
     }
 
-    // A view that no program has drawn: a picture kept from an earlier run is wrong.
+    // A view that no program has drawn yet, for which a picture kept from an earlier run is wrong.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // A picture of the round's view by a program whose first was right.
+    // Runs a program, whose first picture was right, on the round's view.
     void again(std::size_t i, int round)
     {
         Racer& racer = race_.racers[i];
@@ -309,12 +309,12 @@ private:
     const RacePlan& plan_;
     const std::function<void(double)>& progress_;
     Scene scene_;
-    std::mt19937_64 random_;                          // of the order
-    std::mt19937_64 chance_{std::random_device{}()};  // of the views, which nobody can know before
+    std::mt19937_64 random_;                          // decides the order
+    std::mt19937_64 chance_{std::random_device{}()};  // decides the views, which nobody can predict
     Race race_;
     std::vector<std::string> yardstick_;
     std::vector<std::vector<std::string>> words_;  // of each racer
-    View view_;                                    // that is being drawn
+    View view_;                                    // being drawn
 };
 
 }  // namespace

@@ -25,15 +25,15 @@ Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);
 // nullopt for a file of another kind, JSON or not. Throws InputError where it cannot be read or is a damaged result.
 std::optional<Result> read_if_result(const std::string& path);
-// The files, and for a folder those ending in .json in it and below, sorted.
+// The given files, and for a folder all files in it and below that end in .json, sorted.
 std::vector<std::string> result_files(const std::vector<std::string>& paths);
 
 // A JSON file's text. Bytes that are no UTF-8, in a driver's name say, are replaced.
 std::string text_of(const nlohmann::ordered_json& json);
 
 // One line a row; the first columns are problem, application, platform and fom (pixels per second of kernel time,
-// higher is better; empty where there is none). The columns application and backend both have application_of(), so that
-// a pivot by either compares what was timed. For p3-analysis-library take bench/portability.h's.
+// higher is better; empty where there is none). The columns application and backend both hold application_of(), so that
+// a pivot by either one compares what was timed. p3-analysis-library needs the CSV of bench/portability.h instead.
 std::string to_csv(const Result& result);
 
 // What is solved, so that rows of one problem can be compared: "mandelbulb double exact 540x540".

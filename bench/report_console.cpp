@@ -148,7 +148,7 @@ std::string incomplete_parts(const Result& result)
                        text);
 }
 
-// Behind a line of a sweep.
+// The point that ends a line of a sweep, or nothing.
 std::string point_of(const Result& result, const Row& row)
 {
     return row.point.empty() || result.study == standard_study ? "" : " " + row.point;

@@ -56,7 +56,7 @@ std::string to_csv(const Result& result)
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
         const std::string application = application_of(result, row);
-        // The scalar text is another application of one problem; a sweep's points are other problems.
+        // The scalar text is another application of the same problem; each point of a sweep is a problem by itself.
         const bool one_problem = row.point.empty() || application != row.backend;
         const std::string problem = problem_name(row.fractal, row.precision, row.mode, s.width, s.height) +
                                     (one_problem ? "" : " " + row.point);

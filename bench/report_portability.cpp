@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// All platforms, by the numbers that the table gives them.
+// All platforms, in the order in which the table numbers them.
 std::vector<std::string> platforms_of(const std::vector<Portability>& portabilities)
 {
     std::vector<std::string> found;
@@ -30,7 +30,7 @@ std::vector<std::string> platforms_of(const std::vector<Portability>& portabilit
     return found;
 }
 
-// "1,3": H by those numbers.
+// H by the table's numbers: "1,3".
 std::string numbers_of(const Portability& p, const std::vector<std::string>& platforms)
 {
     std::string text;
@@ -41,7 +41,7 @@ std::string numbers_of(const Portability& p, const std::vector<std::string>& pla
     return text;
 }
 
-// A line for each application and platform that has not measured it: which problems.
+// A line for each application and each platform on which it was not measured, with the problems that are missing.
 std::string not_measured(const std::vector<Portability>& portabilities)
 {
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> problems;

@@ -71,7 +71,7 @@ struct Row {
     double stride = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counted text; 0: not known
-    // Its standard error, as the text was counted on a sample of pixels; not known of results of older builds.
+    // Its standard error, as operations are counted on a sample of the pixels; unknown in results of older builds.
     std::optional<double> operations_error;
     std::vector<Sample> samples;
 

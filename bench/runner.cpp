@@ -102,7 +102,7 @@ private:
         return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
     }
 
-    // Of the rounds, and without a fixed number of the time that they may take, or of the rows, whichever is further.
+    // The finished share: of a fixed number of rounds; else the largest of the shares of rounds, rows and time budget.
     double share(double of_rounds) const
     {
         if (rules_.repetitions) return of_rounds;

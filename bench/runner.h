@@ -44,7 +44,7 @@ struct Rules {
 void keep_long_pictures(std::vector<Live>& rows, const Rules& rules);
 
 // Draws the rounds and puts the samples into the rows. A row that throws, or whose picture is no longer the proven one,
-// fails and loses its samples. `progress` is told the finished share, 0 to 1, and the round, "round 3 of 40".
+// fails and loses its samples. `progress` receives the finished share, 0 to 1, and the round, "round 3 of 40".
 using RoundProgress = std::function<void(double share, const std::string& round)>;
 void run_rounds(std::vector<Live>& rows, const Rules& rules, const RoundProgress& progress);
 

@@ -16,8 +16,8 @@ struct Block {
     int side = block_side;    // a power of two
 };
 
-// Calls each(column, row) for the block's pixels inside the picture, along Morton's curve: a power of two of them fills
-// a rectangle of at most twice as many columns as rows.
+// Calls each(column, row) for the block's pixels inside the picture, along Morton's curve: each group of 2^n pixels
+// fills a rectangle with as many columns as rows, or twice as many.
 template <class Each>
 void each_pixel(const Block& block, int width, int height, Each each)
 {
@@ -35,9 +35,9 @@ void each_pixel(const Block& block, int width, int height, Each each)
 // All blocks of a picture, along Morton's curve: neighbours in the list are neighbours in the picture.
 std::vector<Block> all_blocks(int width, int height);
 
-// Stratified random samples of about `most` pixels of a picture that has more: in blocks, and one by one. The list of
-// all blocks or pixels, in that order, is cut into strata of equal length, and one is drawn from each, so that every
-// one is in the sample with the same probability. The numbers are the same each time.
+// Stratified random samples of about `most` pixels of a picture that has more: whole blocks, or single pixels. The list
+// of all blocks or pixels along Morton's curve is cut into strata of equal length, and one is drawn from each, so that
+// all are equally likely to be in the sample. The sample is the same each time.
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most);
 std::vector<Block> sample_of_pixels(int width, int height, std::int64_t most);
 

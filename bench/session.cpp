@@ -85,7 +85,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
             peak.rate = *rate;
             peaks.push_back(std::move(peak));
         } catch (const Error&) {
-            continue;  // no double, say; a device that fails has said so in its rows
+            continue;  // no double, for example; the rows of a device that fails name the cause
         }
     }
     return peaks;

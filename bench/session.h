@@ -13,7 +13,7 @@
 
 namespace mandelmarch::bench {
 
-// What is being done, the finished share of it, 0 to 1, and where in it that is: "round 3 of 40".
+// The present phase, the finished share of it, 0 to 1, and the position within it, "round 3 of 40".
 struct Step {
     std::string what;
     double share = 0;

@@ -206,8 +206,8 @@ Difference difference(std::span<const double> old_values, std::span<const double
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
 // The error of a ratio is that of the sum of the residuals part - ratio * whole (Cochran, Sampling Techniques, 6.3).
-// One block from each stratum shows no variance within it; half the squared difference of two neighbours stands for it,
-// and is rather too large where strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+// One block from a stratum cannot show the variance within it. Half the squared difference of two neighbours replaces
+// it, which is rather too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
 PartRatio ratio_of_sums(std::span<const Part> blocks)
 {
     Part sum;

@@ -18,15 +18,15 @@ struct Interval {
 // Numbers by the launch, the process that is, that measured them.
 using Launches = std::map<int, std::vector<double>>;
 
-// Of at least one number. A single number has the deviation 0 and no interval.
+// The summary of at least one number. A single number has the deviation 0 and no interval.
 struct Summary {
     int count = 0;
     int launches = 0;  // that the numbers come from
     double median = 0;
     double mad = 0;  // median absolute deviation from the median, not scaled
     double least = 0, most = 0;
-    // Of one launch: of the median, from order statistics, at least 95 %; nullopt below six numbers. Of several:
-    // launch_interval() of their medians, widened to hold the median of all.
+    // One launch: the interval of the median from order statistics, at least 95 %; nullopt below six numbers. Several
+    // launches: launch_interval() of their medians, widened to hold the median of all numbers.
     std::optional<Interval> interval;
 
     // Half the interval's width, relative to the median; nullopt where there is no interval.
@@ -36,10 +36,10 @@ struct Summary {
 // 0 for no numbers.
 double median(std::vector<double> values);
 
-// Of numbers that are independent: those of one launch.
+// The summary of independent numbers: those of one launch.
 Summary summary(std::span<const double> values);
 
-// Of numbers of several launches. Those of one launch share what only other launches show.
+// The summary of numbers from several launches. All numbers of one launch share that launch's error.
 Summary summary(const Launches& launches);
 
 // The 95 % interval of what a launch finds on average, from what each found (its median): Student's t of their
@@ -50,8 +50,8 @@ std::optional<Interval> launch_interval(std::span<const double> medians);
 // The medians of the launches, in their order.
 std::vector<double> medians_of(const Launches& launches);
 
-// Numbers of one launch in groups of consecutive rounds, three and more in each, so that one disturbed picture does not
-// move a verdict: their medians. None for fewer than three numbers.
+// The medians of groups of at least three consecutive rounds of one launch, so that one disturbed picture does not
+// change a verdict. Empty for fewer than three numbers.
 inline constexpr std::size_t group_size = 3;
 std::vector<double> group_medians(std::span<const double> values);
 
@@ -82,22 +82,22 @@ struct Quotient {
     std::optional<Interval> interval;  // 95 %, holds the ratio
 };
 
-// Times of both, at least one of each, in the order of the rounds. Where several launches have both: launch_interval()
-// of the launches' ratios of medians. Else median_interval() of the rounds' ratios; nullopt below six rounds with both.
+// Takes times of both, at least one of each, in the order of the rounds. If several launches have both, the interval is
+// launch_interval() of the launches' ratios of medians; else median_interval() of the ratios of the rounds.
 Quotient quotient(const Launches& numerator, const Launches& denominator);
 
-// What one block of a sample adds to two sums.
+// The contribution of one sampled block to two sums.
 struct Part {
     double part = 0, whole = 0;
 };
 
 struct PartRatio {
     std::optional<double> ratio;  // of the sums; nullopt where the whole is 0
-    // Where one block alone adds to the whole, its variance is unseen, and this is the ratio itself.
+    // If only one block contributes to the whole, its variance is unknown, and this is the ratio itself.
     double standard_error = 0;
 };
 
-// Of a stratified sample with one block from each stratum, neighbouring strata side by side.
+// The ratio estimated from a stratified sample: one block from each stratum, in the order of the strata.
 PartRatio ratio_of_sums(std::span<const Part> blocks);
 
 // Holm's correction: each p raised so that calling what is below 0.05 raises a false alarm anywhere with probability

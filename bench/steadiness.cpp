@@ -45,8 +45,8 @@ double fastest_clock()
     return fastest;
 }
 
-// "openmp 1, opencl 2": of backends on the CPU that were to take all threads, where they took unlike numbers; or
-// nothing.
+// "openmp 1, opencl 2": the numbers of threads of the CPU backends that were to take all threads; empty if the numbers
+// are equal.
 std::string unlike_threads(const Result& result)
 {
     std::vector<std::pair<std::string, int>> known;
@@ -108,7 +108,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
-    const double cores = mine.machine;  // what the load is of
+    const double cores = mine.machine;  // the load counts on all cores of the machine
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));

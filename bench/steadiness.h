@@ -17,7 +17,7 @@ public:
     Steadiness();
 
     // A warning for each reason to doubt the times: other load before the start, processors that were busy with other
-    // work or taken away by a hypervisor or a quota, backends whose threads differ in number or in where they may run,
+    // work or taken away by a hypervisor or a quota, backends with unequal numbers of threads, threads bound to cores,
     // clocks that moved or may move, rows whose samples spread.
     std::vector<std::string> warnings(const Result& result) const;
 

@@ -33,7 +33,7 @@ struct Case {
     const Backend* backend = nullptr;  // nullptr in a row of a backend without devices
 };
 
-// True if the value of --backend, `all` or names with commas between them, asks for the backend.
+// True if `asked`, the value of --backend (`all` or names separated by commas), includes the backend.
 bool names_backend(std::string_view asked, std::string_view backend);
 
 // Throws InputError for a name that the registry does not know.

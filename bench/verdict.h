@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of compare, duel and the last lines of a study: what a measured ratio says.
+// Verdicts on measured ratios, for compare, duel and the last lines of a study.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@
 namespace mandelmarch::bench {
 
 inline constexpr double margin = 0.02;        // a ratio within this of 1 is never called a difference
-inline constexpr double significance = 0.05;  // of all that are judged together
+inline constexpr double significance = 0.05;  // for all ratios that are judged together
 
 enum class Verdict {
     faster,        // by more than the margin
     slower,        // by more than the margin
     same,          // within the margin
-    undecided,     // the interval holds both: more launches would tell
+    undecided,     // the interval allows both: more launches would decide
     broken,        // the old result has a speed, the new one has a wrong picture or a failure
     lost,          // it could be compared in the old result and cannot in the new one
     added,         // only the new result has a speed
@@ -32,13 +32,13 @@ struct Judgement {
     double p = 1;                          // after Holm's correction
 };
 
-// Of ratios new / old that stand together. Faster or slower: the test of a ratio beyond the margin is significant after
-// Holm's correction for all of them, so that at most 5 in 100 studies of equal things call any of them different. Same:
-// the ratio's own 95 % interval lies within the margin. All were tested with the margin that is given.
+// Judges several ratios new / old together. Faster or slower: the test for a ratio beyond the margin is significant
+// after Holm's correction for all of them, so that at most 5 in 100 studies of equal things report a difference. Same:
+// the ratio's own 95 % interval lies within the margin. The differences must come from tests with the margin `within`.
 std::vector<Judgement> judge_all(std::span<const Difference> differences, double within);
 
-// How many rows there are of each verdict, and what would decide the undecided ones: "1 faster, 2 same within 2 %, 4
-// undecided (more launches would tell: --launches)". Empty without any.
+// The number of rows with each verdict, and how to decide the undecided ones: "1 faster, 2 same within 2 %, 4 undecided
+// (more launches would tell: --launches)". Empty if there are no verdicts.
 std::string summary_of(std::span<const Verdict> verdicts, double within);
 
 }  // namespace mandelmarch::bench

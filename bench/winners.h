@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who won: the last lines of a standard study.
+// The winners of a standard study, which its last lines name.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace mandelmarch::bench {
 
-// One that was slower than the fastest, or cannot be told from it.
+// A row that was slower than the fastest, or cannot be distinguished from it.
 struct Rival {
     const Row* row = nullptr;
-    bool tested = false;      // there are two launches, or six rounds of one, with both
-    Difference difference{};  // of kernel times, this one's / the fastest's, where it was tested; else only the ratio
+    bool tested = false;      // at least two launches, or six rounds of one launch, have both
+    Difference difference{};  // of kernel times, this row's / the fastest's; if it was not tested, the ratio alone
     Judgement judgement{};    // slower, the same or undecided
 };
 
@@ -24,13 +24,13 @@ struct Contest {
     std::vector<Rival> rivals;     // all others, the fastest of them first
 };
 
-// Of a standard study's timed rows but for the reference, which is no application. A rival's units are the ratios of
-// both rows' kernel times of the same launch and round: of several launches their medians, of one the medians of groups
-// of three rounds. The p-values are corrected for all rivals of all contests.
+// The contests among a standard study's timed rows, without the reference, which is no application. Two rows are
+// compared by the ratios of their kernel times in the same launch and round: each launch's median if there are several
+// launches, else the medians of groups of three rounds. The p-values are corrected for all rivals of all contests.
 std::vector<Contest> contests_of(const Result& result);
 
-// A line for each contest: by how much the fastest won, and how certain that is; and one for how many processors were
-// free for it.
+// A line for each contest: by how much the fastest won, and how certain that is; and a last line with the number of
+// processors that were free.
 std::string winners(const Result& result);
 
 }  // namespace mandelmarch::bench

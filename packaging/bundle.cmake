@@ -55,7 +55,7 @@ endforeach()
 # the paths of their own files.
 set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
 carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
-# In a folder of their own, for machines without them: gpu_steps adds it to LD_LIBRARY_PATH.
+# These stand in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without them.
 if(DEFINED BUNDLE_X11)
     carry_libraries(lib/x11 "$ORIGIN:$ORIGIN/.." "${program}" "${BUNDLE_X11};${BUNDLE_XEXT}")
 endif()

@@ -77,7 +77,7 @@ def expansion(operation, suffix):
 
 
 def marches(render, gpu):
-    """What a step and a round take on the GPU: backend, fractal, precision and mode, and the March."""
+    """The March of each kernel on the GPU, by backend, fractal, precision and mode."""
     found = {}
     for backend, texts in (("openacc", k40.extract(render)), ("cuda", k40.extract_cuda(render))):
         for text in texts:
@@ -96,7 +96,7 @@ def marches(render, gpu):
     return found
 
 
-# Of a picture's pixels together, and of the longest ray.
+# A count summed over a picture's pixels, and that of the longest ray.
 Counts = namedtuple("Counts", "total longest")
 
 

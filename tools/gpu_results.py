@@ -43,14 +43,14 @@ def unpack(archive, into):
 
 
 def steps_of(folder):
-    """Of each step: its result, its seconds and its last words."""
+    """The result, the seconds and the last words of each step."""
     return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(folder, "summary.txt").splitlines())
             if found}
 
 
 def expected_times(device):
-    """From and to in milliseconds by backend, fractal, precision and mode, of the GPU whose name stands in the device's; H200s have the
-    H100's multiprocessors."""
+    """The expected range in milliseconds by backend, fractal, precision and mode, for the GPU whose name the device's contains;
+    H200s have the H100's multiprocessors."""
     for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
         if any(name in device for name in names):
             lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
@@ -105,7 +105,7 @@ def page(folder, device, steps):
 
 
 def device_of(folder):
-    """The GPU's name, as nvidia-smi or else a backend has it."""
+    """The GPU's name as nvidia-smi reports it, or else a backend."""
     if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
         return found[1].strip()
     for path in sorted(glob.glob(os.path.join(folder, "seen-*.json"))):
@@ -114,7 +114,7 @@ def device_of(folder):
 
 
 def free_folder(into, name):
-    """INTO/NAME, or with a number where an earlier run is."""
+    """INTO/NAME; if an earlier run has that name, with a number."""
     for number in range(1, 1000):
         path = os.path.join(into, name if number == 1 else f"{name}-{number}")
         if not os.path.exists(path):
@@ -129,7 +129,7 @@ def main():
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.into):
         fail(f"{arguments.into}: no such folder")
-    # Beside the target, so that renaming it is enough: the folder is whole or not there.
+    # Written beside the target and then renamed, so that the folder appears complete or not at all.
     with tempfile.TemporaryDirectory(dir=arguments.into, prefix=".gpu-results-") as temporary:
         folder = unpack(arguments.results, temporary)
         steps = steps_of(folder)

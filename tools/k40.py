@@ -143,8 +143,8 @@ def resources(ptx, ptxas, architecture):
     return {name: (int(registers), int(stack), int(stores) + int(loads)) for name, stack, stores, loads, registers in found}
 
 
-# What tables are made for: the GPU, its architecture, the assembler, blocks on a multiprocessor at most. Both have 65,536
-# registers, given to warps in units of 256, and 64 warps.
+# The GPUs of the tables: name, architecture, assembler, most blocks on a multiprocessor. Each multiprocessor of both has
+# 65,536 registers, given to warps in units of 256, and holds 64 warps.
 GPUS = [("K40", "sm_35", "ptxas_11", 16), ("H100", "sm_90", "ptxas_13", 32)]
 
 

@@ -124,17 +124,17 @@ def cycles(instructions, cycles_of_pipe):
     return max(sum(one.issue for one in instructions), *busy.values(), 0)
 
 
-# cycles of a round of the estimator's loop and of what stands beside it in a step of the march, instructions of both, and whether
-# lanes take new rays before the last one of their warp has ended.
+# Cycles of a round of the estimator's loop and of the rest of a march step, the instructions of both, and whether lanes
+# take new rays before the last ray of their warp has ended.
 March = namedtuple("March", "round_cycles step_cycles round_instructions step_instructions refills")
 LEAST_ARITHMETIC = 0.2  # of a loop's instructions
 ARITHMETIC = re.compile(r"[FD](ADD|MUL|FMA)$|(add|sub|mul|fma|div|sqrt)\..*f(32|64)$")
 
 
 def march_of(code, cycles_of_pipe, loops_outside=0):
-    """What a march's code takes. The estimator's loop is the shortest of the innermost loops that compute and stand in another
-    one: for the Mandelbulb that of a whole power. The march's loop is the smallest around it. All of its paths count but the slow
-    ones. `loops_outside`: loops around that of a pixel's march in every kernel; lanes refill where there is one more."""
+    """The cycles and instructions of a march's code. The estimator's loop is the shortest innermost loop that computes and
+    lies within another; for the Mandelbulb, that of a whole power. The march's loop is the smallest around it, all its
+    paths but slow ones. `loops_outside`: loops around a pixel's march in every kernel; lanes refill if there are more."""
     blocks, following = blocks_of(code)
     loops = loops_of(following)
 

@@ -37,7 +37,7 @@ struct TracedSample {
     double t, distance, tolerance;
     Decision decision;
     double next;         // t of the sample that follows while marching
-    int iterations = 0;  // of its estimate; all that there are: its orbit has not escaped
+    int iterations = 0;  // of its estimate; if this is the scene's maximum, the orbit has not escaped
 };
 
 struct Trace {

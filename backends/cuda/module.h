@@ -30,8 +30,8 @@ public:
 
     // For the calling thread's device: its driver translates the PTX.
     void load() { static_cast<void>(loaded()); }
-    // As many threads, and some more where they fill no whole block; the addresses of the kernel's arguments. Throws
-    // Unavailable for larger blocks than the kernel's registers allow on the device.
+    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: the addresses of the kernel's
+    // arguments. Throws Unavailable if the kernel's registers do not allow blocks of this size on the device.
     void launch(int threads, std::initializer_list<const void*> arguments);
 
 private:

@@ -17,7 +17,7 @@ job::Kernels kernels();
 
 namespace {
 
-// As many threads as the process may use; KOKKOS_NUM_THREADS comes before that.
+// As many threads as the process may use, unless KOKKOS_NUM_THREADS is set.
 auto settings()
 {
 #if KOKKOS_VERSION >= 30700

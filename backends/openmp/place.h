@@ -9,9 +9,9 @@
 
 namespace mandelmarch::openmp {
 
-// While it lives the calling thread stands on its place's cores, as its team's other threads stand on theirs; then it
-// may run where it could before. The programs let go of the place that the run-time library has bound the first thread
-// to (restore_affinity()), so that nothing else that this thread does or starts is bound.
+// Binds the calling thread to the cores of its OpenMP place, as the other threads of its team are bound to theirs, and
+// restores its affinity at the end. The programs undo the run-time library's binding of the first thread at their start
+// (restore_affinity()), so that nothing else that this thread does or starts is bound.
 class OwnPlace {
 public:
     OwnPlace()

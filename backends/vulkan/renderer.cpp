@@ -95,7 +95,7 @@ private:
                             .device = gpu.facts().device,
                             .precision = options_.precision,
                             .mode = options_.mode,
-                            // lavapipe's; it names them and tells their number nowhere.
+                            // lavapipe reports no number of threads, but names each of them.
                             .threads = gpu.facts().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                             .instruction_set = instruction_set_,
                             .timings = {},

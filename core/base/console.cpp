@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-// Output that failed. A reader who has gone away, `| head -1`, has read what he wanted; the program's exit code stays
-// its own.
+// Handles output that failed. A closed pipe is no error: a reader such as `| head -1` has all that it wanted, and the
+// program's exit code does not change.
 void refuse_unless_unread(int cause)
 {
     if (cause != EPIPE) {

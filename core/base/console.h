@@ -18,8 +18,8 @@ void say(fmt::format_string<Values...> format, Values&&... values)
     say(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-// A result on stdout. Throws Error where it cannot be written; a pipe whose reader has gone away is no error. Buffered:
-// run_program flushes it.
+// Prints a result to stdout. Throws Error if it cannot be written; a pipe that its reader has closed is no error. The
+// output is buffered; run_program flushes it.
 void print(std::string_view text);
 
 template <class... Values>

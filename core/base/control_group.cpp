@@ -41,7 +41,7 @@ std::uint64_t number_in(const std::string& path)
     return file >> value ? value : no_limit;
 }
 
-// The group's path for a controller of version 1, or of version 2 ("").
+// The group's path: for a controller of version 1, or for version 2 if `controller` is empty.
 std::string group_of(const std::string& root, std::string_view controller)
 {
     std::ifstream file(root + "/proc/self/cgroup");
@@ -58,7 +58,7 @@ std::string group_of(const std::string& root, std::string_view controller)
     return {};
 }
 
-// The folders of the group and of all above it, the root's last. In a container the root may be the group itself.
+// The folders of the group and of all groups above it, the root last. In a container, the root may be the group itself.
 std::vector<std::string> folders(const std::string& root, std::string_view controller)
 {
     const std::string groups = root + "/sys/fs/cgroup";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the control groups of this process (cgroups of Linux, version 1 or 2; containers and job schedulers make them)
-// leave it. `root`: the folder that stands for /, so that tests can make a tree of their own.
+// The resources that the control groups of this process leave it (Linux cgroups, version 1 or 2, as containers and job
+// schedulers make them). `root`: the folder that stands for /, so that tests can supply a tree of files.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace mandelmarch {
 
 inline constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
-// Bytes that the group and every group above it leave. The page cache that a group counts as used does not count: the
-// kernel takes it back when memory is asked for. no_limit where no group has a limit.
+// Bytes left in the group and in every group above it; no_limit if no group has a limit. Page cache that a group counts
+// as used is free here: the kernel reclaims it when memory is needed.
 std::uint64_t memory_left_in_groups(const std::string& root = {});
 
-// The least processor time that the group or one above it may take in a second, in seconds: 1.5 is one and a half
-// cores. nullopt where there is no such quota.
+// The smallest quota of the group and all groups above it, in seconds of processor time per second: 1.5 is one and a
+// half cores. nullopt if there is no quota.
 std::optional<double> processor_quota(const std::string& root = {});
 
-// How often a quota has stopped this process's groups, since they were made.
+// Counts of how often a quota has stopped a group since it was made.
 struct Throttling {
-    std::uint64_t periods = 0;    // in which the group was busy
-    std::uint64_t throttled = 0;  // of them those in which it was stopped
+    std::uint64_t periods = 0;    // periods in which the group was busy
+    std::uint64_t throttled = 0;  // periods in which it was stopped
 };
 
-// Of the group that was stopped most often.
+// The throttling of the group that was stopped most often.
 Throttling throttling(const std::string& root = {});
 
 }  // namespace mandelmarch

@@ -20,11 +20,11 @@
 namespace mandelmarch {
 namespace {
 
-// The process's affinity as it was given: a bit for each core. Written once, before main() and before the constructors
-// of shared libraries, of which OpenMP's binds the first thread.
+// The process's original affinity, a bit for each core. It is written once, before main() and before the constructors
+// of shared libraries, because OpenMP's constructor binds the first thread.
 struct Mask {
     unsigned long bits[128] = {};  // 8192 cores
-    long bytes = 0;                // that the kernel has written; 0 or less: unknown
+    long bytes = 0;                // written by the kernel; 0 or less: unknown
 };
 constinit Mask given;
 
@@ -45,7 +45,7 @@ int cores_given()
     return std::max(1, count);
 }
 
-// The first number of a variable's list; nullopt where there is none above 0.
+// The first number of a variable's list; nullopt unless it is above 0.
 std::optional<int> first_number(const char* variable)
 {
     const char* text = std::getenv(variable);

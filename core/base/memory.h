@@ -7,9 +7,9 @@
 
 namespace mandelmarch {
 
-// Bytes that can be had: the smallest of what the system calls available, what the control groups leave
-// (core/base/control_group.h) and what the address space limit (RLIMIT_AS) leaves. `root`: the folder that stands for
-// /.
+// Bytes that this process can still allocate: the smallest of the system's available memory, the memory left by the
+// control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root`: the folder that stands
+// for /.
 std::uint64_t available_memory(const std::string& root = {});
 
 }  // namespace mandelmarch

@@ -48,7 +48,7 @@ public:
     enum class Layers { bytes, colours, all };
 
     Image() = default;
-    // Black. A copy takes its memory from the heap. `first_row`: the row of a larger picture that its row 0 is.
+    // A black image. Copies take their memory from the heap. `first_row`: row 0's number in the larger picture, if any.
     Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
           int first_row = 0);
 
@@ -68,15 +68,15 @@ public:
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    // Where the bytes of this row of the larger picture begin.
+    // The first byte of this row, numbered as in the larger picture.
     std::uint8_t* row_bytes(int row) { return bytes_.data() + 3 * pixels(width_, row - first_row_); }
 
     // Empty for Layers::bytes; depth, steps and iterations are 0 and mean nothing for Layers::colours.
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
-    // Takes pixel (0, 0) to (width - 1, height - 1) of the planes to (left, bottom) of the larger picture and up. A
-    // byte is trunc(255 c), computed in the tile's own number type. Different parts of an image can be stored from
+    // Stores pixels (0, 0) to (width - 1, height - 1) of the planes from (left, bottom) of the larger picture on. A
+    // byte is trunc(255 c), computed in the tile's number type. Different parts of an image can be stored from
     // different threads.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);

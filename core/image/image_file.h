@@ -33,11 +33,11 @@ void check_image_size(ImageFormat format, int width, int height);
 void write_image(const std::string& path, ImageFormat format, const Image& image);
 
 // Reads a picture; the format is told by its first bytes. BMP: 24 or 32 bits a pixel, not compressed, with any masks.
-// PNG: any kind, made 8 bits a channel, on black where it is transparent; 16 bits without a curve of their own are
-// displayed values, as 8 are. PNM: grey or colour, as text or bytes. EXR: one part with the channels R, G and B, which
-// are light unless the layer `displayed` has what write_image() wrote of it; with Z it has all layers (steps and
-// iterations count 0 where they are missing), without it Layers::colours. Older files of this program, whose depth is
-// called so, have R, G and B as displayed. A file that ends early is refused, and one whose header claims
+// PNG: any kind, converted to 8 bits a channel, on black where it is transparent; 16 bits without a curve in the file
+// are displayed values, like 8 bits. PNM: grey or colour, as text or bytes. EXR: one part with the channels R, G and B,
+// which are light; if the file has the layer `displayed`, the colours come from there. With Z the image has all layers
+// (missing steps and iterations are 0), without it Layers::colours. Older files of this program have a channel `depth`
+// instead of Z, and R, G and B as displayed. A file that ends early is refused, and one whose header claims
 // more pixels than the file or the memory can hold is refused before it is decoded. Throws InputError with path and
 // cause.
 Image read_image(const std::string& path);

@@ -14,7 +14,7 @@ namespace {
 
 // Of a device's free memory, this share may be taken: others use it too.
 constexpr std::size_t memory_share = 4;
-// On the host a band takes about so long, so that a picture can be cancelled.
+// The approximate time of a band on the host, short enough that a picture can be cancelled.
 constexpr double seconds_per_band = 0.1;
 // For a job, and what an allocation is rounded up to.
 constexpr std::size_t job_memory = 1 << 16;  // bytes

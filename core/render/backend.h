@@ -150,8 +150,8 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    // Draws `scene` into `image`, which has the scene's width and all of its rows, or those from Image::first_row() on:
-    // the pixels are the same. The whole image is written. Can be called again.
+    // Draws `scene` into `image`, which has the scene's width and either all of its rows or some, from
+    // Image::first_row() on; the pixels are the same. Writes the whole image. Can be called again.
     // Throws Unavailable if the scene's fractal cannot be drawn, Error if the device fails, Cancelled.
     virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };

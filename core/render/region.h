@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a picture, in exact mode bit by bit as the whole picture has it: for prints that are larger than memory,
-// and pictures that machines share. In fast mode openmp's rays begin near the hits of pixels around them, other ones at
-// a region's edge, so that last digits differ, and now and then a pixel.
+// Draws a part of a picture, for prints that are larger than memory, or shared by several machines. In exact mode all
+// bits are those of the whole picture. In fast mode openmp's rays begin near the hits of neighbouring pixels, which are
+// others at a region's edge, so that last digits differ, and now and then a pixel.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace mandelmarch {
 
-// In pixels of the whole picture, from its bottom left.
+// A part of a picture, in pixels from the bottom left of the whole picture.
 struct Region {
     int left = 0, bottom = 0;
     int width = 0, height = 0;
@@ -19,8 +19,8 @@ struct Region {
 // Pixels of the picture that are in memory at once while the region is drawn.
 std::size_t pixels_in_memory(const Scene& scene, const Region& region);
 
-// Draws the region of the scene's picture. Rows are drawn as wide as the whole picture, some at a time, and cut: a
-// narrow region takes as long as all of its rows. Throws what the renderer throws.
+// Draws the region of the scene's picture. Strips of whole rows are drawn and then cut: a narrow region takes as long
+// as its rows in full width. Throws the renderer's exceptions.
 std::pair<Image, RenderReport> render_region(Renderer& renderer, const Scene& scene, const Region& region,
                                              Image::Layers layers, const Progress& progress = {});
 

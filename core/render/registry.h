@@ -51,7 +51,7 @@ private:
     std::vector<std::unique_ptr<Backend>> backends_;
 };
 
-// A backend that this program does not have, and why: unavailable.
+// An unavailable backend: the program was built without it, for the reason `why`.
 std::unique_ptr<Backend> without_backend(std::string_view name, std::string_view why);
 
 }  // namespace mandelmarch

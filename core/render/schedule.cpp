@@ -16,7 +16,7 @@ namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-// Where bands are cut by time: pixels of the first, and how much larger than the last one a band is at most.
+// For bands that are cut by time: pixels of the first band, and the largest ratio of a band to the one before.
 constexpr std::int64_t first_band = 1 << 14;
 constexpr double most_growth = 4;
 

@@ -23,7 +23,7 @@ struct Limits {
     std::int64_t pixels_per_band;           // what its buffers hold
     std::int64_t pixels_to_fill = 1 << 16;  // with fewer pixels in a band the device is not busy
     std::int64_t loops_per_invocation = 0;  // rounds of loops that one invocation survives; 0: any number
-    // Bands begin small and then take about so long, so that a slow device can be stopped; 0: all have one size.
+    // Bands begin small and grow until each takes about this time, so that slow devices can be stopped. 0: equal bands.
     double seconds_per_band = 0;
 };
 

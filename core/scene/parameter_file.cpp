@@ -49,8 +49,8 @@ std::string_view without_comment(std::string_view line)
     return line;
 }
 
-// How many of the numbers of lines 7 and 8 lie where a fractal's files seldom have them: outside the range in which its
-// pictures are worth looking at, or not 0 where they are ignored. nullopt where it refuses them.
+// Counts the numbers of lines 7 and 8 that are unusual for a fractal: outside the range of its interesting pictures, or
+// not 0 although the fractal ignores them. nullopt if the fractal refuses the numbers.
 std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
 {
     int count = 0;
@@ -258,10 +258,10 @@ private:
     std::string_view rest_;    // what has not been read
     std::string_view line_;    // the current line, trimmed
     std::string_view fields_;  // what is left of its values
-    bool commented_ = false;   // a comment is behind it
+    bool commented_ = false;   // a comment follows them
     int number_ = 0;           // the current line's number, from 1
     std::array<int, item_count> lines_{};
-    std::string comments_;  // all, in lower case
+    std::string comments_;  // all comments, in lower case
     const std::string& name_;
     const Fractal& fractal_;
     ParameterFile result_;

@@ -13,7 +13,7 @@ namespace mandelmarch {
 struct ParameterFile {
     Scene scene;
     std::vector<std::string> warnings;  // each `file:line: text`
-    bool comment_behind_name = false;   // the line with the image's file name has a comment, too
+    bool comment_behind_name = false;   // a comment follows the image's file name
 };
 
 // Parses `text` as a parameter file for `fractal`. `name` is what messages call the file.

@@ -22,7 +22,7 @@ constexpr double most_wall_step = 0.25;   // what a change of shape may move the
 constexpr double turn_cap = 1.2;          // degrees a frame
 constexpr double aside = 60;              // degrees off the motion
 constexpr double stillness = 0.25;        // of the clearance: a camera that stays within it stands still
-constexpr double official_seconds = 240;  // that the bar on passages is for
+constexpr double official_seconds = 240;  // the flight time that the bar on passages refers to
 
 class Auditor {
 public:
@@ -68,7 +68,7 @@ private:
         return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
     }
     double seconds(std::size_t frames) const { return static_cast<double>(frames) / path_.frames_per_second; }
-    // Of a bar on what changes from frame to frame, which is meant for the rate that flights are planned at.
+    // Scales a bar on a change from frame to frame from the rate at which flights are planned to that of the path.
     double by_rate(double bar) const
     {
         return bar * (static_cast<double>(frames_per_second) / path_.frames_per_second);

@@ -6,11 +6,11 @@ namespace mandelmarch {
 
 class Budget {
 public:
-    // Processor time from now on, of all of the program's threads together, in seconds: a search stays within it on a
-    // busy machine, too.
+    // Seconds of processor time from now on, summed over the program's threads, so that a busy machine leaves a search
+    // the same work.
     explicit Budget(double seconds);
 
-    // Throws InputError once it is spent.
+    // Throws InputError once the budget is spent.
     void check() const;
 
 private:

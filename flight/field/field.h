@@ -15,8 +15,8 @@ namespace mandelmarch {
 
 class Field {
 public:
-    // `threads`: 0 for all that the process may use. `budget`, where there is one, outlives the field; it is checked
-    // while many distances are computed. Throws Unavailable for a fractal that is not built.
+    // `threads`: 0 for all that the process may use. `budget`, if not null, must outlive the field; it is checked while
+    // many distances are computed. Throws Unavailable for a fractal that is not built.
     Field(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }

@@ -42,7 +42,7 @@ Hull sphere_by_rays(const Field& field)
 std::string flight_objection(const Scene& scene)
 {
     const Fractal& fractal = *scene.fractal;
-    // A row that has a function for its bodies and knows none: the shape has no end, or no inside.
+    // The fractal has a function for its bodies, and that returns none: the shape is unbounded, or has no inside.
     if (fractal.flight.body == usual::unknown_body || fractal.flight.body(scene)) return {};
     const Scene official = official_scene(fractal);
     for (std::size_t i = 0; i < fractal.shape.size(); ++i) {

@@ -11,11 +11,11 @@ namespace mandelmarch {
 
 class Field;
 
-// Why the scene's fractal cannot be flown through, in one line with what is expected; empty where it can be. Looks at
-// the scene's shape alone and computes no distance.
+// The reason why the scene's fractal cannot be flown through, in one line with the expected input; empty if it can be.
+// Depends on the scene's shape alone and computes no distance.
 std::string flight_objection(const Scene& scene);
 
-// Throws flight_objection() as an InputError.
+// Throws InputError with flight_objection(), if any.
 void check_flown(const Scene& scene);
 
 // What the fractal's row says, or a sphere found by rays from far outside.

@@ -27,7 +27,7 @@ constexpr std::array film_endings{FilmEnding{".mp4", Container::mp4}, FilmEnding
                                   FilmEnding{".gif", Container::gif}};
 constexpr int fastest_gif = 50;  // frames a second
 
-// The size of the segment that follows the head of a Matroska file, or 0 where it is not known, as before the end.
+// The size of a Matroska file by the size of its segment; 0 if that is unknown, as before the file is finished.
 std::uint64_t segment_end(std::ifstream& stream)
 {
     std::array<unsigned char, 64> head{};
@@ -73,8 +73,8 @@ void check_rate(Container container, const std::string& film, int rate)
 
 std::vector<std::string> video_codec(Container container)
 {
-    // Four threads whatever the machine. A lookahead in a thread of x264's own sometimes decides otherwise at the end
-    // of a clip when the machine is busy.
+    // Four threads on every machine. If x264 looks ahead in a separate thread, it sometimes decides differently at the
+    // end of a clip when the machine is busy.
     if (container != Container::webm)
         return {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-x264-params", "sync-lookahead=0"};
     return {"-c:v", "libvpx-vp9", "-deadline", "good", "-cpu-used", "4", "-crf", "24", "-b:v", "0", "-row-mt", "1"};
@@ -86,7 +86,7 @@ std::vector<std::string> joining(Container container)
         case Container::mkv: return {"-c", "copy", "-f", "matroska"};
         case Container::webm: return {"-c", "copy", "-f", "webm"};
         case Container::gif:
-            // A palette for each frame: one for all would keep every frame in memory until it is known.
+            // A palette for each frame: for a common one, every frame would stay in memory until it is computed.
             return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-f", "gif"};
         default: return {"-c", "copy", "-movflags", "+faststart", "-f", "mp4"};
     }

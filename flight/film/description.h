@@ -18,8 +18,8 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more);
 
-// Where two such descriptions differ, in words: "instructions: 'SCALAR', here 'AVX2'; ...", `here` being the second's.
-// Empty where they are the same.
+// The differences of two such descriptions, in words: "instructions: 'SCALAR', here 'AVX2'; ...", where `here` is the
+// second. Empty if they are equal.
 std::string differences(const std::string& theirs, const std::string& ours);
 
 }  // namespace mandelmarch

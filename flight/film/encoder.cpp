@@ -15,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-// Before the output's name. Bitexact leaves out what changes from run to run.
+// ffmpeg's options before the output's name. Bitexact leaves out all that changes from run to run.
 std::vector<std::string> encoding()
 {
     return {"-threads",

@@ -21,8 +21,8 @@ std::string ffmpeg();
 double ffmpeg_timeout(double usual);
 inline constexpr double encoding_seconds = 600;  // for the largest frame on a busy machine
 
-// Throws Error, in one line, where ffmpeg is missing, does not answer, or cannot do what films need: the container's
-// codec, drawtext and the font.
+// Throws Error, in one line, if ffmpeg is missing, does not answer, or lacks something that films need: the container's
+// codec, drawtext or the font.
 void check_ffmpeg(Container container);
 
 // ffmpeg's scale of time for `rate` frames a second, as an option.
@@ -31,7 +31,7 @@ std::vector<std::string> time_scale(int rate);
 // What ffmpeg says of its version: frames are promised to be the same for the same one.
 std::string ffmpeg_version();
 
-// How a film's frames are kept.
+// The container and the rate of a film.
 struct Coding {
     Container container = Container::mp4;
     int frames_per_second = mandelmarch::frames_per_second;

@@ -35,7 +35,7 @@ constexpr int least_side = 16;  // pixels: what libx264 takes
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 
-// What the film is made of: the pictures, and the title, where there is one.
+// The description of all that the film is made of: its pictures, its encoding and its title, if any.
 std::string description_of(const Path& path, const Backend& backend, const FilmOptions& options)
 {
     const auto [first, last] = chosen_frames(options.frames, path.frames.size());
@@ -92,7 +92,7 @@ public:
         const bool alone = ranks_.size() == 1;
         const auto body = [&](std::size_t number) { segment(*maker, todo[number], alone ? &progress : nullptr); };
         const auto done = [&](std::size_t number) {
-            // Of several ranks only whole segments are known.
+            // Several ranks report whole segments only, not frames.
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
@@ -120,7 +120,7 @@ public:
         };
         add(mandelmarch::joining(coding_.container));
         if (coding_.container == Container::mp4) add(time_scale(coding_.frames_per_second));
-        // ffmpeg copies the tags of the first piece to the film, under this option.
+        // With the option below, ffmpeg copies the tags of the first piece to the film.
         const Tags tags{options_.picture.projection == Projection::equirectangular, options_.picture.stereo};
         std::optional<TemporaryPath> tagged;
         if (!tags.none() && coding_.container != Container::gif) {
@@ -229,7 +229,7 @@ private:
     Coding coding_;
 };
 
-// All ranks draw the same bits, or none begins.
+// Throws Error if the ranks would not all draw the same bits.
 void check_ranks(const std::string& description, Ranks& ranks)
 {
     const std::string first = ranks.share(description);
@@ -240,7 +240,7 @@ void check_ranks(const std::string& description, Ranks& ranks)
                     ranks.rank(), differences(first, description)));
 }
 
-// What gathered for another film of this name: by an array's task on another kind of machine, or before options
+// Prints the segments of other films of this name, made on another kind of machine or before options
 // changed.
 void name_leftovers(const Workshop& work, const std::string& description)
 {
@@ -271,7 +271,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
         throw InputError(
             fmt::format("--segments: {} is no file beside which segments gather, expected a file", options.output));
     }
-    // Whether there is a folder for its parts.
+    // Throws if there can be no folder for the film's parts.
     static_cast<void>(parts_folder(options.output, ""));
 }
 

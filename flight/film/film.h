@@ -13,7 +13,7 @@
 
 namespace mandelmarch {
 
-// From the first to the second, both included.
+// The numbers from the first to the second, both included.
 using Range = std::pair<std::size_t, std::size_t>;
 
 struct FilmOptions {
@@ -22,10 +22,10 @@ struct FilmOptions {
     std::string authors;  // second line
     Picture picture;
     RendererOptions renderer;
-    // Segments [first, second] alone, for array jobs: those of them that the film has are rendered, and the film is not
-    // joined.
+    // Only segments [first, second], for array jobs: those that the film has are rendered, and the film is not joined.
+    // The last task of an array may ask for more than there are.
     std::optional<Range> segments;
-    // A film of the path's frames [first, second] alone.
+    // Only the path's frames [first, second] become the film.
     std::optional<Range> frames;
 };
 
@@ -38,16 +38,16 @@ struct FilmReport {
     bool joined = false;  // the film stands
 };
 
-// The frames that are asked for of a path with so many. Throws InputError where it does not have all of them.
+// The chosen frames of a path with `all` frames. Throws InputError if the path does not have all of them.
 Range chosen_frames(const std::optional<Range>& frames, std::size_t all);
 
-// The segments that are asked for of a film of so many frames; the last task of an array job may ask for more than
-// there are. Throws InputError where the film has none of them.
+// The chosen segments of a film with `frames` frames, without those beyond its end, for which the last task of an array
+// job may ask. Throws InputError if the film has none of the chosen segments.
 Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 
-// Throws InputError where such a film of so many frames, at so many a second, certainly cannot be made: a size that is
-// odd or too large, frames or segments that the path does not have, a title that does not fit, an output that cannot be
-// written or whose ending names no kind of film. Touches nothing.
+// Throws InputError if a film of `frames` frames, `rate` a second, certainly cannot be made: its size is odd or too
+// large, the path does not have the chosen frames or segments, the title does not fit, or the output cannot be written
+// or its ending names no kind of film. Changes no file.
 void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
 // Makes the film: every segment that is not finished yet, by all ranks, then the title, and joins them without encoding
@@ -62,7 +62,7 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // Only frames of these segments [first, second], or of these frames; segments are counted from the first of these.
+    // Only frames of these segments [first, second] or of the range `frames`, from whose first frame segments count.
     std::optional<Range> segments, frames;
 };
 

@@ -15,13 +15,13 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int least_letter = 8;          // pixels, where more are wanted
+constexpr int least_letter = 8;          // pixels, unless the wanted size is smaller
 constexpr double rather_broken = 0.6;    // of the wanted size: a line that needs smaller letters is broken in two
 constexpr int tab_blanks = 4;            // as ffmpeg's drawtext has it
 constexpr std::size_t most_lacking = 8;  // letters that a message names
 constexpr std::string_view line_ends = "\n\r\f\v";
 
-// Takes the next letter of an UTF-8 text; nullopt where it is none.
+// Takes the next letter off a UTF-8 text; nullopt if the bytes are invalid.
 std::optional<char32_t> take_letter(std::string_view& text)
 {
     const auto first = static_cast<unsigned char>(text.front());

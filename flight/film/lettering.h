@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters of a font: which it has, and how large a text fits.
+// The letters of a font, and the largest size at which a text fits.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@ namespace mandelmarch {
 
 class Font {
 public:
-    // Throws Error where the file is no font whose letters have any size.
+    // Throws Error unless the file is a font with scalable letters.
     explicit Font(const std::string& file);
     ~Font();
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
 
-    // Throws InputError, which begins with `option`, where a text is no UTF-8 or has letters that the font lacks.
+    // Throws InputError, which begins with `option`, if the text is not UTF-8 or has letters that the font lacks.
     void check(const std::string& option, std::string_view text) const;
 
-    // Of one line, in sizes of a letter.
+    // The width of one line, in units of the letters' size.
     double width(std::string_view line) const;
 
 private:
@@ -34,10 +34,10 @@ struct Lettering {
     int size = 0;  // pixels
 };
 
-inline constexpr double line_height = 1.3;  // sizes of a letter
+inline constexpr double line_height = 1.3;  // in units of the letters' size
 
-// The text at the wanted size in pixels, or as large as width and height (pixels) allow, where a long line is broken in
-// two if that makes it larger. Throws InputError, which begins with `option`, where the letters would be too small to
+// Sets the text at the wanted size in pixels, or as large as width and height (pixels) allow; a long line is broken in
+// two if that makes the letters larger. Throws InputError, which begins with `option`, if the letters were too small to
 // read, or the font lacks some.
 Lettering lettering(const Font& font, const std::string& option, const std::string& text, int wanted, double width,
                     double height);

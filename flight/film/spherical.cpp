@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t box_head = 8;      // bytes: size and type
 constexpr std::size_t entries_head = 8;  // of a box of sample entries: version, flags and their number
-constexpr char left_and_right = 2;       // st3d's way to hold two eyes
+constexpr char left_and_right = 2;       // st3d's number for two eyes side by side
 constexpr std::string_view version_0{"\0\0\0\0", 4};
 
 std::string four_bytes(std::uint64_t number)
@@ -54,7 +54,7 @@ std::size_t size_at(std::string_view data, std::size_t at)
     return size;
 }
 
-// The first box of that type (empty: of any) in [begin, end) of the data; `end` where there is none.
+// The position of the first box of this type (empty: any type) in [begin, end) of the data; `end` if there is none.
 std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, std::string_view type)
 {
     for (std::size_t at = begin; at + box_head <= end;) {
@@ -78,7 +78,7 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
     std::vector<std::size_t> around;  // the boxes that grow
     std::size_t begin = 0;
     std::size_t end = data.size();
-    // The last one is the entry of the codec, avc1 or vp09.
+    // The last type, which is empty, finds the codec's entry, avc1 or vp09.
     for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
         const std::size_t at = box_in(data, begin, end, type);
         const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();

@@ -27,13 +27,13 @@ std::string escaped(const std::string& text, std::string_view characters)
 }
 
 constexpr double brightening = 0.5;  // seconds
-// Of a picture's width that a line may take. A panorama's is the whole circle.
+// The share of a picture's width that a line may take. A panorama's width is the whole circle.
 constexpr double share_of_width = 0.92;
 constexpr double share_of_circle = 0.25;
 constexpr double title_height = 0.4;  // of a picture's height, all lines together
 constexpr double authors_height = 0.3;
 
-// One line of the title, in pixels. Its text stands in a file, so that it needs no escapes.
+// One line of the title, in pixels. ffmpeg reads its text from a file, so that it needs no escapes.
 struct TitleLine {
     std::string text;
     int size;
@@ -48,7 +48,7 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     std::vector<TitleLine> all;
     if (title.empty()) return all;
     const Font font(title_font());
-    // A title's last line stands where a single one does, as the first one of the authors.
+    // The last line of the title and the first line of the authors stand where a single line would; others move.
     const auto add = [&](const Lettering& letters, int below_middle, std::size_t fixed) {
         for (std::size_t i = 0; i < letters.lines.size(); ++i) {
             const double lines = static_cast<double>(i) - static_cast<double>(fixed);
@@ -111,7 +111,7 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const auto frames = static_cast<int>(title_frames(coding.frames_per_second));
     const int bright = std::max(1, static_cast<int>(std::lround(brightening * coding.frames_per_second)));
     for (int i = 0; i < frames; ++i) {
-        // At the end the picture brightens to the first frame of the flight: from a third to all its light.
+        // At the end the picture brightens from a third of its light to the first frame of the flight.
         const int light = bright + 2 * std::max(0, i - (frames - bright));
         std::vector<std::uint8_t> frame = first;
         for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * bright));

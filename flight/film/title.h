@@ -30,12 +30,12 @@ struct Title {
     bool empty() const { return title.empty() && authors.empty(); }
 };
 
-// Throws InputError where a text does not fit into such pictures, however small its letters, or the font lacks some of
-// them, Error where the font cannot be read.
+// Throws InputError if a text does not fit into such pictures even in the smallest letters, or has letters that the
+// font lacks; Error if the font cannot be read.
 void check_title(const Title& title, const Picture& picture);
 
 // Writes the title as a segment: `first` (RGB, from the top row) darkened, with both texts as large as they fit, once
-// for each eye. An empty text is left out. Throws what check_title() throws, and Error where the encoder fails.
+// for each eye. An empty text is left out. Throws as check_title() does, and Error if the encoder fails.
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
                  const Picture& picture, const Title& title, const Coding& coding);
 

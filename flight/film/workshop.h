@@ -22,7 +22,7 @@ public:
     Workshop& operator=(const Workshop&) = delete;
 
     const std::string& folder() const { return folder_; }
-    // What a note says that the film was made of.
+    // The description's digest, which notes record.
     const std::string& made_of() const { return digest_; }
     std::size_t frames() const { return frames_; }
     std::size_t segments() const;
@@ -41,7 +41,7 @@ public:
     // A whole part becomes the finished file, with its note. Throws Error.
     void finish(const std::string& part, const std::string& file) const;
 
-    // What gathered beside this film for other ones of this name, by folder.
+    // Unfinished films of the same name that stand beside this one, by folder.
     struct Other {
         std::string description;
         std::size_t segments = 0;

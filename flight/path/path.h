@@ -12,11 +12,11 @@
 
 namespace mandelmarch {
 
-// What flights are planned at; a path file may have another rate.
+// The rate at which flights are planned; a path file may have another one.
 inline constexpr int frames_per_second = 30;
 inline constexpr int most_frames_per_second = 240;
 
-// What a frame says instead of the path's scene; the values are those of a parameter file.
+// A frame's changes to the path's scene, as values of a parameter file.
 struct Changes {
     std::optional<double> detail;
     std::optional<std::array<double, 3>> shape;

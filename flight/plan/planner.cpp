@@ -202,11 +202,11 @@ void check_roads(const Atlas& atlas, const Scene& scene, const Schedule& schedul
             scene.iterations < few_iterations ? fmt::format(" or more iterations than {}", scene.iterations) : ""));
     };
     if (!atlas.has_space()) fail("no free space that a camera can reach (no balls)");
-    // Where the shape changes tours go on to wide places, too.
+    // If the shape changes, tours also lead through wide places and need no gates.
     if (atlas.gates().empty() && !schedule.changes()) fail("no narrow places to fly through (no gates)");
 }
 
-// Of an audit: the promises that are not kept, by their names.
+// The names of the promises that an audit found broken.
 std::string broken(const Audit& audit)
 {
     std::string names;

@@ -25,9 +25,9 @@ using Log = std::function<void(const std::string&)>;
 
 // A flight of `frames` frames through the scene's fractal, which changes by the schedule, that keeps every promise of
 // docs/flight.md. The same seed gives the same path, on any number of threads (0: all that the process may use).
-// Throws InputError where the shape cannot be flown through (flight/field/hull.h), has no free space or no gates, or
-// takes more processor time than `most_seconds` (0: an amount that grows with the frames); Error where no tour is long
-// enough or keeps the promises.
+// Throws InputError if the shape cannot be flown through (flight/field/hull.h), has no free space or no gates, or takes
+// more processor time than `most_seconds` (0: an amount that grows with the frames); Error if no tour is long enough or
+// keeps the promises.
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
           const Log& log = {}, double most_seconds = 0);
 

@@ -53,7 +53,7 @@ public:
     std::size_t shapes() const { return roads_.size(); }
     double step() const { return step_; }  // from one value to the next
 
-    // Every shape's roads have balls inside the fractal's hull that hang together with the outside.
+    // True if every shape's roads have balls inside the fractal's hull that are connected to the outside.
     bool has_space() const;
     // Of all roads; a gate as its narrowest place.
     std::vector<Ball> balls() const;

@@ -128,8 +128,8 @@ class Answers:
         return rows[order.index(max(order))] if rows else None
 
     def speed_ups(self) -> dict[str, Any] | None:
-        """Of the host in float, by mode, exact first: over the serial reference, over the same text as scalar C++ on the same
-        threads, and how many times the host's operations the scalar text needs. Two numbers each, a fractal each."""
+        """The host's figures in float by mode, exact first: its speed-ups over the serial reference and the same text
+        as scalar C++ on the same threads, and the scalar text's operations over its own; a number per fractal each."""
         modes = {mode: found for mode in ("exact", "fast") if (found := self._speed_ups_of(mode))}
         return {"modes": modes, "host": self.backends.host, "size": self.primary.size} if self.primary and "exact" in modes else None
 

@@ -13,7 +13,7 @@ POINTS = 2000  # of the integral
 
 
 def both_tails(t: float, freedom: int) -> float:
-    """The probability that Student's t is as far from 0. With t = sqrt(freedom) tan(x) its density is that of a cosine's power."""
+    """The probability that |Student's t| is at least |t|. With t = sqrt(freedom) tan(x) the density is a cosine's power."""
 
     def integral(begin: float) -> float:
         width = (math.pi / 2 - begin) / POINTS
@@ -23,7 +23,7 @@ def both_tails(t: float, freedom: int) -> float:
 
 
 def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
-    """The p-value of one ratio, paired by round: that its launches' medians differ from 1 by chance. 1 where the ratio is not above 1."""
+    """The p-value of one ratio, paired by round, for launches' medians that differ from 1 by chance; 1 unless it is above 1."""
     above, below = (
         {(s["launch"], s["round"]): s["kernel"] for row in data["rows"] if row["name"] == entry[end] for s in row["samples"]}
         for end in ("numerator", "denominator")
@@ -39,7 +39,7 @@ def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
 
 
 def greater(data: dict[str, Any], entries: list[dict[str, Any]]) -> int:
-    """Counts the ratios that are above 1."""
+    """Counts the ratios that are above 1 with Holm's correction."""
     p_values = sorted(_p_greater(data, entry) for entry in entries)
     missed = [k for k, p in enumerate(p_values) if p > LEVEL / (len(p_values) - k)]
     return missed[0] if missed else len(p_values)

@@ -16,7 +16,7 @@ from .text import where
 from .trace import Place, Trace
 
 SCALAR = "pack=1"  # the point of the scalar text's rows
-DRIVERS = ("opencl", "vulkan", "cuda")  # their drivers compile and share out the work; rows do not know on how many threads
+DRIVERS = ("opencl", "vulkan", "cuda")  # drivers compile and distribute the work, on a number of threads unknown to rows
 SAME_WORK = 1e-3  # in fast mode counts differ in the last digits
 
 
@@ -39,7 +39,7 @@ def scalar_text(bench: Bench, row: Row, host: str) -> Row | None:
 
 
 def work_over_scalar(bench: Bench, row: Row, host: str) -> float | None:
-    """A row's counted operations over the scalar text's; None where one of them is not counted."""
+    """A row's counted operations over the scalar text's; None if either is not counted."""
     scalar = scalar_text(bench, row, host)
     return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 
@@ -68,8 +68,8 @@ def ranked(rows: list[Row]) -> list[str]:
 
 
 class Costs:
-    """`speeds`: by backend, the rows that do the scalar text's work without SIMD of the program, and how fast they are beside it,
-    thread for thread."""
+    """`speeds`: for each backend, the rows that do the scalar text's work without the program's SIMD, and their speeds
+    over the scalar text, thread for thread."""
 
     def __init__(self, bench: Bench, backends: Backends):
         self.bench, self.host = bench, backends.host
@@ -89,7 +89,7 @@ class Costs:
         return trace.with_interval(self.bench.name, at, f"{at}_interval", scale=threads)
 
     def answer(self, trace: Trace) -> dict[str, Any] | None:
-        """The slowest and the fastest case of each model, those on as many threads as the scalar text before those on one."""
+        """The slowest and fastest case of each model; models on all of the scalar text's threads precede those on one."""
         groups: dict[str, list[dict[str, Any]]] = {}
         for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
             words = "on one thread, compared thread for thread" if speeds[0][1] > 1 else "On as many threads"

@@ -15,17 +15,17 @@ def platforms(entries: list[dict[str, Any]]) -> list[str]:
 
 
 def _asked(platform: str, benches: Iterable[Bench]) -> set[str]:
-    """The backends that have a row, be it one that says why there is no time, in a result of this platform."""
+    """The backends that have a row in a result of this platform, even one without a time."""
     asked = set()
     for bench in benches:
         own = {row["platform"] for row in bench.data["rows"] if row["figures"] is not None}
-        if any(name and platform.startswith(name) for name in own):  # machines of one name have a number behind it
+        if any(name and platform.startswith(name) for name in own):  # machines of the same name are numbered
             asked |= {row["backend"] for row in bench.data["rows"]}
     return asked
 
 
 def measured(entries: list[dict[str, Any]], benches: Iterable[Bench]) -> tuple[list[dict[str, Any]], dict[str, list[str]]]:
-    """The entries of backends that were asked everywhere, and for each other backend the platforms where it was not."""
+    """The entries of backends that were asked for on all platforms; for every other one, the platforms without it."""
     benches = list(benches)
     asked = {platform: _asked(platform, benches) for platform in platforms(entries)}
     missing: dict[str, list[str]] = {}

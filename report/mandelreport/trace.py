@@ -73,8 +73,8 @@ def found(data: Any, path: str) -> list[Any]:
 
 @dataclass(frozen=True)
 class Place:
-    """`files`: names, whose values stand one after the other; `rule`: how many become one, "one" if there is only one. "holm"
-    counts the ratios of one file that are above 1, all of them together at 5 %."""
+    """`files`: names, whose values follow each other; `rule`: how several values become one, "one" if there is one. "holm"
+    counts the ratios of one file that are above 1, at 5 % for all of them together."""
 
     files: tuple[str, ...]
     path: str

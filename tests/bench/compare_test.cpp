@@ -150,8 +150,8 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::slower);
 }
 
-// The row of the review: half the time, in an interval that three launches leave too wide to be sure after Holm's
-// correction for 48 rows. That is no sameness.
+// A row with half the time whose interval from three launches is too wide for certainty after Holm's correction for 48
+// rows. Such a row must not be called the same.
 TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
@@ -176,7 +176,7 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
         << text;
 }
 
-// The same margin, the same answers.
+// With the same margin, both give the same verdicts.
 TEST(Judge, CompareAndDuelAreJudgedAlike)
 {
     std::mt19937_64 random(7);

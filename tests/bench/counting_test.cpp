@@ -106,19 +106,19 @@ TEST(Counting, StagesAndSampling)
     EXPECT_NEAR(part.per_iteration() / exact.per_iteration(), 1, 0.02);
 }
 
-// What a sample says of a picture, and what is true of it.
+// A figure of a picture: its estimate from a sample, the estimate's standard error, and the true value.
 struct Figure {
     std::string what;
     double sampled, error, truth;
 
     double relative_error() const { return error / truth; }
-    // How many standard errors the sample is off.
+    // The distance of the estimate from the truth, in standard errors.
     double off() const { return std::abs(sampled - truth) / error; }
 };
 
 using Choose = std::function<Count(const Scene& scene)>;
 
-// Of the five views that both fractals have, exact pictures in double, as `sample` counts them.
+// The figures of five views of both fractals, as exact pictures in double, whose pixels `sample` counts.
 std::vector<Figure> sampled_figures(const Choose& sample)
 {
     const auto per_estimate = [](const Count& count) {
@@ -164,7 +164,7 @@ TEST(Counting, SamplesStandForAllPixelsWithinTheirErrors)
     }
 }
 
-// The negative control: blocks of one corner of the picture are found out.
+// The negative control: a sample of blocks from one corner of the picture is recognized as biased.
 TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
 {
     int off = 0;
@@ -178,8 +178,8 @@ TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
     EXPECT_GT(off, 5) << "of " << figures.size();
 }
 
-// Edges cut blocks; the mean of the sample is the middle of the picture, which that of a lattice from a corner on is
-// not.
+// The picture's edges cut blocks. The mean position of the sample is the middle of the picture, unlike that of a
+// lattice that begins in a corner.
 TEST(Sample, IsSpreadOverTheWholePicture)
 {
     constexpr int width = 100;
@@ -239,7 +239,7 @@ TEST(Counting, LanesByHand)
     EXPECT_EQ(twice.refilled_error->in_iterations, 0) << "blocks that are alike";
 }
 
-// Of a power that is not whole the angles are computed: many more operations for the same iterations.
+// A power that is not whole needs angles: many more operations for the same iterations.
 TEST(Counting, TrigonometryCosts)
 {
     Scene scene = official_scene("bulb", 64, 64);

@@ -24,7 +24,7 @@ constexpr double skew_median = 0.4549364;
 
 using Random = std::mt19937_64;
 
-// What a machine does to a launch: a factor of time that all its rows share.
+// The effect of the machine on each launch: a factor of time that all rows of the launch share.
 std::map<int, double> machine(Random& random, int launches)
 {
     std::normal_distribution<double> normal;
@@ -200,7 +200,7 @@ TEST(LaunchInterval, HoldsTheMedianOfAll)
     EXPECT_GE(s.interval->high, 2);
 }
 
-// As a median's: from six rounds on, and whatever the distribution is.
+// The interval is a median's: it needs six rounds, and holds for any distribution.
 TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
 {
     const Launches row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
@@ -213,7 +213,7 @@ TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
     EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
 }
 
-// What slows whole rounds down cancels.
+// A disturbance that slows whole rounds down cancels.
 TEST(QuotientOfOneLaunch, ComparesRoundByRound)
 {
     const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
@@ -222,7 +222,7 @@ TEST(QuotientOfOneLaunch, ComparesRoundByRound)
     EXPECT_EQ(q.interval->high, 2);
 }
 
-// Skewed times, without what differs between launches: the interval is of that launch.
+// Skewed times without differences between launches, as the interval applies to a single launch.
 TEST(QuotientOfOneLaunch, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""csv_test.py BIN SOURCE: who reads the CSV of a standard study alone, by whichever column, finds the winners that its JSON has.
+"""csv_test.py BIN SOURCE: the CSV of a standard study alone, grouped by either column, shows the same winners as its JSON.
 The stored study is older than the column `application` in JSON."""
 import csv
 import io
@@ -26,7 +26,7 @@ def means(rows, *keys):
 
 
 def winners(times):
-    """Of each problem: the application with the least time."""
+    """The application with the least time, for each problem."""
     best = {}
     for (*problem, application), seconds in times.items():
         if tuple(problem) not in best or seconds < best[tuple(problem)][1]:
@@ -35,7 +35,7 @@ def winners(times):
 
 
 def expected():
-    """From the JSON: each row by itself."""
+    """The same from the JSON, row by row."""
     best = {}
     for row in json.loads(STUDY.read_text())["rows"]:
         if row["figures"] is None:

@@ -75,7 +75,7 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
 }
 
-// Rows that a filter left out say nothing of what runs: H is smaller, and the output names what is missing.
+// Rows that a filter left out do not count as unsupported: H is smaller, and the output names the missing platform.
 TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
 {
     std::vector<Result> results = example();
@@ -107,7 +107,7 @@ TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
     EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
 }
 
-// Of another size, say.
+// Here the problem differs by its size.
 TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
 {
     std::vector<Result> results = example();

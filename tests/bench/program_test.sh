@@ -61,7 +61,7 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
-# A folder has files of other kinds, too: each is named, and left out.
+# A folder may hold files of other kinds: each is named and left out.
 mkdir -p folder/below
 cp a.json folder/
 cp b.json folder/below/
@@ -117,7 +117,7 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
-# A reader who goes away has read what he wanted: no complaint, and the exit code is the command's.
+# A pipe that its reader has closed is no failure: there is no message, and the exit code is the command's.
 unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
 unread csv a.json
 [ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""progress_test.py BIN: on a terminal bench shows rounds and the time that is left in a line that changes; elsewhere it says each
-thing once."""
+"""progress_test.py BIN: on a terminal bench shows the rounds and the time left in one changing line; elsewhere it prints each
+message once."""
 import os
 import pathlib
 import pty
@@ -15,7 +15,7 @@ ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precisi
 
 
 def on_terminal(folder, *words):
-    """What bench writes to a terminal that is its stderr alone."""
+    """The output of bench on a terminal to which only its stderr goes."""
     master, terminal = pty.openpty()
     with open(folder / "out", "w", encoding="utf-8") as out:
         bench = subprocess.Popen([BENCH, *words], stdout=out, stderr=terminal)

@@ -23,7 +23,7 @@ echo run >>$work/runs
 exec $work/racer "\$1"
 SH
 chmod +x unsteady
-# A right picture, kept from its first run in a folder of the program's.
+# A right picture that the program keeps from its first run in another folder.
 cat >stale <<SH
 #!/bin/sh
 [ -e $work/kept.bmp ] || { $work/racer "\$1" && mv image.bmp $work/kept.bmp; }

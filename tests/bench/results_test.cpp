@@ -44,7 +44,7 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
 }
 
-// Whoever compares by application or backend does not take the scalar text for the backend's packs.
+// A comparison by the columns application or backend keeps the scalar text apart from the backend's packs.
 TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
 {
     Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
@@ -175,7 +175,7 @@ TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
     EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
 }
 
-// Builds that counted on a lattice did not know how far off that was.
+// Older builds counted on a lattice and had no estimate of its error.
 TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
 {
     Json json = with_counts();
@@ -188,7 +188,7 @@ TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
     EXPECT_FALSE(result.rows[0].operations_error);
 }
 
-// A percent of the operations is a percent of the share.
+// An error of one percent in the operations is an error of one percent in the share.
 TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
 {
     Result result = parse_result(text_of(with_counts()), "file.json");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines of a study, on made results whose truth is known.
+// The last lines of a study, for made results whose true winner is known.
 #include "bench/winners.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// A row with times about `seconds` in each of some launches, which scatter by `spread`.
+// A row with times around `seconds` in each launch; the launches scatter by `spread`.
 Row raced(const std::string& backend, double seconds, double spread, int launches = 5)
 {
     std::vector<double> times;
@@ -60,7 +60,7 @@ TEST(Winners, FewPicturesProveNothing)
         << text;
 }
 
-// Of one launch, groups of rounds are the units, as compare takes them.
+// A single launch is judged by the medians of groups of rounds, as in compare.
 TEST(Winners, OneLaunchIsJudgedByGroupsOfRounds)
 {
     const std::vector<Contest> contests =

@@ -62,7 +62,7 @@ SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study blocks --size 60x40 --pre
     fail "blocks: $(cat blocks)"
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
-# A kernel whose registers leave no room for a block is left out, the others are drawn.
+# A block that the kernel's registers do not allow is left out; the other sizes are drawn.
 SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
 grep -q '512 threads a block given' blocks || fail "blocks that do not fit: $(cat blocks)"

@@ -95,7 +95,7 @@ done
 wait
 unset MANDELMARCH_DEVICE_TIMEOUT
 
-# What a driver prints is said once, and stands in the log as it was printed; a log that cannot be written is refused.
+# A driver's output appears once on stderr, and unchanged in the log; a log that cannot be written is refused.
 for api in $apis; do
     MANDELMARCH_DRIVER_LOG=log-$api picture $api build speak || fail "$api: a driver that speaks: $(cat $api-build-speak.err)"
     [ "$(grep -c 'the driver speaks' $api-build-speak.err)" = 1 ] || fail "$api: its words: $(cat $api-build-speak.err)"
@@ -104,7 +104,7 @@ for api in $apis; do
     [ $? = 2 ] && grep -q '^MANDELMARCH_DRIVER_LOG: /nowhere/log: No such file' $api-build-speak.err || fail "$api: $(cat $api-build-speak.err)"
 done
 
-# Without isolation the driver is in the program itself, and takes it along.
+# Without isolation the driver runs in the program itself, and its crash ends the program.
 for api in $apis; do
     for setting in "env MANDELMARCH_ISOLATION=off" "env NO_SETTING=1"; do
         wanted=134
@@ -120,7 +120,7 @@ done
 MANDELMARCH_ISOLATION=maybe "$bin/render" --list-devices 2>err
 [ $? = 2 ] && grep -q "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off" err || fail "MANDELMARCH_ISOLATION=maybe: $(cat err)"
 
-# A driver that is not to be opened does no harm.
+# A driver that MANDELMARCH_BACKENDS leaves out is not opened and does no harm.
 for api in $apis; do
     MANDELMARCH_BACKENDS=openmp with $api enumeration abort "$bin/render" --list-devices >list 2>err || fail "$api left out: $(cat list err)"
     grep -q "^$api *unavailable: left out by MANDELMARCH_BACKENDS" list || fail "$api left out: $(cat list)"

@@ -62,7 +62,7 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     EXPECT_FALSE(Schedule{}.changes());
 }
 
-// Asked of plan() itself, constant shapes, too.
+// plan() itself refuses them, constant shapes included.
 TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
 {
     for (const double value : {0.5, -0.5, 0.9}) {

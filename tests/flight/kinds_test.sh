@@ -11,7 +11,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# run CODE ARGUMENTS...: of flythrough; code 2 has one line on stderr and leaves no file.
+# run CODE ARGUMENTS...: runs flythrough and expects this exit code; with code 2, one line on stderr and no file left.
 run() {
     local code=$1 got before
     shift
@@ -23,7 +23,7 @@ run() {
     [ "$code" != 2 ] || [ "$before" = "$(ls -A)" ] || fail "files are left: $*"
 }
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
-# probe FILE ENTRIES: of the film's stream.
+# probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
 # A straight flight beside the Mandelbulb, of two segments.
@@ -43,7 +43,7 @@ make_path path.json 30
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 
-# The ending decides the container; every one has all frames at the path's rate.
+# The ending decides the container; each film has all frames at the path's rate.
 for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
     film=kind.${kind%:*}
     run 0 render path.json $small --frames 50-59 --output "$film"
@@ -62,7 +62,7 @@ for name in film film.avi film.mp5 mp4; do
     says 'expected .mp4, .mkv, .webm or .gif'
 done
 
-# Rates: of a path file, and planned.
+# Rates: that of a path file, and planned ones.
 for rate in 24 25 50 60; do
     make_path rate.json $rate
     run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
@@ -118,7 +118,7 @@ run 0 render path.json $small --stills array --segments 1-9
 run 2 render path.json $small --output array2.mp4 --segments 2-9
 says '2-9 given, expected some of 0-1'
 
-# Segments of another kind of machine are named.
+# Segments that another kind of machine made are named.
 MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
 run 0 render path.json $small --output mixed.mp4 --segments 1-1
 says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
@@ -161,7 +161,7 @@ run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
 says '--authors: .*U\+674E'
 run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
 
-# Players know what shows all directions, or two eyes.
+# Players recognize films of all directions, or for two eyes.
 tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
 for kind in mp4 mkv webm; do
     run 0 render path.json --backend openmp --size 64x32 --frames 0-1 --projection equirectangular --output sphere.$kind

@@ -60,7 +60,7 @@ TEST_P(Rates, ThePlacesAreThoseOfTheFlight)
     for (int i = 0; i < frames; ++i) {
         const Frame wanted = on_circle(a_frame * i * frames_per_second / rate);
         const Frame& found = other.frames[static_cast<std::size_t>(i)];
-        // A natural spline ends straight: at both ends it is off by more.
+        // A natural spline has no curvature at its ends, where it deviates more.
         const double most = i < rate / 2 || i > frames - rate / 2 ? 1e-4 : 1e-8;
         EXPECT_LT(length(found.eye - wanted.eye), most) << i;
         EXPECT_LT(length(found.target - wanted.target), most) << i;

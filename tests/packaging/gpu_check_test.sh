@@ -21,7 +21,7 @@ chmod +x hanging
 check() { gpu-check/gpu_check "$@" >out 2>&1; }
 results() { tar -xOzf "$1/results.tgz" "results/$2"; }
 
-# A quarter's steps, with an hour's limits as the machine may be busy. gcc's kernels are not linked, and ffmpeg hangs.
+# gpu-quarter's steps with gpu-hour's limits, as the machine may be busy. gcc's kernels do not link, and ffmpeg hangs.
 quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
 SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$folder/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
 [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
@@ -38,7 +38,7 @@ grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody 
 results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
 pgrep -f "$folder/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-# The page.
+# The reader's page.
 reader="$4 -B $source/tools/gpu_results.py"
 $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
 in=$(echo read/rehearsal-*)
@@ -51,14 +51,14 @@ $reader bin/render read >page 2>&1 && fail "a file that is no result is read"
 [ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
 [ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
 
-# The negative control: other hashes are other bits. Named steps alone are done.
+# The negative control: with other hashes, bits differ. Only the named steps run.
 sed -i 's/^./x/' gpu-check/gpu_check.sha256
 check bin out-bits cuda && fail "other bits are not seen"
 grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
 [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
 cp "$source"/packaging/gpu_check.sha256 gpu-check
 
-# It goes on with the steps that have not passed; stopped, it leaves no process.
+# A second run goes on with the steps that have not passed; when stopped, it leaves no process.
 BACKENDS=vulkan check --work kept bin out-kept facts vulkan || fail "two steps: $(cat out)"
 BACKENDS=vulkan gpu-check/gpu_check --work kept bin out-kept >out 2>&1 &
 for _ in $(seq 300); do grep -q '^t-vk' out && break; sleep 0.1; done
@@ -68,7 +68,7 @@ grep -q '^vulkan: done before' out || fail "it does not go on: $(cat out)"
 sleep 1
 pgrep -f "$folder/bin" >processes && fail "stopped, it leaves $(cat processes)"
 
-# What cannot be used is refused in one line.
+# Unusable arguments are refused in one line.
 check nothing out-none
 [ $? = 2 ] && [ "$(wc -l <out)" = 1 ] && grep -q 'nothing: no such file' out || fail "programs that are missing: $(cat out)"
 BACKENDS=nonsense check bin out-none

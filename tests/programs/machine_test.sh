@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# machine_test.sh BIN SOURCE: programs use what they were given: the cores of their affinity mask, OpenMP's variables, a
-# control group's memory and processor time. Groups are tried where this user can make some.
+# machine_test.sh BIN SOURCE: programs heed the cores of their affinity mask, OpenMP's variables, and the memory and
+# processor time of their control group. Control groups are tested if this user can make some.
 set -uo pipefail
 bin=$(realpath "$1")
 source=$2
@@ -25,7 +25,7 @@ first=${all%%[,-]*}
 given=$(nproc)
 box=("$bin/render" --fractal box "$source/paramsBox.dat" --size 64x64 --output p.png --stats s.json)
 
-# threads EXPECTED COMMAND...: what the statistics call threads.
+# threads EXPECTED COMMAND...: runs the command and expects this number as `threads` in its statistics.
 threads() {
     local expected=$1 got
     shift
@@ -42,7 +42,7 @@ threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp
 threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp --threads 3
 threads 2 "${box[@]}" --backend openmp --threads 2
 threads "$given" env OMP_PROC_BIND=true "${box[@]}" --backend openmp
-# The team that drew, as OpenMP itself counts it: load may leave a smaller one.
+# The size of the team that drew, as OpenMP counts it: under load it may be smaller.
 team=$(OMP_DYNAMIC=true OMP_DISPLAY_AFFINITY=TRUE OMP_AFFINITY_FORMAT='team of %N' "${box[@]}" --backend openmp 2>&1 |
     sed -n 's/.*team of \([0-9]*\).*/\1/p' | sort -n | tail -1)
 grep -q "\"threads\": ${team:-1}\b" s.json || fail "a team of ${team:-1} and $(grep threads s.json)"
@@ -56,7 +56,7 @@ line=$("$bin/demo" --side 16 2>/dev/null | head -1)
 line=$(taskset -c "$first" "$bin/demo" --side 16 2>/dev/null | head -1)
 [[ $line = *", 1 threads" ]] || fail "demo on one core says $line"
 
-# Bound OpenMP threads bind nothing else: every thread of a program and its drivers' processes may run on all cores.
+# Binding of OpenMP's threads binds nothing else: all other threads, and the drivers' processes, may run on all cores.
 free_of_places() {
     local seconds=0 bound
     OMP_PROC_BIND=true "$@" >/dev/null 2>stderr &

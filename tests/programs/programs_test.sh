@@ -69,7 +69,7 @@ sed 's/^imageBulb.bmp/-/' paramsBulb.dat >dash.dat
 expect 0 cmp piped.bmp a.bmp
 [ -e ./- ] && fail "a file called - is made"
 
-# Samples against jagged edges: flat background stays, edges are between.
+# Several samples a pixel smooth jagged edges: the flat background stays, and edges take values between.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 3 --output fine.png
 expect 1 "$bin/imgdiff" fine.png a.png
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 1 --output fine.png
@@ -84,7 +84,7 @@ done
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
 says 'expected sides of up to'
 
-# A region is that part of the whole picture, which may be larger than any that is drawn whole.
+# A region equals that part of the whole picture, which may be larger than any picture that can be drawn whole.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,40,30 --output region.exr
 expect 0 "$bin/imgdiff" region.exr a.exr
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 5,10,20x10 --output region.ppm
@@ -146,7 +146,7 @@ for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"thre
     grep -q "$text" stats.json || fail "statistics without $text"
 done
 
-# A scene finer than float's digits: one line says so, and how it was drawn stands in the statistics.
+# A scene finer than float's digits: one line warns of it, and the statistics contain how it was drawn.
 sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
      s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
 expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
@@ -206,7 +206,7 @@ head -c 9000000 /dev/zero >zeros.dat
 expect 2 "$bin/mandelbulb" zeros.dat
 says '^zeros.dat:'
 
-# What a message has to say of units, comments and super-sampling.
+# Messages explain units, comments and super-sampling.
 awk '!/^#/ && NF == 1 && !done { print 60; done = 1; next } { print }' paramsBulb.dat >degrees.dat
 expect 2 "$bin/mandelbulb" degrees.dat
 says "field of view, in units of 65 degrees, is '60', expected"

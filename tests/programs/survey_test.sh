@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# survey_test.sh BIN SOURCE: pictures that show nothing, or not what they should, are said to; what can be no picture is
-# refused.
+# survey_test.sh BIN SOURCE: render warns of pictures that show nothing or are wrong, and refuses scenes that cannot
+# give a picture.
 set -uo pipefail
 bin=$(realpath "$1")
 source=$2
@@ -34,7 +34,7 @@ change() {
         /^#/ { print; next } { ++k; print (k in to) ? to[k] : $0 }' "$file"
 }
 
-# The negative controls: official scenes have nothing to be told of, in either precision and mode.
+# The negative controls: official scenes give no warning, in either precision and mode.
 for fractal in Bulb Box Julia; do
     for how in "--precision double" "--precision float" "--precision float --mode fast"; do
         run 0 "${fractal,}" params$fractal.dat $how
@@ -65,12 +65,12 @@ run 0 bulb away.dat
 says 'nothing was hit'
 run 0 box paramsBox.dat --eyes 1e5
 says 'nothing was hit'
-# A sliver in view is a picture.
+# A picture with only a sliver in view gives no warning.
 change paramsBulb.dat 1 "3 .65 .5" 4 2.7 >near.dat
 run 0 bulb near.dat
 ! grep -q 'nothing' stderr || fail "a picture: $(cat stderr)"
 
-# In the solid no ray sees anything: refused where all is of one colour.
+# In the solid no ray sees anything: refused if the picture has one colour, else a warning.
 change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
 run 2 bulb inside.dat
 says '^inside.dat: the camera stands in the solid'
@@ -80,17 +80,17 @@ run 0 box inside.dat
 says 'the camera stands in the solid'
 stats '"in_solid": true'
 
-# A detail level below all digits.
+# A detail level below the precision of all numbers.
 change paramsBox.dat 6 "-20" >fine.dat
 run 0 box fine.dat
 says '[0-9]+ % of the rays ran out of their 8000 steps'
 stats '"out_of_steps": 0\.[0-9]*[1-9]'
 
-# Too near for float: the deeper, the plainer. Before the Mandelbulb's surface, in exact and fast mode.
+# Too near to the Mandelbulb's surface for float, at two distances, in exact and fast mode.
 for depth in 1e-6 1e-7; do
     python3 - $depth >deep.dat <<'PY'
 import math, sys
-# A place before the surface of the Mandelbulb of power 8, by the escape of orbits.
+# A place just outside the surface of the Mandelbulb of power 8, found by the escape of orbits.
 def escapes(r0, toward):
     place = [r0 * c for c in toward]
     x, y, z = place
@@ -101,7 +101,7 @@ def escapes(r0, toward):
         r = r ** 8
         x, y, z = r * math.sin(t) * math.cos(p) + place[0], r * math.sin(t) * math.sin(p) + place[1], r * math.cos(t) + place[2]
     return False
-# Along a line on which it rises above the surface at once.
+# Takes a line on which the distance to the surface grows at once.
 for turn in range(100):
     toward = (math.cos(0.2 + turn / 100) * 0.987, math.sin(0.2 + turn / 100) * 0.987, 0.161)
     r = 1.2

@@ -40,14 +40,14 @@ def two_sided(t: float, freedom: int) -> float:
 
 
 class Times:
-    """A value and, of several launches, its interval: Student's t of the logarithms of what the launches find, widened to the value."""
+    """A value and its interval: Student's t of the logarithms of several launches' values, widened to contain the value."""
 
     def __init__(self, value: float, launches: list[float]):
         logs = [math.log(one) for one in launches]
         half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
         mean = statistics.mean(logs)
         self.value = value
-        self.p = 1 if mean <= 0 else two_sided(T_95[len(logs) - 1] * mean / half, len(logs) - 1)  # that it is 1 by chance
+        self.p = 1 if mean <= 0 else two_sided(T_95[len(logs) - 1] * mean / half, len(logs) - 1)  # if the true value is 1
         self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
 
     def numbers(self, scale: float = 1) -> list[float]:
@@ -98,7 +98,7 @@ def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", po
 
 
 def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
-    """By model that compiles the text as it is: per-thread speed over the scalar text, the times, and the factor for threads."""
+    """For each model that compiles the text as it is: speed per thread over the scalar text, times, and factor for threads."""
     found: dict[str, list[tuple[float, Times, float]]] = {}
     for model in ("stdpar", "omptarget", "kokkos", "openacc"):
         for row in file.rows.values():
@@ -122,7 +122,7 @@ def comparisons(file: File) -> dict[str, Times]:
 
 
 def decided(times: list[Times]) -> int:
-    """Counts those that are above 1, with Holm's correction."""
+    """Counts the values that are above 1 with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -136,8 +136,8 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
 
 @functools.cache
 def sentences(folder: Path) -> list[tuple[str, list[float]]]:
-    """The sentences of the page for these results: `#` stands for a number, `~` for one with its interval. Names of cases follow from
-    the results, too."""
+    """The sentences of the page for these results: `#` stands for a number, `~` for one with its interval. The names of cases
+    also follow from the results."""
     main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)
     exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
@@ -246,7 +246,7 @@ def faults(page: str, folder: Path) -> list[str]:
 
 
 def names(folder: Path) -> list[str]:
-    """Names with digits: machines, files, and what is called so."""
+    """Names with digits, of machines, files and other things."""
     cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
     machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
     return [*machines, "bench.json", "Tesla K40"]

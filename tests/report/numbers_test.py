@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed product, and
-who has the CSV alone finds the winner that the page names. Each check is tried on something wrong, too."""
+"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed product,
+and the CSV alone shows the winner that the page names. Each check is also tried on a wrong page or number."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class FactorsTest(unittest.TestCase):
 
 
 class CsvTest(unittest.TestCase):
-    """A reader who has bench.csv and nothing else."""
+    """Winners for a reader who has only bench.csv."""
 
     def setUp(self) -> None:
         self.named = set(re.findall(r"(\w+), for whoever has a processor", text_of(FRONT)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What control groups, affinity and OpenMP's variables let this process use. Trees of files stand for the system's.
+// The cores and memory that control groups, affinity and OpenMP's variables leave. Trees of files replace the system's.
 #include "core/base/cores.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ private:
     }
 };
 
-// A variable of the environment that is another one while this lives.
+// Sets an environment variable to another value during this object's lifetime.
 class Variable {
 public:
     Variable(const char* name, const char* value) : name_(name)
@@ -82,10 +82,10 @@ TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
         .write("/sys/fs/cgroup/job/step/memory.max", "max\n")
         .write("/sys/fs/cgroup/job/step/memory.current", "1000\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 2000000);
-    // The negative control: what is no cache is used.
+    // The negative control: memory that is no cache counts as used.
     tree.write("/sys/fs/cgroup/job/memory.stat", "anon 733000000\ninactive_file 0\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 733000000);
-    // A limit that slows down counts as one, and more cache than use is no memory beyond the limit.
+    // memory.high counts as a limit, and a cache larger than the use leaves no more than the limit.
     tree.write("/sys/fs/cgroup/job/memory.high", "104857600\n")
         .write("/sys/fs/cgroup/job/memory.stat", "inactive_file 900000000\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 100 * mebibyte);
@@ -168,7 +168,7 @@ TEST(CoreCount, ReadsOpenmpsVariables)
     EXPECT_EQ(binding(), "");
 }
 
-// A thread's mask counts as nothing given: it is not what the process was started with.
+// A thread's own mask does not change the given cores, which are those at the start of the process.
 TEST(Affinity, IsThatOfTheProcessesStartAndCanBeRestored)
 {
     const int given = cores().given;

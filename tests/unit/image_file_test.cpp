@@ -253,7 +253,7 @@ std::string little_endian(std::uint32_t value, int bytes)
     return text;
 }
 
-// Two pixels of 32 bits, red 1, 4, green 2, 5, blue 3, 6, whose masks are as given, with a header of so many bytes.
+// A BMP of two pixels of 32 bits, red 1, 4, green 2, 5, blue 3, 6, with these masks and a header of this size.
 std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t header_bytes)
 {
     std::string header = little_endian(header_bytes, 4) + little_endian(2, 4) + little_endian(1, 4) +
@@ -263,7 +263,7 @@ std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blu
     if (header_bytes > header.size()) header.resize(header_bytes, '\0');
     std::string pixels;
     for (std::uint32_t i = 1; i <= 4; i += 3) {
-        // 0xff in what is no colour: alpha.
+        // All bits outside the three masks, such as alpha, are 1.
         pixels += little_endian(~(red | green | blue) | i * (red & (~red + 1)) | (i + 1) * (green & (~green + 1)) |
                                     (i + 2) * (blue & (~blue + 1)),
                                 4);

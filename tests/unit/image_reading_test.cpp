@@ -161,7 +161,7 @@ TEST(ExrReading, ColoursAreLightUnlessTheyAreAnOldFilesOfOurs)
     EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "depth"})).has_depths());
 }
 
-// As compositing programs read it; the values as displayed come back in every bit.
+// Compositing programs read light in R, G and B; the values as displayed come back bit for bit.
 TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
 {
     Image image(3, 1, Image::Layers::all);

@@ -180,8 +180,8 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
-// Bands that take too long become single rows, others grow to what the device holds; without a time all are as large as
-// that.
+// Bands that take too long shrink to single rows, others grow to the largest size that the device holds. Without a time
+// all bands have that size.
 TEST(Loops, BandsAreCutByTime)
 {
     const auto bands_of = [](double seconds) {

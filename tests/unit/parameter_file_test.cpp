@@ -150,7 +150,7 @@ TEST(ParameterFile, OldVariantWithSuperSamplingIsWarnedOf)
     EXPECT_TRUE(file.warnings[0].starts_with("x.dat:11: warning: ")) << file.warnings[0];
 }
 
-// Its own official file, with and without comments, is fine; another's is not.
+// A fractal's own official file gives no warning, with or without comments; another fractal's file does.
 TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
 {
     const std::string_view box = fractal_named("box").official;

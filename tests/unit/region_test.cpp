@@ -49,7 +49,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
                 ASSERT_EQ(image.width(), region.width);
                 const Image wanted = part_of(whole, region);
                 const Comparison c = compare(image, wanted);
-                // Of fast pictures at most one pixel in a hundred.
+                // In fast pictures at most one pixel in a hundred may differ visibly.
                 EXPECT_LE(100 * c.visibly_differing, c.pixels) << fractal.name << " " << name_of(mode);
                 EXPECT_TRUE(c.same() || mode == Mode::fast)
                     << fractal.name << " " << region.left << "," << region.bottom << ": "
@@ -61,7 +61,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
 
 INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::Values("openmp", "reference", "opencl", "vulkan"));
 
-// The comparison can fail: the same region one pixel aside is another picture.
+// The negative control: the same region one pixel further right is another picture.
 TEST(Region, OneAsideIsAnother)
 {
     const Registry registry = program_backends(0, nullptr);

@@ -73,7 +73,7 @@ void write_bmp(OutputFile& file, const Image& image)
 
 namespace {
 
-// Where a channel's bits are in a pixel of four bytes.
+// The position of a channel's bits in a pixel of four bytes.
 struct BmpMask {
     int shift = 0;
     std::uint32_t most = 0;  // the largest value
@@ -84,7 +84,7 @@ struct BmpMask {
     }
 };
 
-// What a file's headers say of its pixels.
+// The layout of a file's pixels, from its headers.
 struct BmpPixels {
     int width = 0, height = 0;
     bool top_down = false;
@@ -125,7 +125,7 @@ BmpPixels read_header(std::span<const std::byte> data, const Refuse& refuse)
         refuse(fmt::format("its size is {} x {} pixels", pixels.width, std::abs(height)));
     }
     pixels.height = static_cast<int>(std::abs(height));
-    // The masks come behind a header of 40 bytes and are a part of larger ones, at the same place.
+    // The masks follow a header of 40 bytes; larger headers contain them at the same place.
     constexpr std::size_t masks_size = 12;
     if (masked && data.size() < header_size + masks_size) refuse("the file ends in its header");
     for (std::size_t i = 0; masked && i < pixels.masks.size(); ++i) {

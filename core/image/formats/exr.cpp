@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR, 32 bits a channel: R, G, B are light, as compositing programs take them, the layer `displayed` has the same
-// colours as displayed, in every bit; Z is the depth. Steps and iterations are named so.
+// OpenEXR, 32 bits a channel: R, G, B are light, as compositing programs expect; the layer `displayed` has the colours
+// as displayed, bit for bit; Z is the depth. The channels `steps` and `iterations` hold the counts.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -33,9 +33,9 @@ constexpr std::array exr_colours{"R", "G", "B"};
 constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
 constexpr std::array exr_counts{"steps", "iterations"};
 constexpr const char* depth_name = "Z";
-constexpr const char* old_depth_name = "depth";  // of files whose R, G and B are as displayed
+constexpr const char* old_depth_name = "depth";  // in old files, whose R, G and B are as displayed
 
-// sRGB's curve (IEC 61966-2-1): light of a displayed value, and back.
+// sRGB's curve (IEC 61966-2-1), from a displayed value to light, and back.
 float light_of(float displayed)
 {
     const double c = displayed;
@@ -114,7 +114,7 @@ void encode(Imf::OStream& stream, const Image& image)
     Imf::Header header(image.width(), image.height());
     header.compression() = Imf::ZIP_COMPRESSION;
     insert_channels(header.channels());
-    // Of Rec. 709 and sRGB, which are the default.
+    // The default chromaticities are those of Rec. 709 and sRGB.
     Imf::addChromaticities(header, Imf::Chromaticities());
     Imf::OutputFile output(stream, header, 0);
     Row row(image.width());
@@ -211,11 +211,11 @@ void check_attributes(std::span<const std::byte> data)
     }
 }
 
-// Which channels a file has besides its colours.
+// The channels of a file, besides R, G and B.
 struct ExrChannels {
-    const char* depth = nullptr;  // its channel; nullptr: none
-    bool displayed = false;       // the layer of displayed colours is there
-    bool light = true;            // R, G and B are light, as everywhere but in old files of this program
+    const char* depth = nullptr;  // the name of the depth channel; nullptr: none
+    bool displayed = false;       // the file has the layer of displayed colours
+    bool light = true;            // R, G and B are light, except in old files of this program
 };
 
 // Reads the header alone, before OpenEXR takes memory for what it claims.
@@ -270,7 +270,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
     return found;
 }
 
-// The row of the file as row y of the image, counted from the bottom.
+// Copies the row of the file to row y of the image, counted from the bottom.
 void put_row(const Row& row, const ExrChannels& channels, Image& image, int y)
 {
     const std::size_t at = static_cast<std::size_t>(y) * row.depth.size();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int jpeg_quality = 95;
 
-// libjpeg's errors come as calls that must not return.
+// libjpeg reports an error by a call that must not return.
 struct JpegErrors {
     jpeg_error_mgr manager;
     std::jmp_buf back;
@@ -32,7 +32,7 @@ struct JpegErrors {
     }
 };
 
-// Takes libjpeg's bytes; the first error of the file is kept for later, as C code stands between.
+// Takes libjpeg's bytes. The first error of the file is kept for later, as no exception may pass through C code.
 struct JpegSink {
     jpeg_destination_mgr manager;
     OutputFile* file;
@@ -73,7 +73,7 @@ struct JpegSink {
     }
 };
 
-// False where libjpeg left. Nothing here has a destructor, which a long jump would pass over.
+// False if libjpeg reported an error. Nothing here has a destructor, which the long jump would skip.
 bool compress(jpeg_compress_struct& info, JpegErrors& errors, const Image& image)
 {
     if (setjmp(errors.back) != 0) return false;

@@ -34,7 +34,7 @@ public:
         most_ = number();
         if (most_ < 1 || most_ > 0xffff) refuse_pnm(name_, fmt::format("its largest value is {}", most_));
         const std::size_t bytes = most_ < 256 ? 1 : 2;
-        // Behind the header stands one blank; a value of a text has a digit and a blank at least.
+        // One blank follows the header; in a text, each value takes at least a digit and a blank.
         const std::size_t left = data_.size() - std::min(data_.size(), at_ + (text ? 0 : 1));
         check_claim(name_, {.width = width,
                             .height = height,
@@ -57,7 +57,7 @@ public:
 private:
     bool is_blank() const { return std::isspace(std::to_integer<unsigned char>(data_[at_])) != 0; }
 
-    // The next whole number of a text; blanks and comments come before it.
+    // The next whole number of a text, after any blanks and comments.
     std::uint32_t number()
     {
         while (at_ < data_.size() && (is_blank() || data_[at_] == std::byte{'#'})) {

@@ -13,7 +13,7 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """What one picture costs, a pixel: calls x iterations a call x operations an iteration = operations. Calls and
+    """The operations per pixel of a picture: calls x iterations a call x operations an iteration. Calls and
     iterations are counted over all pixels, operations an iteration and the shares of lanes in a sample."""
 
     fractal: str
@@ -36,7 +36,7 @@ class Factors:
 
 
 def factors(bench: Bench, backend: str) -> list[Factors]:
-    """Of every scene of the study box-vs-bulb that `backend` drew, in its rows' order."""
+    """The factors of every scene of the study box-vs-bulb that `backend` drew, in the order of its rows."""
     found = []
     rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
     for count in bench.data["counts"]:

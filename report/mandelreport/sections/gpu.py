@@ -33,7 +33,7 @@ def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
 
 
 def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
-    """The fastest row of this GPU at the expected size, of a fractal, precision, mode and backend."""
+    """This GPU's fastest row at the expected size for a fractal, precision, mode and backend."""
     rows = [
         row
         for bench in material.results.benches

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who is fastest: the primary study's backends beside both baselines."""
+"""The fastest backends: those of the primary study beside both baselines."""
 
 from __future__ import annotations
 
