@@ -142,9 +142,9 @@ grep -q '^box' out || fail "no table"
 
 expect 0 --list
 grep -q box-vs-bulb out || fail "--list shows no studies"
-expect 0 --list --study resolution --backend openmp,reference
-[ "$(grep -oE '/(openmp|reference)/' out | sort -u | tr -d '\n')" = /openmp//reference/ ] || fail "two backends: $(cat out)"
-grep -qE '/(vulkan|opencl|stdpar)/' out && fail "a backend that nobody asked for: $(cat out)"
+expect 0 --list --study resolution --backend openmp,opencl
+grep -q /openmp/ out && grep -qE '/opencl/|^opencl: ' out || fail "two backends: $(cat out)"
+grep -qE 'vulkan|stdpar' out && fail "a backend that nobody asked for: $(cat out)"
 expect 2 --list --backend openmp,nosuch
 [ "$(wc -l <err)" = 1 ] && grep -q "^--backend: 'nosuch' given" err || fail "an unknown one of two: $(cat err)"
 expect 0 --benchmark_list_tests
