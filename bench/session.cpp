@@ -153,7 +153,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
-    if (std::getenv("MANDELMARCH_REHEARSAL") != nullptr) {  // packaging/gpu_hour
+    if (std::getenv("MANDELMARCH_REHEARSAL") != nullptr) {  // packaging/gpu_check
         result.warnings.emplace(result.warnings.begin(), "a rehearsal: what is called a GPU may be none");
     }
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
