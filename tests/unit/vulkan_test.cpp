@@ -11,6 +11,18 @@
 namespace mandelmarch {
 namespace {
 
+// In the solid, where every estimate takes all iterations: passes of one step are longer than lavapipe survives.
+Scene long_estimates()
+{
+    Scene scene = official_scene("bulb", 24, 18);
+    scene.eye = {0.001, 0.002, 0.001};
+    scene.shape[1] = 1e6;
+    scene.shape[2] = 1;
+    scene.iterations = 10'000;
+    scene.escape = 0;
+    return scene;
+}
+
 class Vulkan : public testing::TestWithParam<Precision> {
 protected:
     void SetUp() override
@@ -22,6 +34,7 @@ protected:
         scenes.push_back({"one pixel", official_scene("bulb", 1, 1)});
         scenes.push_back({"five bands", official_scene("bulb", 400, 390)});
         scenes.push_back({"one row of many bands", official_scene("box", 20000, 2)});
+        scenes.push_back({"ten thousand iterations", long_estimates()});
     }
 
     const Registry registry = all_backends();
