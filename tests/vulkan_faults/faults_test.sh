@@ -179,8 +179,6 @@ if with unknown_driver draw box a.exr --precision float; then
     same a.exr true/deep-18.exr
     unset scene
 else
-    unset scene
-    scene=deep-18.dat
     for mode in exact fast; do
         refused 1 'cut a ray off in a loop' unknown_driver box a.exr --precision float --mode $mode
     done
