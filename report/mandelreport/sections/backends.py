@@ -20,7 +20,7 @@ def section(material: Material) -> dict[str, Any]:
         "vulkan": paragraph("docs/design.md", "Vulkan"),
         "openacc": paragraph("docs/openacc.md", "Two kernels a pixel"),
         "times": paragraph("docs/openacc.md", "Times"),
-        "k40_text": paragraph("docs/openacc.md", "The K40 and the H100 without one"),
+        "k40_text": paragraph("docs/openacc.md", "Checks without a K40 or an H100"),
         "k40": material.results.k40,
         "no_k40": Missing("The K40's registers", "make k40"),
         "machines": chapter("docs/flight.md", "Many machines"),
