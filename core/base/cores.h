@@ -8,11 +8,11 @@
 namespace mandelmarch {
 
 struct Cores {
-    int machine = 1;              // all cores that are switched on
-    int given = 1;                // those on which the process was started (taskset, cpusets, job schedulers)
-    std::optional<double> quota;  // of a control group: core/base/control_group.h
-    std::optional<int> asked;     // OMP_NUM_THREADS, its first number
-    std::optional<int> limit;     // OMP_THREAD_LIMIT
+    int machine = 1;                // all cores that are switched on
+    int given = 1;                  // those on which the process was started (taskset, cpusets, job schedulers)
+    std::optional<double> quota{};  // of a control group: core/base/control_group.h
+    std::optional<int> asked{};     // OMP_NUM_THREADS, its first number
+    std::optional<int> limit{};     // OMP_THREAD_LIMIT
 
     // The number of threads unless an option sets it: OMP_NUM_THREADS if set, else one for each given core, but no more
     // than the quota can keep busy; in either case at most OMP_THREAD_LIMIT.
