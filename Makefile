@@ -173,12 +173,12 @@ report-check: ## the report in a headless browser: errors, the slider, the viewe
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
-# On a machine with a GPU and nothing else: bash gpu_check mandelmarch-*.tar.xz OUT, then here: make gpu-results FILE=results.tgz.
+# On a machine with a GPU and nothing else: bash gpu_check mandelmarch-*.tar.gz OUT, then here: make gpu-results FILE=results.tgz.
 gpu-quarter: ## an archive and a script that find out within 450 s what a GPU does with this: build/gpu-quarter (8 min, estimated)
 	@$(MAKE) --no-print-directory build
 	@tools/build $(PRESET) bundle_program
 	@rm -rf build/gpu-quarter
-	@packaging/bundle $(BUILD) build/gpu-quarter OFF "$(FFMPEG)"
+	@ARCHIVE=$(if $(FFMPEG),xz,gz) packaging/bundle $(BUILD) build/gpu-quarter OFF "$(FFMPEG)"
 	@rm -r build/gpu-quarter/mandelmarch-*/
 	@cp packaging/gpu_check build/gpu-quarter/
 
