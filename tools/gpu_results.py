@@ -77,7 +77,7 @@ def times(folder, device):
         milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
         low, high = expected.get((row["backend"], *kind), (None, None))
         beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
-        lines.setdefault(kind, []).append(f"{row['backend']} {milliseconds:.3g}{beside}")
+        lines.setdefault(kind, []).append(f"{row['backend']} {milliseconds:.4g}{beside}")
     return [f"- {' '.join(kind)}: {', '.join(cells)}" for kind, cells in sorted(lines.items())]
 
 
