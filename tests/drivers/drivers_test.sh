@@ -100,8 +100,8 @@ for api in $apis; do
     MANDELMARCH_DRIVER_LOG=log-$api picture $api build speak || fail "$api: a driver that speaks: $(cat $api-build-speak.err)"
     [ "$(grep -c 'the driver speaks' $api-build-speak.err)" = 1 ] || fail "$api: its words: $(cat $api-build-speak.err)"
     [ "$(grep -c 'the driver speaks' log-$api)" -ge 2 ] || fail "$api: its log: $(cat log-$api)"
-    MANDELMARCH_DRIVER_LOG=/nowhere/log picture $api build speak
-    [ $? = 2 ] && grep -q '^MANDELMARCH_DRIVER_LOG: /nowhere/log: No such file' $api-build-speak.err || fail "$api: $(cat $api-build-speak.err)"
+    MANDELMARCH_DRIVER_LOG=no-folder/log picture $api build speak
+    [ $? = 2 ] && grep -q '^MANDELMARCH_DRIVER_LOG: no-folder/log: No such file' $api-build-speak.err || fail "$api: $(cat $api-build-speak.err)"
 done
 
 # Without isolation the driver runs in the program itself, and its crash ends the program.
