@@ -92,9 +92,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
 
 void take_size(const std::string& size, Flythrough& options)
 {
-    const char* usual = options.projection == Projection::equirectangular ? "2160x1080" : "1920x1080";
+    const bool panorama = options.projection == Projection::equirectangular;
+    const char* usual = !panorama ? "1920x1080" : options.stereo ? "4320x1080" : "2160x1080";
     std::tie(options.width, options.height) = size_option(size.empty() ? usual : size);
-    check_panorama(options.projection, options.width, options.height);
+    check_panorama(options.projection, options.width, options.height, options.stereo ? 2 : 1);
 }
 
 Range range_option(const std::string& name, const std::string& text, const std::string& expected)
@@ -168,9 +169,6 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     take_size(texts.size, options);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
-    if (options.stereo && options.projection != Projection::perspective) {
-        throw InputError("--stereo: its pictures are perspective ones, and --projection chooses others");
-    }
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
     }

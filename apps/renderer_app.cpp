@@ -55,7 +55,7 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
-    int samples = 1;  // per pixel and side
+    int samples = 0;  // per pixel and side; 0: as the parameter file says
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -81,7 +81,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string estimate{counted_estimate};
     std::string without;
     std::string eyes;
-    std::string samples = "1";
+    std::string samples;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
     if (fractal == nullptr) {
         std::string names;
@@ -103,8 +103,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--region", options.region,
                    "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
                    "with the bits of the whole one, whose sides may then have a million pixels");
-    app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
-        ->capture_default_str();
+    app.add_option("--samples", samples,
+                   "samples along a pixel's side, 1 to 8: 2 means 4 a pixel (default 1, or 2 if PARAMS has the "
+                   "super-sampling of an older format)");
     app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
     app.add_option(
@@ -153,7 +154,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     options.renderer.techniques = techniques_without(without);
     options.conservative = estimate == conservative_estimate;
     if (!eyes.empty()) options.eyes = real_option("eyes", eyes, 0, 1e6);
-    options.samples = whole_option("samples", samples, 1, most_samples);
+    if (!samples.empty()) options.samples = whole_option("samples", samples, 1, most_samples);
     options.parameters = input_name(options.parameters);
     options.output = output_name(options.output);
     options.stats = output_name(options.stats);
@@ -283,7 +284,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
 int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
-    const Options options = parse_options(program, fractal, registry, argc, argv, done);
+    Options options = parse_options(program, fractal, registry, argc, argv, done);
     if (done) return *done;
     if (options.list_devices) {
         return list_devices(registry) ? exit_fine : exit_failure;
@@ -297,8 +298,9 @@ int render_program(const Registry& registry, const char* program, const char* fr
     Scene& scene = parameters.scene;
     apply_size(options, scene);
     scene.conservative = options.conservative;
+    if (options.samples == 0) options.samples = parameters.super_sampling ? 2 : 1;
     scene.projection = options.projection;
-    check_panorama(scene.projection, scene.width, scene.height);
+    check_panorama(scene.projection, scene.width, scene.height, options.eyes > 0 ? 2 : 1);
     if (options.print_scene) {
         print(std::string_view(scene_json(scene, options.renderer)));
         return exit_fine;

@@ -34,14 +34,15 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
         ->default_str("perspective");
 }
 
-// Throws InputError for a picture of all directions that is not 360 by 180 degrees.
-inline void check_panorama(Projection projection, int width, int height)
+// Throws InputError for a picture of all directions that is not 360 by 180 degrees. `pictures`: 2 for two eyes, whose
+// pictures stand side by side.
+inline void check_panorama(Projection projection, int width, int height, int pictures = 1)
 {
-    if (projection != Projection::equirectangular || width == 2 * height) return;
+    if (projection != Projection::equirectangular || width == 2 * pictures * height) return;
     throw InputError(
-        fmt::format("--projection equirectangular: {} x {} pixels given, expected twice as wide as high (360 "
-                    "by 180 degrees), --size 2160x1080, say",
-                    width, height));
+        fmt::format("--projection equirectangular: {} x {} pixels given, expected {} times as wide as high (360 by 180 "
+                    "degrees{}), --size {}x1080, say",
+                    width, height, 2 * pictures, pictures == 2 ? " for each eye" : "", 2160 * pictures));
 }
 
 }  // namespace mandelmarch

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
@@ -10,14 +11,15 @@
 namespace mandelmarch {
 namespace {
 
-void put(const Image& half, int left, Image& image)
+// Copies columns of the image's height to the image's columns from `left` on.
+void put(const Image& columns, int left, Image& image)
 {
-    const auto width = static_cast<std::ptrdiff_t>(half.width());
-    for (int y = 0; y < half.height(); ++y) {
+    const auto width = static_cast<std::ptrdiff_t>(columns.width());
+    for (int y = 0; y < columns.height(); ++y) {
         const std::ptrdiff_t from = y * width;
         const std::ptrdiff_t to = std::ptrdiff_t{y} * image.width() + left;
-        std::copy_n(half.bytes().begin() + 3 * from, 3 * width, image.bytes().begin() + 3 * to);
-        if (half.has_values()) std::copy_n(half.values().begin() + from, width, image.values().begin() + to);
+        std::copy_n(columns.bytes().begin() + 3 * from, 3 * width, image.bytes().begin() + 3 * to);
+        if (columns.has_values()) std::copy_n(columns.values().begin() + from, width, image.values().begin() + to);
     }
 }
 
@@ -38,23 +40,44 @@ Scene of_eye(const Scene& scene, double eyes, int side)
     return eye;
 }
 
+Scene strip_of_eye(const Scene& scene, double eyes, int side, int left, int width)
+{
+    Scene strip = scene;
+    const int whole_width = scene.width / 2;
+    const double longitude = std::numbers::pi * ((2.0 * left + width) / whole_width - 1);
+    const Camera camera = camera_of(scene);
+    const Vector right = std::cos(longitude) * unit(camera.across) - std::sin(longitude) * camera.forward;
+    const Vector moved = (side * eyes / 2) * right;
+    strip.eye = scene.eye + moved;
+    strip.target = scene.target + moved;
+    strip.width = width;
+    strip.part = {.left = left, .whole_width = whole_width, .whole_height = scene.height};
+    return strip;
+}
+
 RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image, const Progress& progress)
 {
     if (scene.width % 2 != 0) throw InputError("a picture for two eyes: its width is odd, expected an even one");
-    if (scene.part.whole_width > 0 || scene.projection != Projection::perspective) {
-        throw InputError("a picture for two eyes: expected a whole perspective one");
-    }
+    if (scene.part.whole_width > 0) throw InputError("a picture for two eyes: expected a whole one");
     const auto layers = image.has_depths()   ? Image::Layers::all
                         : image.has_values() ? Image::Layers::colours
                                              : Image::Layers::bytes;
-    Image half(scene.width / 2, scene.height, layers);
+    const int half = scene.width / 2;
+    const bool panorama = scene.projection == Projection::equirectangular;
+    const int width = panorama ? std::max(1, half / strips_around) : half;
+    Image drawn;
     RenderReport report;
-    for (const int side : {-1, 1}) {
-        const RenderReport one = renderer.render(of_eye(scene, eyes, side), half, [&](double share) {
-            if (progress) progress((side < 0 ? 0 : 0.5) + 0.5 * share);
+    for (int at = 0; at < scene.width; at += drawn.width()) {
+        const int side = at < half ? -1 : 1;
+        const int left = at % half;
+        const int columns = std::min(width, half - left);
+        if (drawn.width() != columns) drawn = Image(columns, scene.height, layers);
+        const Scene part = panorama ? strip_of_eye(scene, eyes, side, left, columns) : of_eye(scene, eyes, side);
+        const RenderReport one = renderer.render(part, drawn, [&](double share) {
+            if (progress) progress((at + share * columns) / scene.width);
         });
-        put(half, side < 0 ? 0 : half.width(), image);
-        if (side < 0) {
+        put(drawn, at, image);
+        if (at == 0) {
             report = one;
         } else {
             report.timings += one.timings;

@@ -13,8 +13,16 @@ inline constexpr double screen_distance = 60;
 // through the same window at the screen's distance. `side`: -1 left, 1 right.
 Scene of_eye(const Scene& scene, double eyes, int side);
 
-// Draws `scene` for two eyes into `image`, which has the scene's size, an even width. Throws InputError for another
-// width, for a part of a picture and for an equirectangular one, whose eyes would have to turn with the pixel.
+// An equirectangular picture of two eyes has this many strips for each eye. The eyes turn with the strip
+// (omnidirectional stereo), so that both look straight ahead at its middle.
+inline constexpr int strips_around = 180;
+
+// Returns the scene of one eye's strip: `width` columns of the eye's equirectangular picture from column `left` on.
+// `scene` has the size of both eyes' pictures; `eyes` and `side` are those of of_eye().
+Scene strip_of_eye(const Scene& scene, double eyes, int side, int left, int width);
+
+// Draws `scene` for two eyes into `image`, which has the scene's size. Throws InputError for an odd width and for a
+// part of a picture.
 RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image,
                            const Progress& progress = {});
 

@@ -245,9 +245,9 @@ private:
             const std::string number = quoted(line_);
             const std::string here = place(number_);
             if (!next_line()) fail(fmt::format("{} is no file name, expected {}", number, what));
-            result_.warnings.push_back(
-                fmt::format("{}: warning: {} taken as the super-sampling of an older format and ignored{}", here,
-                            number, off ? "" : "; bin/render --samples 2 draws 2 x 2 samples a pixel"));
+            result_.super_sampling = !off;
+            result_.warnings.push_back(fmt::format("{}: warning: {} taken as the super-sampling of an older format, {}",
+                                                   here, number, off ? "which is off" : "for 2 x 2 samples a pixel"));
         }
         lines_.at(static_cast<std::size_t>(Item::image_file)) = number_;
         result_.comment_behind_name = commented_;

@@ -14,6 +14,7 @@ struct ParameterFile {
     Scene scene;
     std::vector<std::string> warnings;  // each `file:line: text`
     bool comment_behind_name = false;   // a comment follows the image's file name
+    bool super_sampling = false;        // an older format's switch is on
 };
 
 // Parses `text` as a parameter file for `fractal`. `name` is what messages call the file.

@@ -169,6 +169,12 @@ for kind in mp4 mkv webm; do
     run 0 render path.json $small --frames 0-1 --stereo --output eyes.$kind
     tags eyes.$kind | grep -q 'type=side by side' || fail "eyes.$kind is not tagged: $(tags eyes.$kind)"
 done
+run 0 render path.json --backend openmp --size 256x64 --frames 0-1 --projection equirectangular --stereo --output both.mp4
+for tag in 'projection=equirectangular' 'type=side by side'; do
+    tags both.mp4 | grep -q "$tag" || fail "both.mp4 is not tagged: $(tags both.mp4)"
+done
+run 2 render path.json --size 128x64 --projection equirectangular --stereo --output none.mp4
+says '128 x 64 pixels given, expected 4 times as wide as high'
 grep -q sv3d sphere.mp4 || fail "sphere.mp4 has no box sv3d"
 [ -z "$(tags whole.mp4)" ] || fail "a usual film is tagged: $(tags whole.mp4)"
 [ $failures = 0 ] && echo "all well"

@@ -217,8 +217,12 @@ says 'frame: .* # behind a blank'
 for number in 0 1; do
     awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
     expect 0 "$bin/mandelbulb" super.dat $small --output a.png
-    [ $number = 0 ] || says 'super-sampling .* ignored; .*--samples 2'
-    [ $number = 1 ] || ! grep -q -- --samples stderr || fail "no super-sampling is wanted, and --samples is named"
+    says ":27: warning: '$number' taken as the super-sampling"
+    expect 0 "$bin/mandelbulb" super.dat $small --output one.png --samples 1
+    expect 0 "$bin/mandelbulb" super.dat $small --output four.png --samples 2
+    [ $number = 0 ] && same=one || same=four
+    cmp -s a.png $same.png || fail "super-sampling $number draws another picture than $same.png"
+    cmp -s one.png four.png && fail "super-sampling changes nothing"
 done
 
 # Wrong outputs, seen before anything is drawn.

@@ -130,7 +130,7 @@ panorama() {
     "$bin/render" --fractal bulb paramsBulb.dat --projection equirectangular "$@" --output p.png 2>stderr
 }
 panorama --size 100x100 && fail "a square panorama"
-says 'equirectangular: 100 x 100 pixels given, expected twice as wide as high'
+says 'equirectangular: 100 x 100 pixels given, expected 2 times as wide as high'
 panorama --size 100x50 || fail "a panorama: $(cat stderr)"
 "$bin/flythrough" film --projection equirectangular --size 640x360 --output f.mp4 2>stderr
 [ $? = 2 ] || fail "a film of 640 x 360"

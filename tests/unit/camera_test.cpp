@@ -131,12 +131,45 @@ TEST_F(TwoEyes, SeeNearThingsCrossed)
     EXPECT_LT(middle(far, -1), middle(far, 1));
 }
 
-TEST_F(TwoEyes, WantAnEvenPerspectivePicture)
+TEST_F(TwoEyes, NeedAnEvenWholePicture)
 {
     scene.width = 321;
     EXPECT_THROW(drawn(0.1), InputError);
-    scene = all_directions(320, 300);
+    scene.width = 320;
+    scene.part = {.whole_width = 640, .whole_height = 600};
     EXPECT_THROW(drawn(0.1), InputError);
+}
+
+// Eyes that do not turn with the direction would see no parallax to the side.
+TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
+{
+    scene.width = 1440;
+    scene.height = 360;
+    scene.projection = Projection::equirectangular;
+    for (const Vector ahead : {Vector{0, 0, -1}, Vector{1, 0, 0}, Vector{-1, 0, 0}, Vector{1, 0, 0.5}}) {
+        scene.target = scene.eye + ahead;
+        const Image image = drawn(0.4);
+        const double parallax = middle(image, -1) - middle(image, 1);  // columns
+        EXPECT_NEAR(parallax, 720 * 0.4 / (2 * std::numbers::pi * 3), 2.5) << ahead.x << ' ' << ahead.z;
+    }
+}
+
+// In exact mode, so that a pixel does not depend on its strip.
+TEST_F(TwoEyes, AtOnePlaceSeeThePanorama)
+{
+    scene.width = 320;
+    scene.height = 80;
+    scene.projection = Projection::equirectangular;
+    const Image both = drawn(0);
+    scene.width = 160;
+    const Image one = render(*make_openmp_backend(), scene, {});
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < both.bytes().size(); ++i) {
+        const std::size_t row = i / (3 * 320);
+        const std::size_t column = i % (3 * 160);
+        differing += std::abs(both.bytes()[i] - one.bytes()[row * 3 * 160 + column]) > 2 ? 1 : 0;
+    }
+    EXPECT_LT(differing, both.bytes().size() / 1000);
 }
 
 }  // namespace
