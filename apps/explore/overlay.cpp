@@ -32,6 +32,7 @@ float line(const std::string& text, float x, float y, float width, ImU32 colour)
 
 std::string of(const Pane& pane)
 {
+    if (pane.seconds == 0) return name_of(pane.setup) + (pane.failure.empty() ? ": drawing" : "");
     std::string text = fmt::format("{}: {:.1f} ms", name_of(pane.setup), 1e3 * pane.seconds);
     if (pane.samples == 0) {
         text += fmt::format(", {:.0f} % of the pixels", 100 * pane.share);
