@@ -8,12 +8,8 @@ FN scalar dip_margin() { return R(1.3); }        // DE below this many tolerance
 FN scalar dip_stride() { return R(0.4); }        // step in a dip, in distance estimates
 FN scalar aimed_tolerance() { return R(0.9); }   // estimate at which a film's step aims, in tolerances
 FN scalar shortest_aimed() { return R(0.2); }    // min step of a film, in distance estimates
-FN scalar neighbour_margin()
-{
-    return R(0.1);
-}  // start before the nearest of four neighbours, as a fraction of the
-   // range of their depths
-FN int most_cone_steps() { return 100; }  // max steps of a cone; its rays then continue one by one
+FN scalar neighbour_margin() { return R(0.1); }  // gap before the nearest of four neighbours, in ranges of depth
+FN int most_cone_steps() { return 100; }         // max steps of a cone; its rays then continue one by one
 
 // The step from the last sample, in estimates. If DE keeps its slope between the last two samples, the spheres at the
 // ends of a step touch at 2 / (1 - slope) (Ban and Valasek, "Automatic step size relaxation in sphere tracing",

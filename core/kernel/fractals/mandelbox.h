@@ -16,12 +16,8 @@ FN scalar box_unit(Scene scene) { return scene.fractal[5]; }           // the un
 FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
 FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // radius^2 at which a tail begins
 FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // s|^(1 - n), not in units
-FN int box_tail_end(Scene scene)
-{
-    return scene.fractal_whole;
-}  // a tail must begin before this iteration; 0: no
-   // tails
+FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), not in units
+FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // limit of a tail's first iteration; 0: no tails
 
 // Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c.
 FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
