@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel source as OpenCL C. One generated source file per fractal contains it.
+// The kernel source as OpenCL C. The build generates one source file per fractal.
 #pragma once
 
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Subtiles: blocks of pixels whose rays begin together.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_BLOCKS_INL_H
 #define MM_BLOCKS_INL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cones before rays: how far the rays of a subtile can advance together.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_CONES_INL_H
 #define MM_CONES_INL_H
 

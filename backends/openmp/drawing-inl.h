@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // State of a thread's rendering, and the pools of its rays.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_DRAWING_INL_H
 #define MM_DRAWING_INL_H
 
@@ -24,8 +24,8 @@ struct Pools {
     Pool hits;     // to refine
     Pool ended;    // to shade
     Pool sharing;  // to shade with the occlusion of their neighbours
-    int refining;  // number of hits, from the first, whose refinement has begun
-    int alone;     // number of rays in `ended`, from the first, known not to share; the others are untested
+    int refining;  // how many of `hits`, from the first, have begun their refinement
+    int alone;     // how many of `ended`, from the first, are known not to share occlusion
 };
 
 // Scene, canvas, pools and functions of a thread's rendering.

@@ -6,7 +6,7 @@
 // Define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK (its namespace),
 // MM_REGISTERS (registers per pack) and MM_COUNTED (1 or 0: count work).
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PACK_INL_H
 #define MM_PACK_INL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Passes over all rays of a pool: marching, refinement, shading.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PASSES_INL_H
 #define MM_PASSES_INL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes finished pixels from packs to the canvas.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PIXELS_INL_H
 #define MM_PIXELS_INL_H
 

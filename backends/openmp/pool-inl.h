@@ -8,7 +8,7 @@
 // The scheduler processes one register at a time, which keeps values in registers. DE evaluations and shading use wider
 // packs, whose registers hide each other's latency.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_POOL_INL_H
 #define MM_POOL_INL_H
 

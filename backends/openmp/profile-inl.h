@@ -2,7 +2,7 @@
 // Profile: renders tiles as pool-inl.h does, with a clock between the stages. Hits are shaded in three passes, so that
 // each can be timed.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PROFILE_INL_H
 #define MM_PROFILE_INL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packs of rays and of hits, loaded from and stored to pools.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_RAYS_INL_H
 #define MM_RAYS_INL_H
 

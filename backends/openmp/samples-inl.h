@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Steps of packs, for pools: rays and hits, with one DE evaluation per step.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SAMPLES_INL_H
 #define MM_SAMPLES_INL_H
 

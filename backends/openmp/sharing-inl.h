@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hits that share the occlusion of adjacent pixels on the same surface, which were rendered before.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SHARING_INL_H
 #define MM_SHARING_INL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Begins the rays of a square of pixels of a lattice.
 
-// Include guard for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SQUARES_INL_H
 #define MM_SQUARES_INL_H
 

@@ -16,7 +16,7 @@ constexpr int group = 64;  // as in peak.comp
 // Invocations: several for each lane of the largest GPUs, and enough to balance a CPU's cores.
 constexpr int gpu_items = 1 << 21;
 constexpr int cpu_items = 1 << 12;
-// Each is an iteration of the kernel's only loop; a watchdog may end a GPU's pass after seconds.
+// Loop iterations of an invocation; a watchdog may end a GPU's pass after some seconds.
 constexpr int rounds_per_pass = 1 << 14;
 static_assert(rounds_per_pass < counted_loops / 2);
 

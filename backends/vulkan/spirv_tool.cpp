@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A build tool for SPIR-V modules:
-//    decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add and no
-//                         algebraic optimisation. GLSL's `precise` omits operations in called functions.
-//    check IN...          exit code 1 if an operation lacks the decoration
-//    embed OUT.cpp IN...  writes the modules as a C++ table, named by the stems of their files
+//   decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add and no
+//                        algebraic optimisation. GLSL's `precise` omits operations in called functions.
+//   check IN...          exit code 1 if an operation lacks the decoration
+//   embed OUT.cpp IN...  writes the modules as a C++ table, named by the stems of their files
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

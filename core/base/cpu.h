@@ -20,7 +20,7 @@ struct Cache {
 struct Cpu {
     std::string name = "CPU";  // as reported by the CPU; "CPU" if unknown
     std::string vendor = "unknown";
-    // x86 only, since different designs may share a name. nullopt if unknown.
+    // x86 only; they distinguish designs with the same name. nullopt if unknown.
     std::optional<int> family, model, stepping;
     std::vector<std::string> flags;    // Linux's names, sorted
     std::vector<std::string> vectors;  // the vector extensions among the flags, in Linux's order

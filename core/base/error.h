@@ -49,8 +49,8 @@ public:
 // 300 if unset or empty. Throws InputError if it is not a number from 0.001 to 1e6.
 double device_timeout();
 
-// Runs `body`, the whole program, and returns its exit code. Prints an exception as one line on stderr, `program:
-// message`; an InputError that begins with a place (`file:line:`) is printed without the program's name.
+// Runs `body`, the whole program, and returns its exit code. Prints an exception as a line `program: message` on
+// stderr; an InputError that begins with a place (`file:line:`) is printed without the program's name.
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -99,8 +99,8 @@ FN Complex cosine_and_sine(real x)
     return complex_number(pick(cosine_negative, -across, across), pick(sine_negative, -upward, upward));
 }
 
-// The angle of x + i y, in (-pi, pi]; 0 at the origin. The tangent q in the octant is at most 1; two uses of atan q = 2
-// atan(q / (1 + sqrt(1 + q^2))) reduce it below 0.199.
+// The angle of x + i y, in (-pi, pi]; 0 at the origin. The tangent q in the octant is at most 1; two uses of
+// atan q = 2 atan(q / (1 + sqrt(1 + q^2))) reduce it below 0.199.
 FN real angle_of(real y, real x)
 {
     real ax = magnitude(x);

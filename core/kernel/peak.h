@@ -31,8 +31,8 @@ FN Chains multiplied_and_added(Chains c, real a, real b)
     return c;
 }
 
-// Performs `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h). With a =
-// 0.5 and b = 1 every chain converges to 2: no subnormal or infinite values.
+// Performs `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h). For
+// a = 0.5 and b = 1 every chain converges to 2, without subnormal or infinite values.
 FN real multiply_add_chains(real x, real a, real b, int rounds)
 {
     Chains c;

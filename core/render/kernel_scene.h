@@ -38,8 +38,8 @@ inline constexpr int max_steps = 8000;           // max samples of a ray
 inline constexpr double farthest_sample = 1000;  // max t of a sample
 
 // Computes in double, then rounds.
-//  exact: the hit of the original stepping. fast: the canonical hit.
-//  Normals come from central differences in double and from the analytic gradient in float.
+// exact: the hit of the original stepping. fast: the canonical hit.
+// Normals come from central differences in double and from the analytic gradient in float.
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 

@@ -29,8 +29,8 @@ inline constexpr double film_root_share = 0.01;
 inline constexpr double any_root_share = 1e9;
 
 // Returns the stepping for a picture of the scene.
-//  exact: original stepping. fast: the fractal's step factor (Fractal::fast), over-relaxed unless below plain_stride.
-//  The scene's limits apply in both modes.
+// exact: original stepping. fast: the fractal's step factor (Fractal::fast), over-relaxed unless below plain_stride.
+// The scene's limits apply in both modes.
 Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
 // Returns the additional limits of a film's frame: short steps, as the fractal fills the picture.

@@ -12,7 +12,7 @@ namespace {
 
 // docs/notes/experiments.md, "Trials", explains these constants.
 constexpr double trial_pixels = 1024;
-constexpr double most_off = 0.015;   // visibly differing pixels; below this, usually at most 2 % of the picture differs
+constexpr double most_off = 0.015;   // of its pixels, visibly; below it usually at most 2 % of the picture differ
 constexpr double converging = 0.75;  // relative to the previous fraction
 
 double share_off(const Image& a, const Image& b)

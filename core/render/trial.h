@@ -24,9 +24,9 @@ Scene trial_scene(const Scene& scene);
 
 // Returns the step factor of fast mode for the scene. `draw` renders a small picture. The usual factor is compared with
 // the next of shorter_strides (core/render/stepping.h):
-//  1. The pictures differ in a few pixels at most: the longer steps are used.
-//  2. They differ in more: the shorter steps are compared with the next ones.
-//  3. The differences do not shrink: the precision is the limit, and the usual factor is kept.
+// 1. The pictures differ in a few pixels at most: the longer steps are used.
+// 2. They differ in more: the shorter steps are compared with the next ones.
+// 3. The differences do not shrink: the precision is the limit, and the usual factor is kept.
 Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
 
 // True if a picture with these options is preceded by a trial.

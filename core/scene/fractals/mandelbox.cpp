@@ -134,7 +134,7 @@ void extreme_shape(Scene& scene, Chance& chance)
 constexpr std::array iterations{4, 8, 12, 18, 30, 60};
 
 // Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 600 random places directly before
-// the surface at which float and double agree. Other places may fail: docs/fast-mode.md, "What fast mode misses".
+// the surface at which float and double agree. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::Look close_up{
     {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
 

@@ -98,7 +98,7 @@ void extreme_shape(Scene& scene, Chance& chance)
 }
 
 // Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 300 random places directly before
-// the surface and away from the poles. Other places may fail: docs/fast-mode.md, "What fast mode misses".
+// the surface and away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::Look close_up{{-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
 
 // A power that is not an integer is raised through angles; the picture is nearly the official one.
