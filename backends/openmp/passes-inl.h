@@ -135,7 +135,7 @@ HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t
     for (int i = 0; i < lanes; ++i) d.canvas.neighbour_depth[places[i] / 2] = ts[i];
 }
 
-// Processes rays that have stopped: hits are refined or shaded next, the others stored.
+// Processes rays that have stopped: hits are refined or shaded next, misses are stored.
 HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 {
     const Scene& scene = d.scene;

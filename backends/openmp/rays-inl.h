@@ -23,7 +23,7 @@ static_assert(pack_lanes <= most_lanes);
 struct Traveller {
     Ray ray;
     whole pixel;
-    real room;  // min clearance of the samples, beyond the region of the rays between neighbours
+    real room;  // min over the samples of the clearance beyond the rays between neighbours
 };
 
 // Occlusion shared by a hit's neighbours.

@@ -16,7 +16,7 @@ namespace MM_PACK {
 
 // Chosen by the changes of pictures (docs/notes/experiments.md).
 constexpr MM_REAL same_surface = MM_REAL(0.02);  // max difference of depths on one surface, relative
-constexpr MM_REAL alike = MM_REAL(0.12);         // max range of the neighbours' occlusion, the sum of both values
+constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of the neighbours' occlusion, both values added
 constexpr int enough = 2;                        // min of four neighbours on the pixel's surface
 
 // The four pixels of even columns and rows around each lane's pixel; some can coincide.

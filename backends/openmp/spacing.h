@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of a picture's rays, and its consequences: if subtiles begin with cones, the size of the hull around
+// Distance of a picture's rays, and the settings derived from it: cones of subtiles, the size of the hull around
 // subtiles, and the lattices of pixels.
 #pragma once
 

@@ -21,10 +21,9 @@ struct Canvas {
     std::ptrdiff_t pixels;  // per plane
     Real spacing;           // distance of diagonally adjacent rays, at distance 1
     bool cones;             // subtiles begin with cones
-    Real block_hull;        // hull enlarged so that a subtile's centre ray enters it wherever any of its rays enters
-                            // the scene's; 0: no hull
-    Lattice lattice;        // pixels to render, counted from first_row
-    Real* block_start;      // for each subtile: none of its rays hits before this t
+    Real block_hull;    // hull that a subtile's centre ray enters wherever any of its rays enters the scene's; 0: none
+    Lattice lattice;    // pixels to render, counted from first_row
+    Real* block_start;  // for each subtile: none of its rays hits before this t
     Real* neighbour_depth;  // of pixels in even columns and rows, at half their index (core/kernel/march.h)
     // Occlusion of these pixels, likewise, shared by the pixels between them; null: not shared.
     Real* along_normal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loop over C++ standard parallelism.
+// The loop of C++ standard parallelism.
 #pragma once
 
 #include <algorithm>

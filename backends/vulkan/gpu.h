@@ -65,7 +65,7 @@ private:
     vk::raii::CommandPool pool_ = nullptr;
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
-    vk::raii::QueryPool clock_ = nullptr;  // timestamps at the begin and end of work; null: no clock
+    vk::raii::QueryPool clock_ = nullptr;  // timestamps at the start and end of work; null: no clock
     std::uint64_t clock_mask_ = 0;         // valid bits of a timestamp
     bool recording_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes if a device follows IEEE 754: Vulkan allows errors of 2.5 ulp in divisions and square roots, and some drivers
+// Tests if a device follows IEEE 754: Vulkan allows errors of 2.5 ulp in divisions and square roots, and some drivers
 // ignore NoContraction.
 #pragma once
 

@@ -83,7 +83,7 @@ Names& installed()
     return *names.load();
 }
 
-// Allows changes of files and names while it exists. Blocks signals in this thread; handlers in others wait.
+// Files and names may change only while a Change exists. It blocks signals in this thread; handlers in others wait.
 class Change {
 public:
     Change() : names_(installed())

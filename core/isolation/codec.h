@@ -49,7 +49,7 @@ void transfer(Archive& archive, ReportOrConst& report)
     archive(precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work, kernels);
 }
 
-// Requests of a program to a device process, with -> responses.
+// Requests of a program to a device process: arguments -> response.
 enum class Request : int {
     list,     // -> reason why no device is available, or ""; the devices
     create,   // renderer number, options ->

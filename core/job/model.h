@@ -84,13 +84,13 @@ public:
         return std::nullopt;
     }
 
-    // Memory of the calling thread's device, as void*; nullptr if exhausted.
+    // Memory of the calling thread's device; allocate() returns nullptr if it is exhausted.
     virtual void* allocate(std::size_t bytes) const;
     virtual void release(void* address) const;
     virtual void upload(void* to, const void* from, std::size_t bytes) const;
     virtual void read_back(void* to, const void* from, std::size_t bytes) const;
 
-    // Host memory that the device copies to at full speed; nullptr if exhausted.
+    // Host memory that the device copies to at full speed; nullptr if it is exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
 };

@@ -15,10 +15,10 @@ namespace mandelmarch::job {
 double seconds_on_gpu(const std::function<void()>& launch);
 
 // Returns the pixels per launch of GPU `index`: pixels_of_gpu() of its resident threads (core/render/schedule.h), or
-// the min of that if a watchdog ends kernels after some seconds.
+// fewest_of_gpu if a watchdog ends kernels after some seconds.
 std::int64_t pixels_per_launch(int index);
 
-// False for that min, which does not depend on the GPU's threads.
+// False for fewest_of_gpu, which does not depend on the GPU's threads.
 inline bool knows_threads(std::int64_t pixels_per_launch) { return pixels_per_launch > fewest_of_gpu; }
 
 }  // namespace mandelmarch::job

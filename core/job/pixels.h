@@ -129,7 +129,7 @@ FN Ray begun(const Job* job, Place place)
 // Stores a stopped ray in its pixel's planes, for shade_pixel().
 FN void put_ray(const Job* job, Place place, Ray ray)
 {
-    // Needed: t for the original stepping, the estimate before the hit for refinement.
+    // The original stepping needs t, refinement the estimate before the hit.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
@@ -141,7 +141,7 @@ FN void put_ray(const Job* job, Place place, Ray ray)
 
 // Not in exact mode: fewer lanes wait there, and the loop's registers reduce a GPU's resident threads.
 #if defined(MM_LANES_WAIT) && defined(MM_MODE_fast)
-// Steps of a warp between refills, during which all its lanes wait.
+// Steps of a warp between refills; during a refill all its lanes wait.
 constexpr int steps_of_round = 4;
 
 // Returns the indices of a launch; a warp takes 32 at once, as in blocks_of() in core/job/job.h.

@@ -3,8 +3,8 @@
 //   2 limestone  warm stone under a cool sky
 //   3 coral      the orbit trap's colours under the same light
 //   4 lagoon     dark water, with a lamp at the camera
-// All have haze, ambient occlusion and a soft key light. The last two use a few distances along a line (Evans, "Fast
-// approximations for global illumination on dynamic scenes", SIGGRAPH 2006 course).
+// All have haze, ambient occlusion and a soft key light. Occlusion and light are computed from a few distances along a
+// line (Evans, "Fast approximations for global illumination on dynamic scenes", SIGGRAPH 2006 course).
 
 FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 

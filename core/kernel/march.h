@@ -10,7 +10,7 @@ FN Ray begin_along(Scene scene, vec3 direction)
     ray.t = 0;
     if (scene.hull > 0) {
         Span span = hull(scene, wide(scene.eye), ray.direction);
-        // Larger than the rounding error of the far end.
+        // The margin exceeds the rounding error of the far end.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
         // The original stepping takes its first sample at the eye.

@@ -62,13 +62,13 @@ FN Hit aimed(Hit hit, mask on)
     return hit;
 }
 
-// Evaluates DE there.
+// Evaluates DE at that t.
 FN Estimate probe_root(Scene scene, Hit hit, mask on)
 {
     return estimate(scene, along(wide(scene.eye), hit.direction, hit.t), on);
 }
 
-// Shrinks the bracket by that evaluation.
+// Narrows the bracket with that estimate.
 FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
 {
     real f = here.distance - scene.tolerance * hit.t;

@@ -10,8 +10,7 @@ struct Scene {
     int max_steps;       // max samples of a ray
     int fractal_whole;   // the fractal's own integer, named in its file
     int colouring;       // as in the parameter file: 0 and 1 in shade.h, from 2 up in looks.h
-    int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: it is the last sample of the original
-                         // stepping
+    int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: the last sample of the original stepping
     int differences;  // source of normals: 0 analytic gradient, 1 central differences, 2 differences over a tetrahedron
 
     scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t

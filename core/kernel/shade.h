@@ -116,8 +116,8 @@ FN Pixel missed(Scene scene, Hit hit)
 }
 
 // Returns the normal n of a hit at t. If the eye is inside the solid (t = 0), there is no surface; canonical pictures
-// then use the direction towards the eye. Called in both branches of shade_with(): one call before them costs three
-// registers on the K40.
+// then use the direction towards the eye. Called in both branches of shade_with(): a single call before them would cost
+// three registers on the K40.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));

@@ -35,7 +35,7 @@ FN real smaller(real a, real b) { return pick(a < b, a, b); }
 FN real clipped(real x, scalar most) { return smaller(larger(x, -most), most); }
 #endif
 
-// Returns |a|^2, raised to a number whose square root has a finite reciprocal.
+// Returns |a|^2, but at least a number whose square root has a finite reciprocal.
 FN real norm2(vec3 a) { return larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
 
 FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }

@@ -56,8 +56,7 @@ struct RendererOptions {
     int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles per request of a host thread; 0: the backend's choice; openmp only
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice
-    int block = 0;       // threads of a GPU's block, or work items of a group: a multiple of 32; 0: the backend's
-                         // choice
+    int block = 0;       // threads per GPU block, or work items per group, a multiple of 32; 0: the backend's choice
     bool counts = true;  // false: RenderReport::work is not needed, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
@@ -159,8 +158,8 @@ public:
 // Role of a backend; programs that need one backend select it by role.
 enum class Role {
     none,
-    reference,  // independent of the kernel's formulas: renders expected pictures and baseline times, without a trial
-    host,       // the kernel on this machine's cores; with pack 1 it defines the exact bits for all backends
+    reference,   // independent of the kernel's formulas: renders expected pictures and baseline times, without a trial
+    host,        // the kernel on this machine's cores; with pack 1 it defines the exact bits for all backends
     accelerator  // selected by `auto` if it has a GPU
 };
 

@@ -18,8 +18,8 @@ struct Loops {
     std::int64_t shade;
 };
 
-// Counts them by running the kernel with all lanes active (core/kernel/prelude/loops.h), including normals from
-// differences.
+// Returns the limits for a scene, counted by running the kernel with all lanes active (core/kernel/prelude/loops.h) and
+// with normals from differences.
 Loops loops_of(const Scene& scene);
 
 }  // namespace mandelmarch

@@ -44,7 +44,7 @@ struct FractalInputs {
 
 FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
 
-// A fractal's parameters of the kernel that are the same for all pixels.
+// Kernel parameters of a fractal, the same for all pixels.
 template <class Number>
 struct FractalConstants {
     std::array<Number, 11> values{};
@@ -135,9 +135,9 @@ struct FractalFlight {
     // Returns the min magnification of an iteration: features of iteration n have about growth^-n of the fractal's
     // size.
     double (*growth)(const Scene& scene) = usual::growth;
-    // Fractions of an estimate: safety: certainly free at some distance from the surface; stride: a step in a close-up,
-    // as near the surface an estimate can exceed the distance. `conservative` applies to the conservative estimate, if
-    // the fractal has one.
+    // Fractions of an estimate. safety: the certainly free part, at some distance from the surface. stride: a step in a
+    // close-up, since near the surface an estimate can exceed the distance. `conservative` applies to the conservative
+    // estimate, if the fractal has one.
     struct Trust {
         double safety = 0.5;
         double stride = 0.5;
@@ -199,7 +199,7 @@ struct Fractal {
     // Returns what is wrong with the three values of line 7 together, or "".
     std::string_view (*objection)(const Scene& scene) = usual::objection;
     RowFormula<FractalConstants> constants;
-    // Sets constants for tails, a technique of fast mode: the last iterations of an orbit without tests.
+    // Sets the constants of tails (the last iterations of an orbit, without tests), a technique of fast mode.
     void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = usual::no_tail;
     FractalHull hull{};
     FractalFast fast{};

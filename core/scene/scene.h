@@ -28,8 +28,8 @@ inline constexpr std::string_view conservative_estimate = "conservative";
 
 // Limits of a ray's steps set by a film or a trial; not part of a parameter file (core/render/stepping.h).
 struct StepLimits {
-    double stride = plain_stride;  // max step factor without over-relaxation
-    double root_share = 0;         // min |DE - tolerance t| required of a hit, in tolerances
+    double stride = plain_stride;  // upper limit of the step factor
+    double root_share = 0;         // lower limit of Stepping::root_share, the error of a hit; in tolerances
 };
 
 // Mapping from pixels to directions. equirectangular: 360 degrees of longitude across, 180 of latitude upwards,

@@ -22,8 +22,7 @@ void write_jpeg(OutputFile& file, const std::string& path, const Image& image);
 // Max ratio of deflate: 258 bytes from two bits.
 inline constexpr std::uint64_t deflate_ratio = 1032;
 
-// Throws InputError, with a message that begins with `name`, if the header claims an impossible size, more pixels than
-// the file can contain, or more memory than is available.
+// Sizes that a file's header claims.
 struct Claim {
     std::int64_t width, height;  // pixels
     std::uint64_t pixel_bits;    // of the decoded data
@@ -31,6 +30,8 @@ struct Claim {
     std::uint64_t decoder;       // bytes of memory for the decoder
     Image::Layers layers;        // of the resulting image
 };
+// Throws InputError, with a message that begins with `name`, if the size is impossible, the file cannot contain so many
+// pixels, or the memory does not suffice.
 void check_claim(const std::string& name, const Claim& claim);
 
 }  // namespace mandelmarch

@@ -39,7 +39,7 @@ double hull(const Scene& scene, const Sight& view)
     return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
 }
 
-// At low powers longer steps miss more thin features: docs/notes/experiments.md.
+// Shorter steps at low powers, where longer ones miss thin features: docs/notes/experiments.md.
 template <class Number>
 Number stride(const FractalInputs<Number>& of)
 {
