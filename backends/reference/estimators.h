@@ -7,7 +7,7 @@
 
 namespace mandelmarch::reference {
 
-// Mandelbox and Mandelbulb, with the constants of a scene. operator() adds its iterations to `work`.
+// Mandelbox and Mandelbulb, with the constants of a scene. operator() adds the evaluation and its iterations to `work`.
 class Mandelbox {
 public:
     explicit Mandelbox(const Scene& scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 2: vectors, by component, because OpenCL C has no operators for a struct of packs.
+// Kernel source, part 2: vectors, by component, because OpenCL C has no operators for structs.
 
 FN real inner(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 

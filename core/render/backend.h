@@ -66,7 +66,7 @@ struct RendererOptions {
 struct Timings {
     double context = 0;   // finding and opening the device, in create(); not part of wall
     double build = 0;     // preparing the kernel, in the first picture of a fractal; otherwise 0
-    double upload = 0;    // device memory and copies of the scene; 0 on the host
+    double upload = 0;    // allocating device memory and copying the scene to it; 0 on the host
     double kernel = 0;    // kernels, by the device's clock; without one, or on the host, the same as `host`
     double host = 0;      // launching kernels and waiting for them
     double readback = 0;  // from the last kernel to the picture in host memory: copying, converting, counting
@@ -159,7 +159,7 @@ public:
 enum class Role {
     none,
     reference,   // independent of the kernel's formulas: renders expected pictures and baseline times, without a trial
-    host,        // the kernel on this machine's cores; with pack 1 it defines the exact bits for all backends
+    host,        // the kernel on this machine's cores; with SIMD width 1 it defines the exact bits for all backends
     accelerator  // selected by `auto` if it has a GPU
 };
 

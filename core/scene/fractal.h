@@ -82,7 +82,7 @@ double no_hull(const Scene& scene, const Sight& view);  // 0
 std::optional<Hull> unknown_body(const Scene& scene);   // nullopt
 template <class Number>
 Number stride(const FractalInputs<Number>& of);                         // plain_stride
-double growth(const Scene& scene);                                      // 1: no iteration is too fine to be visible
+double growth(const Scene& scene);                                      // 1: no iteration is known to be invisible
 Vector representative(const Scene& scene, Vector p);                    // p
 bool worth_searching(const Scene& scene, const Hull& body, Vector p);   // true
 Vector upward(Vector place, Vector up);                                 // away from the origin, as on a planet
