@@ -34,7 +34,7 @@ bool isolates(std::span<char*> arguments)
     return !refused && isolation != "off";
 }
 
-// The names in MANDELMARCH_BACKENDS. An empty list, if it is not set, allows all backends.
+// Returns the names in MANDELMARCH_BACKENDS. If it is not set, the list is empty and all backends are allowed.
 std::vector<std::string_view> opened_backends()
 {
     std::vector<std::string_view> known;
@@ -64,7 +64,7 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string_view>&
             backends.push_back(without_backend(backend->name(), "left out by MANDELMARCH_BACKENDS"));
             return;
         }
-        // The reference's short steps pass through nothing.
+        // The reference backend needs no trials: its steps are short enough.
         if (facts.role != Role::reference) backend = with_trials(std::move(backend));
         if (facts.has_driver && isolates_drivers) backend = isolated(std::move(backend));
         backends.push_back(std::move(backend));

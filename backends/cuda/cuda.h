@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cuda backend: the kernel text in CUDA, on NVIDIA GPUs.
+// The cuda backend: the kernel in CUDA, on NVIDIA GPUs.
 #pragma once
 
 #include <memory>

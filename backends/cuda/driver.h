@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NVIDIA's driver library, opened when first asked for, so that a program runs where there is none.
+// NVIDIA's driver library, loaded on first use, so that programs also run without it.
 #pragma once
 
 #include <cuda.h>
@@ -32,18 +32,18 @@ namespace mandelmarch::cuda {
     NAME(cuMemcpyDtoH)             \
     NAME(cuGetErrorString)
 
-// cuda.h gives some names a version: cuMemAlloc is cuMemAlloc_v2 here, too.
+// Macros of cuda.h add a version to some names: cuMemAlloc is cuMemAlloc_v2 here, too.
 struct Driver {
 #define MM_MEMBER(name) decltype(&::name) name = nullptr;
     MM_DRIVER_FUNCTIONS(MM_MEMBER)
 #undef MM_MEMBER
     int devices = 0;
-    std::string missing;  // why there are no devices
+    std::string missing;  // why no devices are available
 };
 
 const Driver& driver();
 
-// Throws Error, with what was done, unless the driver's answer is CUDA_SUCCESS.
+// Throws Error, which names the failed action, unless the result is CUDA_SUCCESS.
 void check(CUresult result, const char* what);
 
 }  // namespace mandelmarch::cuda

@@ -8,9 +8,9 @@
 namespace mandelmarch::cuda {
 namespace {
 
-// What the calling thread has set.
+// Settings of the calling thread.
 struct OfThread {
-    std::vector<KernelResources>* told = nullptr;  // loaded_by()'s
+    std::vector<KernelResources>* told = nullptr;  // result of loaded_by()
     int block = job::block_threads;
 };
 

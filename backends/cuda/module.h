@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels whose PTX stands in the program.
+// Kernels as PTX embedded in the program.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 #include "core/job/job.h"
 #include "core/render/backend.h"
 
-// A file's text, by a name.
+// Embeds a text file as a string with this name.
 #define MM_TEXT(name, file)                                                                        \
     extern "C" {                                                                                   \
     extern const char mandelmarch_cuda_##name[] __attribute__((visibility("hidden")));             \
@@ -23,21 +23,21 @@
 
 namespace mandelmarch::cuda {
 
-// One kernel, loaded once for each device that uses it.
+// A kernel, loaded once for each device that uses it.
 class Module {
 public:
     Module(const char* ptx, const char* name) : ptx_(ptx), name_(name) {}
 
-    // For the calling thread's device: its driver translates the PTX.
+    // Loads it on the calling thread's device, whose driver translates the PTX.
     void load() { static_cast<void>(loaded()); }
-    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: the addresses of the kernel's
+    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's
     // arguments. Throws Unavailable if the kernel's registers do not allow blocks of this size on the device.
     void launch(int threads, std::initializer_list<const void*> arguments);
 
 private:
     struct Loaded {
         CUfunction function = nullptr;
-        int most_threads = 0;  // of a block
+        int most_threads = 0;  // max threads per block
     };
 
     const Loaded& loaded();
@@ -48,13 +48,13 @@ private:
     std::map<CUcontext, Loaded> loaded_;
 };
 
-// What the driver made of the kernels that `load` loads, in the calling thread.
+// Returns the resources of the kernels that `load` loads in the calling thread.
 std::vector<KernelResources> loaded_by(const std::function<void()>& load);
 
-// Of the calling thread's launches from here on: threads of a block; 0: job::block_threads.
+// Sets the threads per block for later launches of the calling thread; 0: job::block_threads.
 void use_blocks_of(int threads);
 
-// For all launches of the calling thread's device.
+// Waits for all launches on the calling thread's device.
 void wait();
 
 }  // namespace mandelmarch::cuda

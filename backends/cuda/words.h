@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What CUDA adds to the scalar prelude: functions are the device's.
+// Additions of CUDA to the scalar prelude: functions run on the device.
 #pragma once
 
 #define FN static __device__ __forceinline__

@@ -17,7 +17,7 @@ job::Kernels kernels();
 
 namespace {
 
-// As many threads as the process may use, unless KOKKOS_NUM_THREADS is set.
+// Uses as many threads as the process may use, unless KOKKOS_NUM_THREADS is set.
 auto settings()
 {
 #if KOKKOS_VERSION >= 30700
@@ -29,7 +29,7 @@ auto settings()
 #endif
 }
 
-// From the first use to the program's end, unless the program itself sees to that.
+// Initialises Kokkos on first use and finalises it at the program's end, unless the program does so itself.
 void initialize()
 {
     struct Runtime {

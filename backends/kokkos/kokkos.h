@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kokkos backend: the kernel text in a Kokkos::parallel_for, in the host space that Kokkos is built with.
+// The kokkos backend: the kernel in a Kokkos::parallel_for, in the default host space of Kokkos.
 #pragma once
 
 #include <memory>

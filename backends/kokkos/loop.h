@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kokkos' loop, on the host.
+// The loop of Kokkos, on the host.
 #pragma once
 
 #include <Kokkos_Core.hpp>

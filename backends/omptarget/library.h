@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels, a shared library that the program carries within itself.
+// The kernels, in a shared library embedded in the program.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ extern const char mandelmarch_omptarget_library_end[];
 
 namespace mandelmarch::omptarget {
 
-// Loaded once, when first asked for.
+// Loaded on first use.
 struct Library {
     void* handle = nullptr;
-    std::string failure;  // why there is no handle
+    std::string failure;  // why the handle is null
 };
 const Library& library();
 
-// Of a function; nullptr where there is none.
+// Returns the address of a function, or nullptr if the library has none.
 void* symbol(const std::string& name);
 
 }  // namespace mandelmarch::omptarget

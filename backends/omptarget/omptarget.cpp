@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-// OpenMP has no word for a device's name and memory; OpenACC, in the same run-time library, has, and numbers devices
-// alike.
+// OpenMP cannot query a device's name and memory. OpenACC, in the same run-time library, can, and numbers the devices
+// in the same way.
 std::string text_of(int device, acc_device_property_t property)
 {
     const char* text = acc_get_property_string(device, acc_device_nvidia, property);
@@ -37,7 +37,7 @@ job::Chains chains(Precision precision)
         omptarget::symbol(fmt::format("mandelmarch_omptarget_chains_{}", name_of(precision))));
 }
 
-// GPUs come first, then the host, whose number in OpenMP is theirs.
+// GPUs come first, then the host, whose number in OpenMP is the number of GPUs.
 class Omptarget : public job::Model {
 public:
     std::string_view name() const override { return "omptarget"; }
@@ -61,7 +61,7 @@ public:
     {
         const int gpus = omp_get_num_devices();
         if (index < gpus) {
-            omp_target_free(omp_target_alloc(1, index), index);  // opens it: the driver translates the kernels
+            omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),

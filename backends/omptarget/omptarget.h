@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The omptarget backend: the kernel text in OpenMP's target directives, on NVIDIA GPUs, and on the host's cores where
-// there is none.
+// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs, or on the host's cores if none is
+// present.
 #pragma once
 
 #include <memory>

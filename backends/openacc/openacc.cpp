@@ -16,7 +16,7 @@ job::Kernels kernels();
 namespace {
 
 #ifdef MANDELMARCH_OPENACC_AMD
-// Untested: gcc's offload compiler builds the kernels, nobody of the project has run them.
+// Untested: gcc's offload compiler builds the kernels, but they were never run.
 constexpr acc_device_t gpu = acc_device_radeon;
 constexpr const char* gpu_code = "GCN";
 constexpr const char* gpu_maker = "AMD";
@@ -26,9 +26,9 @@ constexpr const char* gpu_code = "PTX for sm_35";
 constexpr const char* gpu_maker = "NVIDIA";
 #endif
 
-// On the host a band only shows progress.
+// On the host, bands serve only to show progress.
 constexpr std::int64_t host_band = 1 << 13;  // pixels
-// For the peak: several for each lane of the largest GPUs; the host works on one after the other.
+// For the peak: several threads for each lane of the largest GPUs; the host executes them one after the other.
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 
@@ -38,7 +38,7 @@ std::string text_of(int device, acc_device_property_t property)
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-// The GPUs come first, then the host.
+// GPUs come first, then the host.
 class Openacc : public job::Model {
 public:
     std::string_view name() const override { return "openacc"; }
@@ -74,7 +74,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .lanes_refill = true,  // one thread gains nothing by it, but does what a GPU's do
+                .lanes_refill = true,  // no gain with one thread, but the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }
@@ -84,8 +84,8 @@ public:
         if (options.device < acc_get_num_devices(gpu)) {
             acc_set_device_num(options.device, gpu);
         } else {
-            // Not acc_set_device_type(): it takes ACC_DEVICE_NUM for the host too, and libgomp 14 hangs where there is
-            // none.
+            // Not acc_set_device_type(), which applies ACC_DEVICE_NUM to the host, too; libgomp 14 then hangs if the
+            // host has no such device.
             acc_set_device_num(0, acc_device_host);
         }
         draw();
@@ -106,7 +106,7 @@ public:
     void release(void* address) const override { acc_free(address); }
     void upload(void* to, const void* from, std::size_t bytes) const override
     {
-        // The library's declaration lacks a const.
+        // The library's declaration lacks const.
         acc_memcpy_to_device(to, const_cast<void*>(from), bytes);
     }
     void read_back(void* to, const void* from, std::size_t bytes) const override

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenACC backend: the kernel text on NVIDIA GPUs, and on one thread of the host where there is none.
+// The OpenACC backend: the kernel on NVIDIA GPUs, or on one thread of the host if none is present.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenCL C++ bindings as this backend uses them: version 1.2, errors as exceptions.
+// The OpenCL C++ bindings for this backend: version 1.2, errors as exceptions.
 #pragma once
 
 #define CL_HPP_ENABLE_EXCEPTIONS
@@ -14,10 +14,10 @@
 
 namespace mandelmarch::opencl {
 
-// An OpenCL error as one line: what was tried, and what the device answered.
+// Formats an OpenCL error as one line: the failed action and the error.
 Error explained(const char* doing, const cl::Error& error);
 
-// Runs `call`, turning OpenCL's errors into explained ones.
+// Runs `call` and converts OpenCL's errors with explained().
 template <class Call>
 auto checked(const char* doing, Call call)
 {

@@ -57,7 +57,7 @@ std::vector<cl::Device> all_devices()
                 platform.getDevices(CL_DEVICE_TYPE_ALL, &of_platform);
                 devices.insert(devices.end(), of_platform.begin(), of_platform.end());
             } catch (const cl::Error&) {
-                continue;  // a platform without devices says so with an error
+                continue;  // a platform without devices returns an error
             }
         }
     } catch (const cl::Error&) {
@@ -87,12 +87,12 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     }
 
     Build build;
-    // Vectors pay where the hardware computes in vectors; a GPU's native vectors are its work items side by side.
+    // Vectors help on hardware with vector units; a GPU's vectors consist of adjacent work items.
     const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     const cl_uint native = is_float ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
                                     : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
-    // PoCL's compiler, clang, has longer vectors than OpenCL, and two to four registers hide some of each other's
-    // latency.
+    // PoCL's compiler, clang, supports longer vectors than OpenCL; two to four registers per vector hide some of each
+    // other's latency.
     constexpr std::array lengths{1, 2, 4, 8, 16, 32};
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
     const bool is_pocl = trimmed(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
@@ -108,7 +108,8 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
                                 exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
-    // OpenCL lets a float quotient be 2.5 ULP off and a root 3; one computed in double and rounded once is exact.
+    // OpenCL allows errors of 2.5 ulp in a float division and 3 in a square root; computed in double and rounded once,
+    // they are exact.
     if (is_float && exact && exact_float) {
         build.options += " " MANDELMARCH_OPENCL_DIVISION;
     } else if (is_float && exact && has_double) {

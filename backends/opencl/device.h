@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenCL's devices, over all platforms, and what they can do.
+// OpenCL devices of all platforms, and their capabilities.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace mandelmarch::opencl {
 
-// Empty where no platform is installed.
+// Empty if no platform is installed.
 std::vector<cl::Device> all_devices();
 
 Device description(const cl::Device& device);
 
-// How the kernel text is compiled for a device.
+// Compilation of the kernel source for a device.
 struct Build {
-    int lanes = 1;           // pixels at once: the length of the text's `real`
-    bool in_double = false;  // quotients and roots of floats are computed in double and rounded once
+    int lanes = 1;           // pixels at once: vector length of the kernel's `real`
+    bool in_double = false;  // compute divisions and square roots of floats in double, rounded once
     std::string options;     // for the compiler
 };
 
-// `pack` is the wish for lanes, 0 for the device's preference. Throws Unavailable where the device cannot do what is
-// asked, InputError where OpenCL has no vector of that length.
+// `pack`: requested lanes; 0: the device's preference. Throws Unavailable if the device does not support the options,
+// InputError if OpenCL has no vector of that length.
 Build build_for(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

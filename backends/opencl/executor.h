@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schedule's bands on a device.
+// Runs bands of the schedule on a device.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace mandelmarch::opencl {
 
-// As MM_STRIP in strip.cl, in pixels.
+// Pixels; the same as MM_STRIP in strip.cl.
 inline constexpr int strip_height = 16;
 
-// Draws bands through the session's buffers.
+// Renders bands with the session's buffers.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -35,7 +35,7 @@ public:
         const Clock::time_point start = Clock::now();
         const cl_mem_flags flags = CL_MEM_READ_WRITE | (session.is_cpu ? CL_MEM_ALLOC_HOST_PTR : 0);
         constants_ = session.constants.of_size(session.context, CL_MEM_READ_ONLY, sizeof(scene_));
-        // What is not asked for is a buffer of one number: every argument is there.
+        // Unneeded buffers hold one number, because every kernel argument must be set.
         const std::size_t planes = bytes_alone ? 1 : pixels_;
         reals_ = session.reals.of_size(session.context, flags, reals_size(planes));
         wholes_ = session.wholes.of_size(session.context, flags, wholes_size(planes));
@@ -44,7 +44,8 @@ public:
         timings.upload = seconds_since(start);
     }
 
-    // Launches the kernel on the largest band without a pixel to draw: some drivers compile at the first launch.
+    // Launches the kernel on the largest band with no pixels to render, because some drivers compile at the first
+    // launch.
     void warm_up() { launch({0, 0}, static_cast<int>(pixels_) / width_, "compiling"); }
 
     void run(Entry, const Band& band, int) override
@@ -93,11 +94,11 @@ private:
     static std::size_t reals_size(std::size_t pixels) { return real_planes * sizeof(Real) * pixels; }
     static std::size_t wholes_size(std::size_t pixels) { return whole_planes * sizeof(int) * pixels; }
 
-    // Returns when it is done.
+    // Launches the kernel and waits for its end.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // With vectors a work item draws a strip (strip.cl), on a CPU as a group of its own: cores take groups in turn.
-        // Without them a group draws a square.
+        // With vectors a work item renders a strip (strip.cl). On a CPU it is its own group, since cores take groups in
+        // turn. Without vectors a group renders a square.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
         const int group_width = block_ > 0 ? 8 : side_of_group;
         const int group_height = block_ > 0 ? block_ / group_width : side_of_group;
@@ -126,8 +127,8 @@ private:
         return done;
     }
 
-    // Pixels. In a long strip few lanes wait for its last rays; there are enough strips that few cores wait for the
-    // last one.
+    // Returns the width of a strip, in pixels. In a long strip few lanes wait for its last rays; enough strips remain
+    // that few cores wait for the last one.
     int strip_width() const
     {
         constexpr std::int64_t strips_of_unit = 32;
@@ -138,7 +139,7 @@ private:
         return static_cast<int>(std::clamp(pixels / least * least, least, most));
     }
 
-    // A CPU's buffers are the host's memory: no copy.
+    // Maps a buffer of a CPU device, which lies in host memory: no copy.
     void* mapped(const cl::Buffer& buffer, std::size_t bytes)
     {
         return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);

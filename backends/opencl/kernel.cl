@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel of the OpenCL backend: a work item draws a pixel, or with vectors a strip of them.
+// The kernel of the OpenCL backend: a work item renders a pixel, or with vectors a strip of pixels.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/text.h"
 #define MM_TRUNCATED(x) ((int)(x))
 #include "core/kernel/bytes.h"
 
-// Where finished pixels go: three bytes a pixel if `bytes_alone`, else the planes of core/image/image.h, `pixels` values
-// each.
+// Destination of finished pixels: three bytes per pixel if `bytes_alone`, otherwise the planes of core/image/image.h,
+// `pixels` values each.
 struct Target {
     __global scalar* reals;
     __global int* wholes;
@@ -39,8 +39,8 @@ FN void put(Target target, long at, scalar red, scalar green, scalar blue, scala
 #endif
 #endif
 
-// Rows [first_row, first_row + rows) of the picture. With vectors an item's strip is `width` pixels wide, a multiple of
-// MM_WIDTH, and MM_STRIP high.
+// Renders rows [first_row, first_row + rows) of the picture. With vectors an item's strip is `width` pixels wide, a
+// multiple of MM_WIDTH, and MM_STRIP high.
 __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
                         __global int* wholes, __global uchar* bytes, int bytes_alone, int width)
 {

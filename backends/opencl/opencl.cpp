@@ -26,7 +26,7 @@ public:
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
-    // A vendor's file holds the name of its library.
+    // A vendor's file contains the name of its library.
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;

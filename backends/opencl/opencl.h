@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenCL backend: the kernel text on any OpenCL 1.2 device, in vectors where the device computes in vectors.
+// The OpenCL backend: the kernel on any OpenCL 1.2 device, in vectors if the device has vector units.
 #pragma once
 
 #include <memory>

@@ -8,7 +8,7 @@ union Reals {
     scalar of[MM_LANES];
 };
 
-// Items begin apart, so that no two do the same; what they come to is written, so that nothing is dropped.
+// Items begin with different values and store their results, so that the compiler removes nothing.
 __kernel void multiply_adds(__global scalar* sums, scalar a, scalar b, int rounds)
 {
     real x = (real)((scalar)get_global_id(0)) * R(1.0e-6);

@@ -8,7 +8,7 @@
 namespace mandelmarch::opencl {
 namespace {
 
-// Work items for each compute unit: enough to fill a GPU's unit with threads, and to balance a CPU's cores.
+// Work items per compute unit: enough to fill a GPU's unit with threads, and to balance a CPU's cores.
 constexpr std::size_t items_per_gpu_unit = 2048;
 constexpr std::size_t items_per_cpu_unit = 16;
 
@@ -41,7 +41,7 @@ double measured(const cl::Device& device, const Build& build)
 
 double multiply_add_peak(const cl::Device& device, const RendererOptions& options)
 {
-    // In fast mode a device contracts to its multiply-add.
+    // In fast mode a device uses its multiply-add instruction.
     RendererOptions fast = options;
     fast.mode = Mode::fast;
     fast.pack = 0;

@@ -6,7 +6,7 @@
 
 namespace mandelmarch::opencl {
 
-// Operations per second. Throws Unavailable where the device lacks the precision, Error if it fails.
+// Returns operations per second. Throws Unavailable if the device does not support the precision, Error if it fails.
 double multiply_add_peak(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

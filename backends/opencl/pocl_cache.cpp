@@ -20,7 +20,7 @@ std::string variable(const char* name)
     return value == nullptr ? std::string() : value;
 }
 
-// Where PoCL 3.1 puts its cache by itself: pocl/kcache below XDG_CACHE_HOME, or below .cache of the home.
+// Returns the default cache folder of PoCL 3.1: pocl/kcache in XDG_CACHE_HOME, or in .cache of the home.
 std::string usual_folder()
 {
     if (const std::string caches = variable("XDG_CACHE_HOME"); !caches.empty()) return caches + "/pocl/kcache";
@@ -35,7 +35,7 @@ bool can_be_made(const std::string& folder)
     return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-// A folder that is the user's alone: in a folder that others can write to, it may be somebody else's.
+// True if only the user can access the folder. In a shared temporary folder it may belong to another user.
 bool is_private(const std::string& folder)
 {
     struct stat status {};
@@ -48,7 +48,7 @@ bool is_private(const std::string& folder)
 void provide_pocl_cache()
 {
     if (!variable("POCL_CACHE_DIR").empty()) return;
-    unsetenv("POCL_CACHE_DIR");  // PoCL takes an empty name for a folder
+    unsetenv("POCL_CACHE_DIR");  // PoCL treats an empty value as a folder
     if (const std::string usual = usual_folder(); !usual.empty() && can_be_made(usual)) return;
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A strip of pixels in lanes that refill, for fractals whose lanes would wait long for the slowest: one whose ray has
+// Renders a strip of pixels with refill, for fractals whose lanes would wait long for the slowest: a lane whose ray has
 // ended takes the strip's next one (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal
-// on GPUs", HPG 2009), and hits wait until they fill a vector to be shaded in. What is computed of a ray does not depend
-// on its lane.
+// on GPUs", HPG 2009). Hits wait until they fill a vector, which is then shaded. Results do not depend on the lane of a
+// ray.
 
-// While there are rays to take, lanes are refilled when fewer than these march.
+// Lanes are refilled if fewer than this march and the strip has rays left.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
 
-// Bit n is lane n's.
+// Bit n is that of lane n.
 FN uint bits_of(mask on)
 {
     union Wholes lanes = {on};
@@ -18,7 +18,7 @@ FN uint bits_of(mask on)
 
 FN int lowest_of(uint bits) { return (int)popcount((bits & -bits) - 1); }
 
-// The rays of a strip's last block that has begun, and where the next one is.
+// The rays of the strip's current block, and the position of the next block.
 struct Queue {
     int x;
     int y;
@@ -27,15 +27,15 @@ struct Queue {
     union Reals reals[5];  // direction, end, t
 };
 
-// The fields of a Ray.
+// The fields of a Ray per lane.
 struct Lanes {
     union Reals reals[9];
     union Wholes wholes[3];
-    int at[MM_LANES];  // of its pixel in a plane
+    int at[MM_LANES];  // index of its pixel in a plane
     uint taken;        // lanes that have a ray
 };
 
-// The fields of Hits that wait to be shaded.
+// The fields of Hits that wait for shading.
 struct Ended {
     scalar reals[9][2 * MM_LANES];
     scalar_whole wholes[3][2 * MM_LANES];
@@ -66,7 +66,7 @@ FN void begin_block(__constant Scene* scene, Strip strip, Queue* queue)
 
 FN bool rays_wait(Strip strip, const Queue* queue) { return queue->waiting != 0 || queue->x < strip.right; }
 
-// These lanes take rays, as begin_along() makes them, as long as there are some.
+// Starts rays in the free lanes, as begin_along() does, while the strip has any left.
 FN void take(__constant Scene* scene, Strip strip, Queue* queue, Lanes* lanes, uint free)
 {
     for (; free != 0 && rays_wait(strip, queue); free &= free - 1) {
@@ -113,7 +113,7 @@ FN void keep(Lanes* lanes, Ray ray)
     lanes->wholes[2].all = ray.iterations;
 }
 
-// These lanes' rays join the others that have ended: hits in the first list, misses in the second.
+// Appends the ended rays of the `done` lanes: hits to the first list, misses to the second.
 FN void leave(const Lanes* lanes, uint done, Hit hit, Ended* ended)
 {
     union Reals reals[9] = {{hit.direction.x}, {hit.direction.y}, {hit.direction.z}, {hit.state},  {hit.t},
@@ -136,7 +136,7 @@ FN real reals_at(const scalar* from) { return MM_PASTE(vload, MM_LANES)(0, from)
 FN whole wholes_at(const scalar_whole* from) { return MM_PASTE(vload, MM_LANES)(0, from); }
 #endif
 
-// Shades the last of a list, a vector of it at most.
+// Shades up to one vector from the end of a list.
 FN void shade_last(__constant Scene* scene, Ended* ended, Target target)
 {
     int size = min(ended->size, MM_LANES);
@@ -171,7 +171,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
     ended[1].size = 0;
     Lanes lanes;
     lanes.taken = 0;
-    // What marches nowhere, for lanes that never get a ray.
+    // Zero for lanes that never get a ray, so that they do not march.
     for (int field = 0; field < 9; ++field) lanes.reals[field].all = 0;
     for (int field = 0; field < 3; ++field) lanes.wholes[field].all = 0;
     const uint all = (uint)((1ul << MM_LANES) - 1);
@@ -191,7 +191,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
         free = all & ~marches;
         leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
         lanes.taken &= marches;
-        // One place for both lists and for what is left at the end, so that shading is compiled once.
+        // One call for both lists and for the rest at the end, so that shading is compiled once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
         for (int list = 0; list < 2; ++list) {
             while (ended[list].size >= enough) shade_last(scene, ended + list, target);

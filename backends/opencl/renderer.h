@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws pictures on one OpenCL device.
+// Renders pictures on one OpenCL device.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened device: its programs, its memory, waiting for it and its clock.
+// An opened device: its programs, buffers, clock, and waiting for it.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 namespace mandelmarch::opencl {
 
-// A buffer that grows and is kept from picture to picture.
+// A buffer that grows and is reused between pictures.
 struct Kept {
     cl::Buffer buffer;
     std::size_t size = 0;  // bytes
@@ -26,14 +26,14 @@ struct Kept {
     {
         if (bytes <= size) return buffer;
         size = 0;
-        buffer = {};  // before its successor is taken
+        buffer = {};  // released before the larger one is allocated
         buffer = cl::Buffer(context, flags, bytes);
         size = bytes;
         return buffer;
     }
 };
 
-// Memory that the device copies to at full speed, as long as the host keeps it mapped.
+// Host memory that the device copies to at full speed, while it is mapped.
 class Staging {
 public:
     ~Staging() { give_back(); }
@@ -55,7 +55,7 @@ public:
 private:
     void give_back()
     {
-        // The C function: it throws nothing.
+        // The C function, which does not throw.
         if (mapped_ != nullptr) clEnqueueUnmapMemObject(queue_(), pinned_.buffer(), mapped_, 0, nullptr, nullptr);
         mapped_ = nullptr;
     }
@@ -65,7 +65,7 @@ private:
     void* mapped_ = nullptr;
 };
 
-// One device, opened, with the programs it has compiled and the memory it has taken so far.
+// An opened device, with its compiled programs and its buffers.
 struct Session {
     cl::Device device;
     cl::Context context;
@@ -81,12 +81,12 @@ struct Session {
     std::int64_t largest_buffer = 0;  // bytes
 };
 
-// Seconds that a kernel took by the device's clock; nullopt where it has none.
+// Returns a kernel's seconds by the device's clock; nullopt without a clock.
 inline std::optional<double> device_seconds(const cl::Event& done)
 {
     cl_ulong begin = 0;
     cl_ulong end = 0;
-    // The C function: a device without a clock is no failure.
+    // The C function: a missing clock is not an error.
     const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
         return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
     };
@@ -102,7 +102,7 @@ inline void wait_for(cl::Event& event, const char* doing)
         std::condition_variable changed;
         cl_int status = CL_QUEUED;
     };
-    // Shared with a callback that may come after this function has given up.
+    // Shared with a callback that may run after this function has returned.
     auto* signal = new std::shared_ptr<Signal>(std::make_shared<Signal>());
     const std::shared_ptr<Signal> mine = *signal;
     event.setCallback(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A strip of pixels in vectors: one block of pixels after the other.
+// Renders a strip of pixels in vectors, block by block.
 
-// Pixels: a strip's height, and a block, which is as square as it can be.
+// Pixels: height of a strip, and width of a block, which is as square as possible.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8
@@ -12,7 +12,7 @@
 #endif
 #define MM_HEIGHT (MM_LANES / MM_WIDTH)
 
-// Pixels of the band, whose lowest row is the picture's `first_row`.
+// Pixel range in a band, whose lowest row is the picture's `first_row`.
 struct Strip {
     int left;
     int right;
@@ -32,7 +32,7 @@ union Wholes {
     scalar_whole of[MM_LANES];
 };
 
-// The pixels of the first `size` lanes, whose places in a plane are `at`; -1: a lane's is not kept.
+// Stores the pixels of the first `size` lanes; `at`: index in a plane, -1: not stored.
 FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
 {
     union Reals red = {pixel.colour.x};
@@ -49,8 +49,8 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     }
 }
 
-// The pixels of a block, which has at least one in the strip: where the camera asks for them, and their places in a
-// plane. Those that lie outside are not kept.
+// The pixels of a block, at least one of which is in the strip: their positions for the camera, and their indices in a
+// plane. Pixels outside have index -1.
 struct Block {
     union Reals i;
     union Reals j;

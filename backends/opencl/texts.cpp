@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of texts. fractals.inc is the list of fractals, a line of MM_FRACTAL for each.
+// The table of programs. fractals.inc has a line MM_FRACTAL(name) for each fractal.
 #include "backends/opencl/texts.h"
 
 namespace mandelmarch::opencl {

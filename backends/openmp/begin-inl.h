@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays begin: those of some tiles, after the cones of their blocks.
+// Begins the rays of tiles, after the cones of their subtiles.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_BEGIN_INL_H
 #define MM_BEGIN_INL_H
 
@@ -22,8 +22,8 @@ namespace MM_PACK {
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
-// Where cones of blocks end, to Canvas::block_start, for the first call of a picture; and paints the blocks where no
-// ray hits.
+// Stores the ends of the subtiles' cones in Canvas::block_start, for a picture's first lattice, and paints subtiles
+// without a hit.
 HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
     const bool paints = paints_background(d);
@@ -41,8 +41,8 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
     }
 }
 
-// The depths of the neighbours at the corners of a square's cells, row by row: one more than it has cells. Those
-// outside the picture are unclear.
+// Depths of the neighbours at the corners of a square's cells, row by row; one more per side than cells. Those outside
+// the picture are unclear.
 template <int across>
 struct Neighbours {
     MM_REAL at[across + 1][across + 1];
@@ -61,7 +61,7 @@ struct Neighbours {
     }
 };
 
-// Where the rays in the cells of a square begin by their neighbours.
+// Computes where the rays in the cells of a square begin, from their neighbours.
 template <int across>
 HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, MM_REAL* start)
 {
@@ -83,11 +83,11 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
     }
 }
 
-// Where the blocks of a square begin, for each of its pixels; true where no ray of them hits.
+// Copies the starts of a square's subtiles to its pixels; true if none of their rays hits.
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
-    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // of a block
+    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // of a subtile
     bool all_gone = true;
     for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
         for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {
@@ -119,7 +119,7 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
             if (find_block_starts(d, x, y, square) && painted) continue;
             if (lattice.before == 4) find_neighbour_starts<4>(d, x, y, square.neighbour_start);
             if (lattice.before == 2) find_neighbour_starts<8>(d, x, y, square.neighbour_start);
-            // The neighbours themselves, at the corners of the cells, are drawn.
+            // The neighbours, at the corners of the cells, are already rendered.
             for (int k = lattice.before > 0 ? 1 : 0; k < (lattice.before > 0 ? 4 : 1); ++k) {
                 square.left = x + k % 2 * lattice.apart;
                 square.bottom = y + k / 2 * lattice.apart;
@@ -129,7 +129,7 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     }
 }
 
-// Before a picture's first lattice: all neighbours are unclear but those of painted blocks.
+// Before a picture's first lattice: marks all neighbours as unclear, except those of painted subtiles.
 HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
 {
     for (int block = 0; block < blocks.count; ++block) {
@@ -144,7 +144,7 @@ HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
     }
 }
 
-// Begins tiles while the pool has room for them; false when there are no more.
+// Begins tiles while the pool has room for them; false if none are left.
 HWY_NOINLINE bool begin_tiles(Drawing& d)
 {
     bool more = true;

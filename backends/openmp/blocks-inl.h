@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of pixels whose rays begin together.
+// Subtiles: blocks of pixels whose rays begin together.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_BLOCKS_INL_H
 #define MM_BLOCKS_INL_H
 
@@ -20,13 +20,13 @@ namespace MM_PACK {
 
 constexpr int block_pixels = block_side * block_side;
 constexpr int tile_blocks = tile_pixels / block_pixels;
-constexpr int most_blocks = 32;  // begun at once, so that their cones fill packs
+constexpr int most_blocks = 32;  // begun together, so that their cones fill packs
 
 struct Blocks {
     int count = 0;
-    Int left[most_blocks + register_lanes] = {};  // whole registers can be read and written
+    Int left[most_blocks + register_lanes] = {};  // padded for reads and writes of whole registers
     Int bottom[most_blocks + register_lanes] = {};
-    Int number[most_blocks + register_lanes] = {};  // in Canvas::block_start
+    Int number[most_blocks + register_lanes] = {};  // index in Canvas::block_start
     int tiles = 0;
     int tile_left[most_blocks];
     int tile_bottom[most_blocks];
@@ -38,7 +38,7 @@ HWY_INLINE std::ptrdiff_t block_number(const Drawing& d, int x, int y)
     return (y - d.canvas.first_row) / block_side * across + x / block_side;
 }
 
-// Takes tiles' blocks until there is no room for another tile's; false when there are no more.
+// Adds the subtiles of tiles until another tile does not fit; false if no tiles are left.
 HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
 {
     while (blocks.count + tile_blocks <= most_blocks) {
@@ -59,7 +59,7 @@ HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
     return true;
 }
 
-// A row of a block in one colour.
+// A row of a subtile in one colour.
 struct PaintedRow {
     unsigned char bytes[3 * block_side];
 
@@ -81,7 +81,7 @@ HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& 
     }
 }
 
-// True where a block of background needs no rays: it is of one colour, and nothing but bytes is asked for.
+// True if a subtile of background needs no rays: it has one colour, and only bytes are needed.
 HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
 
 }  // namespace MM_PACK

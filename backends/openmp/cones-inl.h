@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cones before rays: how far the rays of a block can go together.
+// Cones before rays: how far the rays of a subtile can advance together.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_CONES_INL_H
 #define MM_CONES_INL_H
 
@@ -25,7 +25,7 @@ HWY_INLINE void count_cones(const effort& estimates, const effort& iterations, c
 #endif
 }
 
-// Cones that have ended, to the places of their blocks.
+// Stores the ends of cones at their subtiles' indices.
 HWY_NOINLINE void end_cones(Drawing& d, const Traveller& a, const mask& on)
 {
     Int places[places_room] = {};
@@ -37,8 +37,8 @@ HWY_NOINLINE void end_cones(Drawing& d, const Traveller& a, const mask& on)
     count_cones(a.ray.estimates, a.ray.iterations, on, d.spent);
 }
 
-// Begins a cone for every block; where cones do not pay it ends where it meets the hull, if it does. Its axis is in the
-// hull around blocks wherever one of its rays is in the hull.
+// Begins a cone for every subtile. Without cones (Canvas::cones), only the start at the hull is stored. The axis is in
+// the hull around subtiles wherever one of the subtile's rays is in the scene's hull.
 HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 {
     const real middle = MM_REAL(0.5) * (block_side - 1);
@@ -57,7 +57,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
     }
 }
 
-// Marches the cones that have begun.
+// Marches the cones until all have ended.
 HWY_NOINLINE void march_cone_pool(Drawing& d)
 {
     while (d.pools.cones.size > 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MM_DISPATCH(name, targets): what HWY_EXPORT(name) has for the best of a set of instruction sets. HWY_DYNAMIC_DISPATCH
-// asks a choice that is the same for the whole process.
+// MM_DISPATCH(name, targets): the function of HWY_EXPORT(name) for the best of a set of instruction sets.
+// HWY_DYNAMIC_DISPATCH would use the process-wide choice.
 #pragma once
 
 #include <cstddef>

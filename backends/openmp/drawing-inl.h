@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a thread draws, and the pools of its rays.
+// State of a thread's rendering, and the pools of its rays.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_DRAWING_INL_H
 #define MM_DRAWING_INL_H
 
@@ -17,21 +17,21 @@ namespace MM_PACK {
 
 static_assert(MM_REGISTERS == 1);
 
-// A thread's memory.
+// Memory of a thread.
 struct Pools {
     Pool marching;
     Pool cones;
-    Pool hits;     // to be refined
-    Pool ended;    // to be shaded
-    Pool sharing;  // to be shaded with surroundings of their neighbours
-    int refining;  // the first hits that are being refined; the others have not begun
-    int alone;     // the first of `ended` that share nothing; of the others it is not known
+    Pool hits;     // to refine
+    Pool ended;    // to shade
+    Pool sharing;  // to shade with the occlusion of their neighbours
+    int refining;  // how many of `hits`, from the first, have begun their refinement
+    int alone;     // how many of `ended`, from the first, are known not to share occlusion
 };
 
-// What a thread draws, and with what.
+// Scene, canvas, pools and functions of a thread's rendering.
 struct Drawing {
     const Scene& scene;
-    Scene around_blocks;  // the same with the canvas's block_hull
+    Scene around_blocks;  // with the canvas's block_hull as hull
     const Canvas<MM_REAL>& canvas;
     const Tiles& tiles;
     Pools& pools;
@@ -40,7 +40,7 @@ struct Drawing {
     Spent spent;
 };
 
-// Empty pools.
+// Makes a Drawing with empty pools.
 HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, Pools& pools,
                            const Sampling& sampling, const Shading& shading)
 {

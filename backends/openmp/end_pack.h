@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends a pack: takes its words and the guards of its parts away, so that another pack can follow. No guard: it acts
-// each time.
+// Ends a pack: removes its macros and the guards of its sections, so that another pack can follow. No include guard.
 
 #undef MM_BEGIN_INL_H
 #undef MM_BLOCKS_INL_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instruction sets that packs may use.
+// Instruction sets for packs.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace mandelmarch::openmp {
 
-// Those of this machine, as a set of Highway's targets. MANDELMARCH_INSTRUCTIONS in the environment takes one of them
-// alone: SSE4, AVX2 or AVX-512, Highway's names too; empty counts as not set. Throws InputError.
+// Returns the instruction sets of this machine, as a set of Highway's targets. MANDELMARCH_INSTRUCTIONS in the
+// environment selects one of them: SSE4, AVX2 or AVX-512, or a name of Highway; empty counts as not set. Throws
+// InputError.
 std::int64_t instructions();
 
-// An instruction set by its maker's name; Highway calls AVX-512 AVX3.
+// Returns the maker's name of an instruction set; Highway calls AVX-512 AVX3.
 std::string usual_name(std::string_view highway);
 
 }  // namespace mandelmarch::openmp

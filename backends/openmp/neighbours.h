@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbours: the order of a picture's pixels in fast mode. Those in columns and rows that are multiples of 4 are drawn
-// first, then those of 2, then all others; the rays of the later ones begin near the hits of the earlier ones around
-// them (core/kernel/march.h, neighbour_start()). Plain data: it is shared with translation units that are compiled for
-// one instruction set.
+// Neighbours: the order of a picture's pixels in fast mode. Pixels in columns and rows that are multiples of 4 are
+// rendered first, then multiples of 2, then all others; later rays begin near the hits of the earlier pixels around
+// them (core/kernel/march.h, neighbour_start()). Plain data, shared with translation units for one instruction set.
 #pragma once
 
 namespace mandelmarch::openmp {
 
-// The pixels whose column and row are multiples of `apart`, 1, 2 or 4, but not of `before`, whose pixels are drawn
-// already; 0: none are.
+// The pixels in columns and rows that are multiples of `apart` (1, 2 or 4) but not of `before`, whose pixels are
+// already rendered; before 0: none are.
 struct Lattice {
     int before;
     int apart;
 };
 
-// The lattices of a picture, in their order.
+// The lattices of a picture, in rendering order.
 struct Lattices {
     Lattice of[3];
     int count;

@@ -41,7 +41,7 @@ void add_to(Work& to, const Work& from)
 }
 #pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
 
-// Draws bands through planes in memory.
+// Renders bands, to planes in memory or directly to an image's bytes.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -80,7 +80,7 @@ public:
 
     bool marching(const Band&) override { return false; }
 
-    // Bytes are there already; planes become the image's values.
+    // Bytes are already in the image; planes are converted to its values.
     void read_back(const Band& band, Image& image) override
     {
         if (!image.has_values()) return;
@@ -98,10 +98,10 @@ public:
 
     Timings timings;
     Work work;
-    int team = 1;  // threads that drew; OMP_DYNAMIC and OMP_THREAD_LIMIT may leave fewer than were asked for
+    int team = 1;  // threads used; OMP_DYNAMIC and OMP_THREAD_LIMIT may allow fewer than requested
 
 private:
-    // Bytes go straight to the image.
+    // Bytes go directly to the image.
     openmp::Target<Real> target_of(const Band& band)
     {
         if (!image_.has_values()) {
@@ -116,7 +116,7 @@ private:
     openmp::Picture<Real> picture_;
     const Variant<Real>& variant_;
     Image& image_;
-    std::span<ThreadMemory> memory_;  // each thread's
+    std::span<ThreadMemory> memory_;  // one per thread
     int threads_;
     int chunk_;
     const Progress& progress_;

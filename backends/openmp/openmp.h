@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenMP backend: the kernel text on all cores of this machine, one pixel or a pack of pixels at once on each.
+// The OpenMP backend: the kernel on all cores of this machine, with one pixel or a pack of pixels at once on each.
 #pragma once
 
 #include <memory>

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text in packs: what the parts around it (*-inl.h) are written in. A part is compiled once for each
-// instruction set and for each kind of pack; it opens its namespaces itself, includes what it uses, and can be included
-// alone and in any order. end_pack.h takes its guard away when a pack ends.
+// The kernel in packs, used by the sections of the renderer (*-inl.h). A section is compiled once per instruction set
+// and kind of pack. It opens its own namespaces, includes what it uses, and can be included alone and in any order.
+// end_pack.h removes its guard at the end of a pack.
 //
-// Define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK, its namespace,
-// MM_REGISTERS, the registers of a pack, and MM_COUNTED, 1 or 0: whether work is counted.
+// Define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK (its namespace),
+// MM_REGISTERS (registers per pack) and MM_COUNTED (1 or 0: count work).
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PACK_INL_H
 #define MM_PACK_INL_H
 
 #include "hwy/highway.h"
 
-// A part that is opened alone.
+// Defaults for a section that is included alone, as by an editor.
 #ifndef MM_PACK
 #define MM_PACK counted::narrow
 #define MM_REGISTERS 1
 #define MM_COUNTED 1
 #endif
 
-// Lambdas that stay calls cost more than what they do.
+// A lambda that is not inlined costs more than its body.
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 
 HWY_BEFORE_NAMESPACE();

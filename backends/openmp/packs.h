@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of every packs_*.cpp, included once for each instruction set: its variants in packs. Each pack below says
-// what it is, includes its parts and ends: packs of one register with the pools, pairs, which shade hits, and wide
-// packs, which take steps.
+// The body of every packs_*.cpp, included once per instruction set: its variants in packs. Each pack below defines its
+// parameters, includes its sections and ends: narrow packs of one register with the pools, pairs for shading hits, and
+// wide packs for steps.
 
 #include <cstddef>
 
@@ -29,7 +29,7 @@
 #include "backends/openmp/shading-inl.h"
 #include "backends/openmp/end_pack.h"
 
-// Four registers hide the arithmetic's latency, at the price of some spilled values; a fractal can ask for less.
+// Four registers hide the arithmetic's latency, with some spilling; a fractal can select fewer.
 #undef MM_WIDE_REGISTERS
 #if defined(MM_WIDE_REGISTERS_AVX3) && HWY_TARGET <= HWY_AVX3
 #define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_AVX3
@@ -73,7 +73,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 #if MM_VECTORLESS
-// Without vectors the scalar text runs.
+// Without vectors only the scalar kernel is used.
 HWY_MAYBE_UNUSED VariantList<MM_REAL> list() { return {}; }
 #else
 
@@ -91,7 +91,7 @@ namespace best_samples = best::wide;
 namespace best_shading = best::pair;
 #endif
 
-// The best last.
+// The best variant is last.
 HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);

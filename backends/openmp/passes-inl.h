@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done to all rays of a pool: marching, refining, shading.
+// Passes over all rays of a pool: marching, refinement, shading.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PASSES_INL_H
 #define MM_PASSES_INL_H
 
@@ -23,8 +23,8 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// Steps of every ray of a pool, pack by pack. Rays that go on are stored without gaps; ended(rays, lanes) gets the
-// others.
+// Steps every ray of a pool, pack by pack. Rays that continue are stored without gaps; the others are passed to
+// ended(rays, lanes).
 template <class Kind, Fields held, class Ended>
 HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
 {
@@ -44,7 +44,7 @@ HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
     }
 }
 
-// Forgets the first `done` rays of a pool that has less than a pack more.
+// Removes the first `done` rays of a pool, of which less than a pack remains.
 template <Fields held>
 HWY_INLINE void keep_rest(Pool& pool, int done)
 {
@@ -56,7 +56,7 @@ HWY_INLINE void keep_rest(Pool& pool, int done)
     }
 }
 
-// Shades a pool's rays but an incomplete last pack; that one too if `all`.
+// Shades a pool's rays, except an incomplete last pack unless `all`.
 template <Fields held>
 HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
 {
@@ -65,7 +65,7 @@ HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
     keep_rest<held>(pool, count);
 }
 
-// Moves the rays that have ended and share surroundings to their own pool.
+// Moves ended rays that share occlusion to their own pool.
 HWY_NOINLINE void split_sharing(Drawing& d)
 {
     Pool& ended = d.pools.ended;
@@ -82,7 +82,7 @@ HWY_NOINLINE void split_sharing(Drawing& d)
     d.pools.alone = ended.size;
 }
 
-// Shades rays that have ended, all if `all`, else enough that the pool has room for another pack.
+// Shades ended rays: all if `all`, otherwise enough to make room for another pack.
 HWY_NOINLINE void shade_pool(Drawing& d, bool all)
 {
     if (shares(d)) {
@@ -100,7 +100,7 @@ HWY_INLINE void append_ended(Drawing& d, Arrival& a, const mask& on)
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
 }
 
-// Begins to refine the hits that have not begun; those that need no refinement are shaded next.
+// Begins the refinement of new hits; those that need none are shaded next.
 HWY_NOINLINE void begin_refining(Drawing& d)
 {
     Pool& hits = d.pools.hits;
@@ -115,7 +115,7 @@ HWY_NOINLINE void begin_refining(Drawing& d)
     }
 }
 
-// One step of refinement for every hit; those that need no more are shaded next.
+// Refines every hit once; those that need no more are shaded next.
 HWY_NOINLINE void refine_pool(Drawing& d)
 {
     begin_refining(d);
@@ -124,7 +124,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     d.pools.refining = d.pools.hits.size;
 }
 
-// Leaves the depths of rays of a lattice for the pixels between.
+// Stores the depths of a lattice's rays for the pixels between them.
 HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};
@@ -135,7 +135,7 @@ HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t
     for (int i = 0; i < lanes; ++i) d.canvas.neighbour_depth[places[i] / 2] = ts[i];
 }
 
-// What becomes of rays that neither go on nor are off.
+// Processes rays that have stopped: hits are refined or shaded next, misses are stored.
 HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 {
     const Scene& scene = d.scene;
@@ -152,7 +152,7 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
 }
 
-// Some steps of marching for every ray; hits go on to be refined, or to be shaded where none is.
+// Marches every ray by some steps.
 HWY_NOINLINE void march_pool(Drawing& d)
 {
     const auto ended = [&](Traveller& a, const mask& on) MM_INLINED { stop_marching(d, a, on); };

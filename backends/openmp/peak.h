@@ -8,8 +8,8 @@
 
 namespace mandelmarch::openmp {
 
-// A peak kernel for one instruction set: `run` does `rounds` rounds of multiply_add_chains on one thread and returns
-// what the chains come to, so that no compiler drops them. Plain data, as variant.h says.
+// A peak kernel for one instruction set. `run` executes `rounds` iterations of multiply_add_chains on one thread and
+// returns their result, so that no compiler removes them. Plain data, as in variant.h.
 struct PeakKernel {
     int lanes;
     double (*run)(int rounds);
@@ -18,7 +18,7 @@ struct PeakKernel {
 PeakKernel peak_kernel_float(std::int64_t targets);
 PeakKernel peak_kernel_double(std::int64_t targets);
 
-// Operations per second of `threads` threads (0: one a core).
+// Returns operations per second of `threads` threads (0: one per core).
 double multiply_add_peak(Precision precision, int threads);
 
 }  // namespace mandelmarch::openmp

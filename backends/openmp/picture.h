@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture on its way: the kernel's scene, what follows from it for every canvas, and the canvases.
+// A picture being rendered: the kernel's scene, values derived from it, and the canvases.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace mandelmarch::openmp {
 
-// What the rays of a picture's rows leave for later ones, as Canvas has it; kept from picture to picture.
+// Buffers in which earlier rays leave values for later ones (see Canvas); reused between pictures.
 template <class Real>
 struct Notes {
     std::vector<Real> block_start;
@@ -36,11 +36,11 @@ struct Notes {
     }
 };
 
-// Large bands: at the end of each the threads run out of rays to fill their lanes with. 28 bytes a pixel in float, 44
-// in double.
+// Large bands, since at the end of each the threads run out of rays to fill their lanes. 28 bytes per pixel in float,
+// 44 in double.
 inline constexpr Limits band_limits{.pixels_per_band = 1 << 21, .pixels_to_fill = 1 << 21};
 
-// Where a band's pixels go: `bytes`, or, where that is null, planes.
+// Destination of a band's pixels: `bytes`, or the planes if that is null.
 template <class Real>
 struct Target {
     unsigned char* bytes = nullptr;
@@ -64,10 +64,10 @@ public:
     }
 
     const KernelScene<Real>& kernel_scene() const { return scene_; }
-    // In which its pixels are drawn, one after the other.
+    // In rendering order.
     const Lattices& lattices() const { return lattices_; }
 
-    // A lattice of a band. All lattices of one band come before those of another.
+    // Returns the canvas of a band's lattice. All lattices of a band come before those of the next band.
     Canvas<Real> canvas(const Lattice& lattice, const Band& band, const Target<Real>& target)
     {
         notes_.fit(scene_.width, band.rows, shares_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finished pixels, from packs to the canvas.
+// Writes finished pixels from packs to the canvas.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PIXELS_INL_H
 #define MM_PIXELS_INL_H
 
@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// The lanes that are on, without gaps.
+// Stores the active lanes without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
     EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Wholes(), to); to += hn::CountTrue(Reals(), on.of[u]);)
@@ -29,7 +29,7 @@ HWY_INLINE void store_compact(const real& from, const mask& on, MM_REAL* to)
     EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Reals(), to); to += hn::CountTrue(Reals(), on.of[u]);)
 }
 
-// trunc(255 c), c cut to [0, 1]; 0 where it is not a number.
+// trunc(255 c), with c clamped to [0, 1]; 0 for NaN.
 HWY_INLINE whole byte_of(const real& c)
 {
     const real scaled = 255 * smaller(larger(c, 0), 1);
@@ -38,7 +38,7 @@ HWY_INLINE whole byte_of(const real& c)
     return a;
 }
 
-// A pixel's three bytes in one number, red lowest.
+// Packs a pixel's three bytes into one integer, red lowest.
 HWY_INLINE whole bytes_of(const vec3& colour)
 {
     const whole red = byte_of(colour.x);
@@ -49,7 +49,7 @@ HWY_INLINE whole bytes_of(const vec3& colour)
     return a;
 }
 
-constexpr int places_room = pack_lanes + register_lanes;  // whole registers can be written
+constexpr int places_room = pack_lanes + register_lanes;  // padded for writes of whole registers
 
 #if MM_COUNTED
 HWY_INLINE std::uint64_t sum_of(const whole& a, const mask& on)
@@ -69,7 +69,7 @@ HWY_INLINE void count_work(const Pixel& pixel, const mask& on, Spent& spent)
     spent.iterations += sum_of(pixel.iterations, on);
 }
 
-// The pixels that are on, to their places in the planes.
+// Stores the active lanes' pixels at their indices in the planes.
 HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const mask& on, const Canvas<MM_REAL>& canvas)
 {
     const int lanes = lanes_on(on);
@@ -94,7 +94,7 @@ HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const ma
 }
 #endif
 
-// A register's finished bytes.
+// Stores the bytes of one register's pixels.
 HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn::Mask<Reals> on, unsigned char* canvas)
 {
     Int at[register_lanes];
@@ -104,14 +104,14 @@ HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn:
     const int lanes = static_cast<int>(hn::CountTrue(Reals(), on));
     for (int i = 0; i < lanes; ++i) {
         unsigned char* to = canvas + 3 * static_cast<std::ptrdiff_t>(at[i]);
-        // Red and green at once: the lowest byte comes first.
+        // Red and green together, on a little-endian machine.
         const auto low = static_cast<std::uint16_t>(bytes[i]);
         __builtin_memcpy(to, &low, sizeof(low));
         to[2] = static_cast<unsigned char>(bytes[i] >> 16);
     }
 }
 
-// Finished pixels to their places on the canvas: uncounted, to its bytes alone.
+// Stores finished pixels on the canvas; uncounted packs store bytes only.
 HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     if (canvas.bytes != nullptr) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first thread of a team, where OpenMP binds threads (OMP_PROC_BIND).
+// Binding of a team's first thread, if OpenMP binds threads (OMP_PROC_BIND).
 #pragma once
 
 #include <omp.h>
@@ -9,14 +9,14 @@
 
 namespace mandelmarch::openmp {
 
-// Binds the calling thread to the cores of its OpenMP place, as the other threads of its team are bound to theirs, and
-// restores its affinity at the end. The programs undo the run-time library's binding of the first thread at their start
-// (restore_affinity()), so that nothing else that this thread does or starts is bound.
+// Binds the calling thread to the cores of its OpenMP place, as the team's other threads are bound to theirs. The
+// destructor restores the affinity. At their start the programs undo the run-time library's binding of the first thread
+// (restore_affinity()), so that other work and child processes of this thread are not bound.
 class OwnPlace {
 public:
     OwnPlace()
     {
-        if (omp_get_num_places() == 0) return;  // nothing is bound
+        if (omp_get_num_places() == 0) return;  // binding is disabled
         bound_ = sched_getaffinity(0, sizeof before_, &before_) == 0;
         const int place = omp_get_place_num();
         if (place < 0 || !bound_) return;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scheduler around the text that keeps lanes busy.
+// The ray scheduler around the kernel, which keeps lanes busy.
 //
-// A pool of rays, structure of arrays, is marched some steps at a time, and the rays that go on are stored without
-// gaps. Rays that hit wait in a second pool until whole packs of them can be refined and shaded. When the first pool
-// runs low it takes the rays of another tile. No lane waits for a slow neighbour but within one call of the estimator.
+// A pool of rays, a structure of arrays, is marched some steps at a time; rays that continue are stored without gaps.
+// Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool runs low, the
+// rays of another tile are added. Lanes wait for slower ones only inside one DE evaluation.
 //
-// All of it handles one register at a time, which leaves values in registers, but for samples and shading: there the
-// registers of a wider pack hide each other's latency.
+// The scheduler processes one register at a time, which keeps values in registers. DE evaluations and shading use wider
+// packs, whose registers hide each other's latency.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_POOL_INL_H
 #define MM_POOL_INL_H
 
@@ -23,13 +23,13 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// What draw_tiles() says after each pass: nothing listens.
+// The clock of draw_tiles(): measures nothing.
 struct NoClock {
     HWY_INLINE void after(Drawing&, Stage) const {}
     HWY_INLINE void finish(Drawing& d) const { shade_pool(d, true); }
 };
 
-// Draws tiles until there are no more; `clock` hears of each pass and shades what is left.
+// Renders tiles until none are left; `clock` is called after each pass and shades the remaining rays.
 template <class Clock>
 HWY_INLINE void draw_with(Drawing& d, Clock clock)
 {
@@ -60,7 +60,7 @@ HWY_MAYBE_UNUSED Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canva
     return d.spent;
 }
 
-// The same with samples and shading in packs of some widths.
+// The same, as a function for given Sampling and Shading.
 template <const Sampling& sampling, const Shading& shading>
 Spent draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {

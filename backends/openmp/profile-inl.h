@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The profile: tiles as pool-inl.h draws them, with a clock between the stages. Hits are shaded in three passes, so
-// that each can be timed.
+// Profile: renders tiles as pool-inl.h does, with a clock between the stages. Hits are shaded in three passes, so that
+// each can be timed.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PROFILE_INL_H
 #define MM_PROFILE_INL_H
 
@@ -21,14 +21,14 @@ namespace MM_PACK {
 
 constexpr int most_packs = pool_rays / pack_lanes + 2;
 
-// A thread's memory for a profile.
+// Memory of a thread for a profile.
 struct ProfileMemory {
     Pools pools;
     Normal normals[most_packs];
     Pixel pixels[most_packs];
 };
 
-// A pack of finished hits; lanes beyond the last one hit nothing.
+// Returns a pack of finished hits; lanes after the last one are not hits.
 HWY_INLINE Hit finished(const Drawing& d, int pack)
 {
     const Pool& ended = d.pools.ended;
@@ -37,7 +37,7 @@ HWY_INLINE Hit finished(const Drawing& d, int pack)
     return hit;
 }
 
-// The three passes of shading, out of line: a call for thousands of rays.
+// The three passes of shading, not inlined: one call handles thousands of rays.
 HWY_NOINLINE HWY_MAYBE_UNUSED void take_normals(const Drawing& d, int packs, Normal* normals)
 {
     for (int k = 0; k < packs; ++k) {
@@ -64,7 +64,7 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixe
     }
 }
 
-// Times the passes, and shades what has ended before a pass of refinement has to, but for rare rays.
+// Times the passes, and usually shades ended rays before a refinement pass has to.
 class StageClock {
 public:
     StageClock(ProfileMemory& memory, double (*now)(), double* seconds)
@@ -105,7 +105,7 @@ private:
     double last_;
 };
 
-// Draws tiles until there are no more, with samples and rare shading in packs of some widths.
+// Renders tiles until none are left; Sampling and occasional Shading are given.
 template <const Sampling& sampling, const Shading& shading>
 void profile(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*clock)(),
              double* seconds)

@@ -34,7 +34,7 @@ public:
         each_lattice(image, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
             variant_.profile(&picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
         });
-        // The same picture once more, elsewhere: what was profiled stays.
+        // Renders the picture again, into another image, which keeps the profiled one.
         Image whole(image.width(), image.height(), Image::Layers::bytes);
         void* const memory = memory_.of_size(variant_.memory);
         const double start = now();
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    // In the renderer's bands: where rays begin beside a band's edge depends on it.
+    // Uses the renderer's bands, because the start of rays near a band's edge depends on it.
     template <class Draw>
     void each_lattice(Image& image, Draw draw)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that wait for a step, structure of arrays. Plain data: code of several pack widths works on it.
+// Pool of rays that wait for a step, as a structure of arrays. Plain data for code of several pack widths.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace mandelmarch::openmp {
 
-constexpr int pool_rays = 4096;  // enough that few packs have gaps, few enough to stay in a core's cache
-constexpr int block_side = 8;    // pixels of a square whose rays begin together
-constexpr int most_lanes = 64;   // of a pack
+constexpr int pool_rays = 4096;  // large enough for few gaps in packs, small enough for a core's cache
+constexpr int block_side = 8;    // pixels; side of a subtile, whose rays begin together
+constexpr int most_lanes = 64;   // per pack
 
 template <class Real>
 struct RayPool {

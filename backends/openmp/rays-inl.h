@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs of rays and of hits to and from pools.
+// Packs of rays and of hits, loaded from and stored to pools.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_RAYS_INL_H
 #define MM_RAYS_INL_H
 
@@ -19,57 +19,58 @@ namespace MM_PACK {
 using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
 
-// A ray with the place of its pixel in the canvas.
+// A ray with its pixel's index in the canvas.
 struct Traveller {
     Ray ray;
     whole pixel;
-    real room;  // the least that a sample had beside the way of the rays between neighbours
+    real room;  // min over the samples of the clearance beyond the rays between neighbours
 };
 
-// What a hit takes over of its neighbours' Surroundings.
+// Occlusion shared by a hit's neighbours.
 struct Shared {
     real along_normal;
     real sunwards;
 };
 
-// A ray that marches no more, likewise.
+// A stopped ray with its pixel's index.
 struct Arrival {
     Hit hit;
     whole pixel;
     Shared shared;
 };
 
-// A bit for each field of a Traveller or an Arrival in a pool, at the number of its row there. Reals:
+// Bit masks of fields of a Traveller or an Arrival, by their numbers in a pool. Reals:
 constexpr unsigned direction_bits = 7 << 0;  // x, y, z
-constexpr unsigned end_bit = 1 << 3;         // of a ray; a hit's state
-constexpr unsigned t_bit = 1 << 4;           // where the next sample is taken, of both
-constexpr unsigned sample_bits = 0xf << 5;   // t and the estimate of the last sample and of the one before; the bracket
+constexpr unsigned end_bit = 1 << 3;         // end of a ray; state of a hit
+constexpr unsigned t_bit = 1 << 4;           // next sample of either
+constexpr unsigned sample_bits = 0xf << 5;   // t and estimate of the last sample and the one before; the bracket of a
+                                             // hit
 constexpr unsigned room_bit = 1 << 9;
-constexpr unsigned shared_bits = 3 << 9;  // of an Arrival, in the room's place and behind it
-// Wholes:
+constexpr unsigned shared_bits = 3 << 9;  // of an Arrival; reuses room's number and the next one
+// Integers:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
 constexpr unsigned work_bits = 3 << 2;  // estimates, iterations
 constexpr unsigned every_whole = steps_bit | pixel_bit | work_bits;
 
-// Some of the fields.
+// A set of fields.
 struct Fields {
     unsigned reals;
     unsigned wholes;
 };
 constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
 constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
-                          every_whole};                                          // of a ray that leaves no depth
-constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // of an Arrival
+                          every_whole};                                          // for a ray that stores no depth
+constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for an Arrival
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
-constexpr Fields probed{direction_bits | t_bit, 0};  // what a sample needs
+constexpr Fields probed{direction_bits | t_bit, 0};  // for a DE evaluation
 constexpr Fields room_alone{room_bit, 0};
-// What a step changes: of marching, but for the room, and of refining.
+// Fields changed by a marching step (except room) and by a refinement.
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
 constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
-// Calls on_real(number of the field, its pack) or on_whole() for each field of some. A direction, and the t where a
-// sample is taken, have the same numbers in both kinds.
+// Calls on_real(field number, pack) or on_whole() for each field of a set. Direction and t of the next sample have the
+// same numbers in both kinds.
 template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
 {
@@ -163,7 +164,7 @@ HWY_INLINE Kind load(const Pool& pool, int from)
     return a;
 }
 
-// Back to their place.
+// Stores fields at an index of the pool.
 template <Fields some, class Kind>
 HWY_INLINE void store(Kind& a, Pool& pool, int at)
 {
@@ -179,7 +180,7 @@ HWY_INLINE int lanes_on(const mask& on)
     return lanes;
 }
 
-// The lanes that are on first. Of 64-bit lanes Highway makes a look-up in a table even where there is an instruction.
+// Moves the active lanes to the front. For 64-bit lanes Highway uses a table even if an instruction exists.
 HWY_INLINE hn::Vec<Reals> compressed(hn::Vec<Reals> a, hn::Mask<Reals> on)
 {
 #if HWY_TARGET <= HWY_AVX3 && !MM_REAL_IS_FLOAT
@@ -198,14 +199,14 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 #endif
 }
 
-// Where compressing is one instruction it is cheapest in place; elsewhere it is too much code for every place.
+// Inlined if compressing is one instruction; otherwise the code is too long to inline.
 #if HWY_TARGET <= HWY_AVX3
 #define MM_APPEND HWY_INLINE
 #else
 #define MM_APPEND HWY_NOINLINE HWY_MAYBE_UNUSED
 #endif
 
-// Appends the lanes that are on. The pool has room for a pack more than it holds.
+// Appends the active lanes. The pool must have room for a whole pack.
 template <Fields held = every_field, class Kind>
 MM_APPEND void append(Pool& pool, Kind& a, const mask& on)
 {
@@ -227,7 +228,7 @@ MM_APPEND void append(Pool& pool, Kind& a, const mask& on)
     }
 }
 
-// The first `lanes` lanes.
+// Returns the mask of the first `lanes` lanes.
 HWY_INLINE mask first_lanes(int lanes)
 {
     mask on;
@@ -251,7 +252,7 @@ HWY_INLINE whole lane_numbers()
     return a;
 }
 
-// The next root of the hits that are on and need one; returns which those are.
+// Sets the next t of the active hits that need refinement, and returns their mask.
 HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
 {
     const mask coarse = on && refining(scene, hit);

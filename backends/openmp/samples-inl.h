@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pools ask of a pack: steps of rays and of hits, a sample each.
+// Steps of packs, for pools: rays and hits, with one DE evaluation per step.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SAMPLES_INL_H
 #define MM_SAMPLES_INL_H
 
@@ -16,10 +16,10 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Steps before rays are stored without gaps again, at most.
+// Max steps before rays are stored without gaps again.
 constexpr int steps_at_once = 16;
 
-// What follows from the next sample of rays of a pool that are on, for each kind. They return which stay on.
+// Update the active rays of each kind with their next DE evaluation. Return the mask of those that continue.
 HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from, const Estimate& here,
                          const mask& on)
 {
@@ -60,7 +60,7 @@ HWY_INLINE mask refine_on(const Scene& scene, Pool& pool, int from, const Estima
     return stay;
 }
 
-// One function for all kinds, so that the estimator is compiled once, in its loop.
+// One function for all kinds, so that the estimator is compiled once, inside its loop.
 HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Pool& pool, StepKind kind, int from,
                              int rays, hn::Mask<Reals>* going)
 {
@@ -69,7 +69,7 @@ HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Po
     const int enough = (rays < pack_lanes ? rays : pack_lanes) * 3 / 4;
     int step = 0;
     do {
-        // Of every kind: they have these fields at the same places.
+        // All kinds have the fields of `probed` at the same numbers.
         const Estimate here = probe_root(scene, load<Arrival, probed>(pool, from).hit, on);
         if (kind == StepKind::march) {
             on = march_on(scene, canvas, pool, from, here, on);

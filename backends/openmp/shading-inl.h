@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pools ask of a pack: finished pixels of hits.
+// Shading of packs of hits, for pools.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SHADING_INL_H
 #define MM_SHADING_INL_H
 
@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Leaves a hit's surroundings for the pixels between.
+// Stores a hit's occlusion for the pixels between.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Surroundings& found,
                                    const mask& on)
 {
@@ -32,7 +32,7 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
     }
 }
 
-// Shades `count` hits of a pool in a picture whose pixels share surroundings; `shared`: these have them already.
+// Shades `count` hits of a pool in a picture with shared occlusion; `shared`: these hits already have it.
 template <bool shared>
 HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
                                    Spent& spent)
@@ -60,7 +60,7 @@ HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count
     }
 }
 
-// Shades `count` hits of a pool.
+// Shades the first `count` hits of a pool.
 HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
 {
     if (canvas.sunwards != nullptr) return shade_among_rays<false>(data, pool, count, canvas, spent);
@@ -68,7 +68,7 @@ HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, cons
     for (int from = 0; from < count; from += pack_lanes) {
         Arrival a = load<Arrival, arrived>(pool, from);
         const mask on = first_lanes(count - from);
-        // Lanes beyond the last ray hit nothing.
+        // Lanes after the last ray are not hits.
         a.hit.state = pick(on, a.hit.state, no_hit());
         store_pixels(shade(scene, a.hit), a.pixel, on, canvas, spent);
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits that take over what a look finds around them from the pixels beside them, drawn before, that see the same
-// surface.
+// Hits that share the occlusion of adjacent pixels on the same surface, which were rendered before.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SHARING_INL_H
 #define MM_SHARING_INL_H
 
@@ -15,28 +14,28 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Chosen by how far pictures change (docs/notes/experiments.md).
-constexpr MM_REAL same_surface = MM_REAL(0.02);  // of a depth: what lies farther from it is on another surface
-constexpr MM_REAL alike = MM_REAL(0.12);         // how far what neighbours found may lie apart, both values added
-constexpr int enough = 2;                        // of four neighbours have to be on the pixel's surface
+// Chosen by the changes of pictures (docs/notes/experiments.md).
+constexpr MM_REAL same_surface = MM_REAL(0.02);  // max difference of depths on one surface, relative
+constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of the neighbours' occlusion, both values added
+constexpr int enough = 2;                        // min of four neighbours on the pixel's surface
 
-// The four pixels of even columns and rows around each lane's, one or two of which can be the same.
+// The four pixels of even columns and rows around each lane's pixel; some can coincide.
 struct Around {
-    hn::Vec<Wholes> at[4];     // at half their numbers
-    hn::Mask<Reals> there[4];  // in the picture
+    hn::Vec<Wholes> at[4];     // at half their indices
+    hn::Mask<Reals> there[4];  // inside the picture
 
     HWY_INLINE Around(const Canvas<MM_REAL>& canvas, int width, const whole& pixel)
     {
         const auto set = [](int value) MM_INLINED { return hn::Set(Reals(), static_cast<MM_REAL>(value)); };
         const auto wide = set(width);
         const auto number = hn::ConvertTo(Reals(), pixel.of[0]);
-        // A band has less than 2^22 pixels, so that half of one is more than rounding.
+        // A band has less than 2^22 pixels, so half a pixel exceeds the rounding error.
         const auto row = hn::Floor(hn::Div(hn::Add(number, hn::Set(Reals(), MM_REAL(0.5))), wide));
         const auto column = hn::Sub(number, hn::Mul(row, wide));
         const auto half = hn::Set(Reals(), MM_REAL(0.5));
         const auto left = hn::Floor(hn::Mul(column, half));
         const auto down = hn::Floor(hn::Mul(row, half));
-        const auto right = hn::Sub(column, left);  // left, or one more
+        const auto right = hn::Sub(column, left);  // left, or left + 1
         const auto up = hn::Sub(row, down);
         const auto is_right = hn::Lt(hn::Add(right, right), wide);
         const auto is_above = hn::Lt(hn::Add(up, up), set(canvas.end_row - canvas.first_row));
@@ -53,7 +52,7 @@ struct Around {
     }
 };
 
-// Which of the lanes that are on share; what they share, a mean, becomes theirs.
+// Returns the mask of active lanes that share occlusion, and sets it to the mean of their neighbours.
 HWY_INLINE mask find_shared(const Drawing& d, Arrival& a, const mask& on)
 {
     const auto gathered = [](const MM_REAL* from, hn::Vec<Wholes> at, hn::Mask<Reals> there) MM_INLINED {
@@ -90,7 +89,7 @@ HWY_INLINE mask find_shared(const Drawing& d, Arrival& a, const mask& on)
     return shared;
 }
 
-// Whether pixels of this lattice take over surroundings: its neighbours are two pixels apart.
+// True if this lattice shares occlusion: its neighbours are two pixels apart.
 HWY_INLINE bool shares(const Drawing& d) { return d.canvas.sunwards != nullptr && d.canvas.lattice.before == 2; }
 
 }  // namespace MM_PACK

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart the rays of a picture are, and what follows: whether blocks begin with cones, how far around the hull
-// they ask, and in which lattices pixels are drawn.
+// Distance of a picture's rays, and the settings derived from it: cones of subtiles, the size of the hull around
+// subtiles, and the lattices of pixels.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace mandelmarch::openmp {
 
-// The length of a triple of the kernel's scene.
+// Returns the length of a triple of the kernel's scene.
 template <class Triple>
 auto length_of(const Triple& a) -> decltype(a.x + 0)
 {
     return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 
-// How far apart at distance 1 the rays of two diagonal neighbours are, at most.
+// Returns the max distance of diagonally adjacent rays, at distance 1.
 template <class KernelScene>
 auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
 {
@@ -28,7 +28,7 @@ auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
                           length_of(scene.upward) / static_cast<Real>(scene.height));
 }
 
-// The lattices in which a picture is drawn: the coarsest is one whose hits tell enough of what is between them.
+// Returns the lattices of a picture. The coarsest is one whose hits are close enough for the pixels between them.
 template <class KernelScene>
 Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
@@ -40,9 +40,8 @@ Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Tec
     return lattices;
 }
 
-// Whether pixels take over a look's surroundings from pixels beside them: where nothing smaller than a tolerance is to
-// be seen, and pixels lie closer than the nearest of the distances at which openness is asked for
-// (core/kernel/looks.h).
+// True if pixels share the occlusion of a look with adjacent pixels: if normals ignore detail below a tolerance, and
+// pixels are closer than the shortest distance at which openness is evaluated (core/kernel/looks.h).
 template <class KernelScene>
 bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
 {
@@ -50,7 +49,7 @@ bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Te
     return techniques.surroundings && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
-// Whether blocks begin with cones. A cone ends some of its widths before the surface; where a pixel is many tolerances
+// True if subtiles begin with cones. A cone ends some of its widths before the surface; if a pixel is many tolerances
 // wide, that can be at once.
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
@@ -58,9 +57,9 @@ bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Technique
     return scene.canonical != 0 && techniques.cones && spacing_of(scene) < fractal.fast.cone_pitch * scene.tolerance;
 }
 
-// The size of a hull in which the ray through a block's middle is wherever one of the block's rays is in the scene's
-// hull; 0 where that has none. A ray is in the scene's hull at distance `farthest` at most, and there half a block's
-// diagonal away from the middle one.
+// Returns the size of a hull that contains a subtile's centre ray wherever one of the subtile's rays is in the scene's
+// hull; 0: the scene has no hull. A ray is in the scene's hull up to the distance `farthest`, where it is half a
+// subtile's diagonal away from the centre ray.
 template <class KernelScene>
 auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype(scene.tolerance + 0)
 {

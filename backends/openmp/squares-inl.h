@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels of a square, some of a lattice, whose rays begin together.
+// Begins the rays of a square of pixels of a lattice.
 
-// Guard: once for each pack (end_pack.h).
+// Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SQUARES_INL_H
 #define MM_SQUARES_INL_H
 
@@ -17,13 +17,13 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Pixels of a square, `across` x `across` of them, `apart` from each other.
+// A square of `across` x `across` pixels with a distance of 2^log2_apart.
 struct Square {
-    int left;  // the first pixel
+    int left;  // column of the first pixel
     int bottom;
     int log2_apart;
     int log2_across;
-    // Where rays begin by their blocks and by their neighbours; whole registers can be read.
+    // Starts of the rays by their subtiles and by their neighbours; padded for reads of whole registers.
     MM_REAL block_start[block_pixels + register_lanes];
     MM_REAL neighbour_start[block_pixels + register_lanes];
 
@@ -31,16 +31,16 @@ struct Square {
     int count() const { return 1 << 2 * log2_across; }
 };
 
-// What stands at each lane's place.
+// Table look-up, per lane.
 template <class D>
 HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> places)
 {
     return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
 }
 
-// Where a square's columns or rows lie in the picture, from -1 to 1.
+// Positions of a square's columns or rows in the picture, from -1 to 1.
 struct PicturePlaces {
-    MM_REAL at[block_side + register_lanes];  // whole registers can be read
+    MM_REAL at[block_side + register_lanes];  // padded for reads of whole registers
 
     HWY_INLINE PicturePlaces(const Square& square, int first, int size)
     {
@@ -52,7 +52,7 @@ struct PicturePlaces {
     }
 };
 
-// The pixels of a register, row by row, counted from its first one.
+// Offsets of a register's pixels, row by row, from its first one.
 struct SquareLanes {
     Int x[register_lanes];
     Int y[register_lanes];
@@ -68,7 +68,7 @@ struct SquareLanes {
     }
 };
 
-// Begins the rays of a square's pixels. `painted`: the pixels of blocks where no ray hits are drawn already.
+// Begins the rays of a square's pixels. `painted`: pixels of subtiles without a hit are already painted.
 HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
 {
     const Scene& scene = d.scene;
@@ -87,7 +87,7 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         a.pixel = load_lanes(lanes.pixel) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const real from = load_lanes(square.block_start + n);
         const real start = load_lanes(square.neighbour_start + n);
-        // How many columns and rows of the lattice there are from here to the picture's edges.
+        // Columns and rows of the lattice from here to the picture's edges.
         const int columns = ((scene.width - 1 - x0) >> square.log2_apart) + 1;
         const int rows = ((d.canvas.end_row - 1 - y0) >> square.log2_apart) + 1;
         mask on = x < whole(static_cast<Int>(columns)) && y < whole(static_cast<Int>(rows));

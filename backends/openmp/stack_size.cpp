@@ -11,10 +11,10 @@
 namespace mandelmarch::openmp {
 namespace {
 
-constexpr double least = 64;  // KiB; a thread takes about 20
+constexpr double least = 64;  // KiB; a thread needs about 20
 
-// KiB of an OMP_STACKSIZE (OpenMP 5.2, 21.2.2): a whole number, in KiB unless B, K, M or G stands behind it. 0 where it
-// says nothing: the run-time library then takes no notice of it.
+// Returns the KiB of an OMP_STACKSIZE (OpenMP 5.2, 21.2.2): an integer, in KiB unless followed by B, K, M or G. 0: not
+// a number, which the run-time library ignores.
 double kibibytes(const char* text)
 {
     char* rest = nullptr;

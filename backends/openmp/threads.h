@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What threads need to draw tiles: memory of their own, and a queue.
+// Memory and tile queue of the threads.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 
 namespace mandelmarch::openmp {
 
-// Memory of one thread, kept from picture to picture: new pages cost time.
+// Memory of one thread, reused between pictures because new pages cost time.
 class ThreadMemory {
 public:
     ThreadMemory() = default;
@@ -39,7 +39,7 @@ private:
     std::size_t size_ = 0;
 };
 
-// The tiles of a band, handed out in rows from the bottom left, `chunk` at a time; none once the drawing is cancelled.
+// The tiles of a band, assigned row by row from the bottom left, `chunk` at a time; none after a cancellation.
 class TileQueue {
 public:
     TileQueue(int width, const Band& band, int chunk, const Progress* progress = nullptr)
@@ -51,10 +51,10 @@ public:
     {
     }
 
-    // One thread's tiles of the queue.
+    // Tiles of the queue that one thread has taken.
     struct Share {
         TileQueue& queue;
-        int at = 0, end = 0;  // tiles taken and not yet handed out
+        int at = 0, end = 0;  // next tile, and end of the taken ones
 
         Tiles tiles() { return {next, this}; }
     };
@@ -81,7 +81,7 @@ private:
     int count_;
     int first_row_;
     int chunk_;
-    const Progress* progress_;  // nullptr: it is never cancelled
+    const Progress* progress_;  // nullptr: cannot be cancelled
     std::atomic<int> taken_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pools ask of packs of other widths. Define MM_REAL.
+// Functions that pools call on packs of other widths. Define MM_REAL.
 
-// Guard: once for each instruction set.
+// Include guard for each instruction set.
 #if defined(MM_WIDTH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MM_WIDTH_INL_H
 #undef MM_WIDTH_INL_H
@@ -20,25 +20,25 @@ namespace {
 
 enum class StepKind { march, march_cones, refine };
 
-// Steps of the pack at `from`, of which `rays` are left in the pool, a sample each: some until a quarter of the rays
-// has ended, or one of refinement. `going` has a mask for each register, of the rays that go on.
+// Steps the pack at `from`, with `rays` rays left in the pool: marching until a quarter of the rays has ended, or one
+// refinement. `going` receives a mask per register of the rays that continue.
 using TakeSteps = void (*)(const void* scene, const Canvas<MM_REAL>& canvas, RayPool<MM_REAL>& pool, StepKind kind,
                            int from, int rays,
                            hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<MM_REAL>>* going);
 
 struct Sampling {
-    int registers;  // of a pack
+    int registers;  // registers per pack
     TakeSteps take_steps;
 };
 
-// The pixels of a pool's first hits.
+// Shades the first `count` hits of a pool.
 using ShadeHits = void (*)(const void* scene, const RayPool<MM_REAL>& pool, int count, const Canvas<MM_REAL>& canvas,
                            Spent& spent);
 
 struct Shading {
-    int lanes;  // of a pack
+    int lanes;  // lanes per pack
     ShadeHits shade;
-    ShadeHits shade_sharing;  // of hits that have a look's surroundings from their neighbours
+    ShadeHits shade_sharing;  // for hits with the occlusion of their neighbours
 };
 
 }  // namespace

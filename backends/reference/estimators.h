@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance estimators of the reference backend.
+// Distance estimators of the reference backend.
 #pragma once
 
 #include "core/render/backend.h"
@@ -7,7 +7,7 @@
 
 namespace mandelmarch::reference {
 
-// Mandelbox and Mandelbulb, with their scene's constants. Each call of operator() adds to the work it is given.
+// Mandelbox and Mandelbulb, with the constants of a scene. operator() adds the evaluation and its iterations to `work`.
 class Mandelbox {
 public:
     explicit Mandelbox(const Scene& scene);
@@ -28,7 +28,7 @@ private:
 
     int iterations_;
     double bailout_, power_;
-    double envelope_;  // its share, in the conservative estimate; 0: the counted one
+    double envelope_;  // fraction c of the envelope, for the conservative estimate; 0: original estimate
 };
 
 }  // namespace mandelmarch::reference

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double far_end = 1000;  // largest t
 constexpr int most_steps = 8000;
-constexpr double stride = 0.95;  // of the distance estimate
-// The canonical hit is looked for in small steps, as the Mandelbulb's estimate can be five times too large.
+constexpr double stride = 0.95;  // step factor, in distance estimates
+// Finds the canonical hit by small steps, because the Mandelbulb's estimate can be five times too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
 // Wider differences would step over the relief that a canonical picture shows, of about the tolerance's size and less.
@@ -48,7 +48,7 @@ Axes axes_of(const Scene& scene)
 
 Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
 {
-    const double within = scene.centred ? 0.5 : 0;  // the pixel
+    const double within = scene.centred ? 0.5 : 0;  // offset inside the pixel
     const double u = 2 * (scene.part.left + i + within) / axes.width - 1;
     const double v = 2 * (scene.part.bottom + j + within) / axes.height - 1;
     if (scene.projection == Projection::equirectangular) {
@@ -63,7 +63,7 @@ Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
 struct Hit {
     bool found = false;
     double t = 0;          // of the hit point
-    double tolerance = 0;  // there
+    double tolerance = 0;  // at the hit
 };
 
 template <class Fractal>
@@ -76,7 +76,7 @@ public:
 
     const Work& work() const { return work_; }
 
-    // Draws pixel (i, j) into pixel (x, y) of the tile.
+    // Renders pixel (i, j) into element `at` of the tile.
     void draw(int i, int j, int at, Tile<double>& tile)
     {
         const Work before = work_;
@@ -102,7 +102,7 @@ private:
         return fractal_(scene_.eye + t * direction, work_);
     }
 
-    // The last sample of the plain schedule.
+    // Returns the last sample of the original stepping.
     Hit plain_hit(Vector direction)
     {
         double t = 0;
@@ -118,7 +118,7 @@ private:
         return {distance < t * eps_, sample, t * eps_};
     }
 
-    // The first t with DE(t) = eps t: small steps to a point inside, then bisection to the last bit.
+    // Returns the first t with DE(t) = eps t: small steps to a point inside, then bisection to the last bit.
     Hit canonical_hit(Vector direction)
     {
         const auto outside = [&](double t, double distance) { return !(distance < eps_ * t); };
@@ -126,7 +126,7 @@ private:
         double high = 0;
         double distance = distance_at(direction, high);
         int steps = 1;
-        if (distance < 0) return {true, 0, 0};  // the eye is in the solid
+        if (distance < 0) return {true, 0, 0};  // the eye is inside the solid
         while (outside(high, distance)) {
             low = high;
             high += small_stride * distance;
@@ -140,8 +140,8 @@ private:
         }
     }
 
-    // By central differences, one tolerance before the hit. In a canonical picture an eye in the solid, which sees no
-    // surface, is faced by what it sees.
+    // Computes the normal by central differences, one tolerance before the hit. In canonical pictures an eye inside the
+    // solid sees no surface; the normal is then the direction towards the eye.
     Vector normal(const Hit& hit, Vector direction)
     {
         if (mode_ == Mode::fast && hit.t == 0) return -1 * direction;
@@ -153,7 +153,7 @@ private:
         return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
     }
 
-    // By the estimates at the corners of a tetrahedron, h from p.
+    // Computes the normal by the estimates at the corners of a tetrahedron, at distance h from p.
     Vector smooth_normal(Vector p, double h)
     {
         Vector sum{};
@@ -207,7 +207,7 @@ public:
     static bool knows(const mandelmarch::Fractal& fractal) { return estimator_of(fractal) != nullptr; }
 
 private:
-    // The fractals that estimators.h has.
+    // The fractals of estimators.h.
     struct Estimator {
         std::string_view fractal;
         RenderReport (ReferenceRenderer::*draw)(const Scene&, Image&, const Progress&) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference backend: a plain serial renderer in double, trigonometric Mandelbulb and all, which shares no formula
-// with the kernel text. It is the yardstick of every other picture, and of every speed.
+// The reference backend: a simple serial renderer in double, with a trigonometric Mandelbulb. It shares no formula with
+// the kernel and provides the expected pictures and the baseline times.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this backend's "device" runs.
+// The kernels of this backend's simulated device.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace mandelmarch::skeleton {
 
-// Draws rows [first_row, first_row + rows) of the picture into a device's buffers, laid out as core/image/image.h says,
-// with `pixels` values in each plane. `scene` is the text's Scene in Real's layout.
+// Renders rows [first_row, first_row + rows) of the picture into a device's buffers, with the layout of
+// core/image/image.h and `pixels` values per plane. `scene` is the kernel's Scene in Real's layout.
 template <class Real>
 using DrawBand = void (*)(const void* scene, int first_row, int rows, std::size_t pixels, Real* reals, int* wholes);
 
@@ -17,7 +17,7 @@ struct Kernel {
     DrawBand<float> in_float;
 };
 
-// nullptr for a fractal that this backend does not know.
+// Returns nullptr for an unknown fractal.
 const Kernel* kernel_of(std::string_view name);
 
 }  // namespace mandelmarch::skeleton

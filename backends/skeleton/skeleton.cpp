@@ -15,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-// The backend's side of core's schedule: allocates in its constructor, runs the text on a band, reads back.
+// Runs the schedule on the device: allocates in its constructor, runs the kernel on a band, reads back.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -26,10 +26,10 @@ public:
           wholes_(whole_planes * pixels),
           pixels_(pixels)
     {
-        // A device uploads scene_ here and counts the time as timings.upload.
+        // A device uploads scene_ here and adds the time to timings.upload.
     }
 
-    // The limits below name no most of loops, so that the only entry is Entry::draw.
+    // The limits below do not limit loop iterations, so the entry is always Entry::draw.
     void run(Entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
@@ -80,7 +80,7 @@ private:
     RenderReport draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
     {
         const Clock::time_point start = Clock::now();
-        // What the device's memory holds at once; whole rows.
+        // Capacity of the device's memory, in whole rows.
         constexpr int most_pixels = 1 << 20;
         const int rows = std::clamp(most_pixels / scene.width, 1, scene.height);
         const std::int64_t pixels = std::int64_t{rows} * scene.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A backend to copy, as small as one can be: the kernel text as scalar C++ on one thread. docs/add-a-backend.md.
+// A minimal backend to copy: the kernel as scalar C++ on one thread. See docs/add-a-backend.md.
 #pragma once
 
 #include <memory>

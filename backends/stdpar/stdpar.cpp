@@ -35,11 +35,11 @@ public:
                             .vendor = cpu_vendor(),
                             .driver = fmt::format("TBB {}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR),
                             .is_gpu = false};
-        // Without an option TBB starts no more than one thread for each core that it finds.
+        // By default TBB starts at most one thread for each core that it detects.
         return {.device = device, .threads = std::min(usable_threads(), tbb::info::default_concurrency())};
     }
 
-    // The standard has no word for the number of threads; TBB has.
+    // The standard cannot set the number of threads; TBB can.
     void run(const RendererOptions& options, const std::function<void()>& draw) const override
     {
         const int most = options.threads == 0 ? usable_threads() : options.threads;

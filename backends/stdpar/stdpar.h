@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stdpar backend: the kernel text in C++ standard parallelism's std::for_each, on all cores.
+// The stdpar backend: the kernel in std::for_each of C++ standard parallelism, on all cores.
 #pragma once
 
 #include <memory>

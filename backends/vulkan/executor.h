@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schedule's passes on a device: the buffers' layout, the device's limits, and one band's work.
+// Runs the schedule's passes on a device: buffer layout, limits, and the work of a band.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace mandelmarch::vulkan {
 
-// As in kernel.comp.
+// The same as in kernel.comp.
 inline constexpr int group_side = 8;
 enum Stage : int {
     stage_begin = 1,
@@ -26,26 +26,24 @@ enum Stage : int {
     stage_pack = 64
 };
 
-// The buffers on the bench. `results` holds, each at a multiple of 256 bytes, which is the largest alignment that a
-// device may ask for: the flags of rays still marching and of rays cut off, and the planes of reals and of wholes;
-// where bytes alone are asked for these take the place of the reals. `mirror` is the host's copy of it, on devices with
-// memory of their own.
+// The buffers of a Workbench. `results` contains, each at a multiple of 256 bytes (the largest alignment that a device
+// may require): the flags for rays still marching and for rays cut off, the planes of reals and those of integers. If
+// only bytes are needed, they replace the reals. `mirror` is the host's copy, for devices with separate memory.
 enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
 constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
 inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize flags_size = 2 * flag_size;
 inline constexpr vk::DeviceSize reals_at = aligned(flags_size);
 
-// The size of a Ray and of a Hit as std430 lays them out: a vec3, six reals and three ints, to a multiple of four
-// reals.
+// Size of a Ray and of a Hit in std430: a vec3, six reals and three ints, padded to a multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
-static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the rest of four
+static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the padding
 
-// Rounds of loops of one invocation, in one pass. lavapipe silently cuts loops off after 65,535, counted over all of
-// them and with the loops of branches that are not taken, once each. Elsewhere a watchdog may end a pass that takes
-// some seconds: these are about a tenth of a second for a warp on a slow GPU, whose double may be 32 times slower than
-// its float. kernel.comp notices where a device cuts off what was planned.
+// Max loop iterations of one invocation in a pass. lavapipe silently ends loops after 65,535 iterations, summed over
+// all loops, with one for each loop of a branch not taken. Elsewhere a watchdog may end passes that take some seconds:
+// these limits are about a tenth of a second for a warp on a slow GPU, on which double may be 32 times slower than
+// float. kernel.comp detects a device that cuts off iterations within these limits.
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
@@ -54,7 +52,7 @@ inline constexpr std::int64_t busy_cpu = 1 << 17;
 
 inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
 {
-    // The rays are the largest buffer.
+    // The ray buffer is the largest.
     const vk::DeviceSize bytes =
         std::min<vk::DeviceSize>(facts.properties.limits.maxStorageBufferRange, facts.largest_allocation);
     Limits limits{.pixels_per_band =
@@ -66,7 +64,7 @@ inline Limits limits_of(const Facts& facts, vk::DeviceSize real, int band)
     return with_band(limits, band);
 }
 
-// Runs the program on the bench over the buffers that `Index` names.
+// Runs the bench's program on the buffers named by `Index`.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -80,7 +78,7 @@ public:
     {
         if (entry == Entry::begin || entry == Entry::draw)
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
-        // A ray begins in the pass that first marches it, and stops in the one that comes after the last of these.
+        // A ray begins in the first pass that marches it, and stops in the pass after the last one that does.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
             stops_ = stage_stop;
@@ -137,7 +135,7 @@ public:
 
     const Work& work() const { return work_; }
 
-    // Byte offset of the whole numbers in the results, of `pixels` pixels; behind them is the end.
+    // Returns the byte offset of the integers in the results, for planes of `pixels` pixels.
     static vk::DeviceSize wholes_at(vk::DeviceSize pixels)
     {
         return reals_at + aligned(real_planes * sizeof(Real) * pixels);
@@ -150,7 +148,7 @@ private:
 
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
-    // Throws Error where a ray did not come to its end: kernel.comp's second flag.
+    // Throws Error if a ray was cut off, according to kernel.comp's second flag.
     void check(const std::byte* results) const
     {
         if (*reinterpret_cast<const std::int32_t*>(results + flag_size) == 0) return;
@@ -165,7 +163,7 @@ private:
         if (bench_.program->lacks(constants)) {
             ran(gpu_.finish("marching"));
             const auto start = Clock::now();
-            // Some drivers compile when they first run a pipeline: here for no rows.
+            // Some drivers compile when a pipeline first runs, so it runs here without rows.
             bench_.program->dispatch(gpu_, constants, {}, 1, 1);
             gpu_.barrier();
             gpu_.finish("compiling a shader");
@@ -182,7 +180,7 @@ private:
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
-    // Where the host sees the first bytes of the results, once the work is done.
+    // Returns the address at which the host can read the first bytes of the results after the work is done.
     const std::byte* fetch(vk::DeviceSize size)
     {
         const bool mirrored = results().bytes == nullptr;
@@ -197,11 +195,11 @@ private:
     Gpu& gpu_;
     Workbench& bench_;
     const KernelScene<Real>& scene_;
-    vk::DeviceSize pixels_;  // of a plane
+    vk::DeviceSize pixels_;  // per plane
     bool bytes_alone_;
     Timings& timings_;
     Work work_;
-    int begins_ = 0, stops_ = 0;  // the stage, where a pass has to do it yet
+    int begins_ = 0, stops_ = 0;  // stage bits that a later pass must still execute; 0: none
 };
 
 }  // namespace mandelmarch::vulkan

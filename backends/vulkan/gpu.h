@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One opened device: its queue, its memory, and waiting for it.
+// An opened device: its queue, its memory, and waiting for it.
 #pragma once
 
 #include <chrono>
@@ -11,49 +11,49 @@
 
 namespace mandelmarch::vulkan {
 
-// Memory that shaders see as a storage buffer.
+// A storage buffer of shaders.
 struct Buffer {
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer handle = nullptr;
     vk::DeviceSize size = 0;     // bytes
-    std::byte* bytes = nullptr;  // where the host sees it, or nullptr
+    std::byte* bytes = nullptr;  // mapped address on the host, or nullptr
 };
 
 enum class Place { device, host };
 
-// Seconds that work took.
+// Seconds of finished work.
 struct Took {
-    double host = 0;                    // from handing it over to knowing that it is done
+    double host = 0;                    // from submission to notification of the end
     std::optional<double> device = {};  // by the device's clock, if it has one
 };
 
 class Gpu {
 public:
-    // Throws Unavailable if the device lacks what `precision` needs.
+    // Throws Unavailable if the device lacks a feature required for `precision`.
     Gpu(const vk::raii::PhysicalDevice& physical, Precision precision);
 
     const Facts& facts() const { return facts_; }
     const std::string& name() const { return facts_.device.name; }
     const vk::raii::Device& device() const { return device_; }
 
-    // A buffer for shaders and copies. `what` names it for the user.
+    // Makes a buffer for shaders and copies. `what` is its name in messages.
     Buffer make_buffer(vk::DeviceSize size, Place place, const std::string& what) const;
 
-    // The command buffer that is being recorded.
+    // Returns the command buffer, in the recording state.
     const vk::raii::CommandBuffer& commands();
-    // Lets what follows see what shaders and copies before it have written, on the device and on the host.
+    // Makes earlier writes of shaders and copies visible to later commands, on the device and on the host.
     void barrier();
-    // Hands over what was recorded, if anything, and waits until it is done. Throws Error if the device is lost, and
-    // DeviceHung if it does not answer in time: its work may still be under way, so that nothing that it uses may be
-    // destroyed, and destroying it might never return.
+    // Submits the recorded commands, if any, and waits for them. Throws Error if the device is lost, and DeviceHung if
+    // it does not respond in time: its work may still be running, so nothing that it uses may be destroyed, and
+    // destruction might never return.
     Took finish(const std::string& doing);
 
-    // Forgets what was recorded.
+    // Discards the recorded commands.
     void discard();
 
 private:
     std::uint32_t memory_type(std::uint32_t allowed, Place place, const std::string& what) const;
-    // Seconds between the two times that the device noted of the work that it has done; nullopt without a clock.
+    // Returns the seconds between the two timestamps of the finished work; nullopt without a clock.
     std::optional<double> device_seconds() const;
 
     const vk::raii::PhysicalDevice& physical_;
@@ -65,8 +65,8 @@ private:
     vk::raii::CommandPool pool_ = nullptr;
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
-    vk::raii::QueryPool clock_ = nullptr;  // notes when work begins and when it ends; null: the device has no clock
-    std::uint64_t clock_mask_ = 0;         // the bits of a note
+    vk::raii::QueryPool clock_ = nullptr;  // timestamps at the start and end of work; null: no clock
+    std::uint64_t clock_mask_ = 0;         // valid bits of a timestamp
     bool recording_ = false;
 };
 

@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-// A driver's text, which need not end within its array.
+// Converts a driver's text, which may lack a final NUL in its array.
 template <class Array>
 std::string text_of(const Array& text)
 {
@@ -55,7 +55,7 @@ int rank_of(vk::PhysicalDeviceType type)
     }
 }
 
-// Identifiers that PCI's registry gave, and Khronos's own.
+// Identifiers assigned by PCI's registry and by Khronos.
 std::string vendor_name(std::uint32_t id)
 {
     switch (id) {

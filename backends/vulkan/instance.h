@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Vulkan loader, its devices, and how its failures are told.
+// The Vulkan loader, its devices, and its errors.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace mandelmarch::vulkan {
 
-// An open loader and what it sees. Throws Unavailable with the bare reason where there is no loader or no driver.
+// An open loader and its devices. Throws Unavailable, with the reason only, if no loader or no driver exists.
 class Instance {
 public:
     Instance();
@@ -25,22 +25,22 @@ private:
     std::vector<vk::raii::PhysicalDevice> devices_;
 };
 
-// What a physical device says of itself.
+// Properties of a physical device.
 struct Facts {
     Device device;
     vk::PhysicalDeviceProperties properties;
     vk::DeviceSize largest_allocation = 0;  // bytes
-    std::int64_t most_invocations = 0;      // that it holds at once; 0: it does not tell
+    std::int64_t most_invocations = 0;      // resident at once; 0: unknown
     bool has_double = false;
-    bool shares_memory = false;  // the host's memory is its own
-    bool counts_loops = false;   // lavapipe: an invocation ends silently after about 65,535 loop iterations
+    bool shares_memory = false;  // uses the host's memory
+    bool counts_loops = false;   // lavapipe: an invocation silently ends after about 65,535 loop iterations
 };
 Facts facts_of(const vk::raii::PhysicalDevice& physical);
 
-// In a few words: "device lost", "out of device memory".
+// Returns a short description: "device lost", "out of device memory".
 std::string describe(const vk::SystemError& error);
 
-// Runs f; a Vulkan failure becomes an Error: "backend vulkan: PLACE: what while DOING".
+// Runs f and converts Vulkan errors to Error: "backend vulkan: PLACE: what while DOING".
 template <class Function>
 decltype(auto) attempt(const std::string& place, const std::string& doing, Function f)
 {

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text as a compute shader: one invocation a pixel, a pass's stages chosen by a specialization constant.
+// The kernel as a compute shader: one pixel per invocation; a specialization constant selects the stages of a pass.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 #include "core/kernel/text.h"
 #define MM_TRUNCATED(x) int(x)
 #include "core/kernel/bytes.h"
 
-// Squares of pixels: neighbouring invocations march neighbouring rays, which end after about as many steps.
+// Squares of pixels: neighbouring invocations march neighbouring rays, which end after about the same number of steps.
 const int side = 8;
 layout(local_size_x = side * side) in;
 
-// The parts of a pixel that this pipeline does, in their order. Between two pipelines a ray is stored until it stops, and
-// a hit from then on.
+// The stages of a pixel that this pipeline executes, in order. Between pipelines a ray is stored until it stops, and
+// from then on a hit.
 const int stage_begin = 1;
 const int stage_march = 2;
 const int stage_stop = 4;
 const int stage_refine = 8;
 const int stage_shade = 16;
-const int stage_bytes = 32;  // shading leaves three bytes in a word for each pixel
-const int stage_pack = 64;   // a pass of its own: words of four pixels become three
+const int stage_bytes = 32;  // shading stores three bytes in a word per pixel
+const int stage_pack = 64;   // a separate pass: packs the words of four pixels into three
 layout(constant_id = 0) const int stages = 31;
-// What a scene changes seldom: known when the pipeline is built, it removes branches, which some devices pay in full.
+// Rarely changing scene parameters as constants of the pipeline: removes branches, which are expensive on some devices.
 layout(constant_id = 1) const int fractal_whole = 0;
 layout(constant_id = 2) const int canonical = 0;
 layout(constant_id = 3) const int differences = 0;
@@ -41,23 +41,23 @@ layout(push_constant) uniform Pass
 {
     int first_row;
     int rows;
-    int steps;   // of marching, or roots tried by refining in a pass of its own
-    int pixels;  // between two planes of the results
+    int steps;   // max steps of marching, or max refinements in a pass without marching
+    int pixels;  // distance of two planes of the results
 } pass;
 
-// Every second bit of an index below 64, from `bit` on: the Morton order.
+// Every second bit of an index below 64, from `bit` on, for the Morton order.
 int every_second(int index, int bit)
 {
     int bits = index >> bit;
     return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
 }
 
-// The steps of a ray that the device has cut off: more than any makes, so that it marches no more.
+// Number of steps of a ray that the device has cut off: above any limit, so that it stops marching.
 const int cut_off = 1 << 30;
 
-// `steps`, or cut_off. lavapipe counts rounds over all loops of an invocation; when they are used up it leaves the loop
-// that it is in, goes on behind it, and gives every later loop one round only: so this one, which makes two. Its bounds
-// come from a buffer, so that no compiler takes it away.
+// Returns `steps`, or cut_off. lavapipe limits the iterations of all loops of an invocation together. After the limit
+// it leaves the current loop, continues after it, and allows one iteration in each later loop. This loop makes two,
+// which detects the limit. Its bounds come from a buffer, so that no compiler removes it.
 int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;
@@ -67,7 +67,7 @@ int steps_or_cut_off(int steps)
     return cut_off;
 }
 
-// The bytes of the four pixels from 4 `at` on, in three words.
+// Packs the bytes of four pixels, from 4 `at` on, into three words.
 void pack(int at)
 {
     if (4 * at >= whole_scene.width * pass.rows) return;

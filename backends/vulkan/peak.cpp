@@ -16,7 +16,7 @@ constexpr int group = 64;  // as in peak.comp
 // Invocations: several for each lane of the largest GPUs, and enough to balance a CPU's cores.
 constexpr int gpu_items = 1 << 21;
 constexpr int cpu_items = 1 << 12;
-// Each is a round of the one loop of the text; a watchdog may end a GPU's pass after seconds.
+// Loop iterations of an invocation; a watchdog may end a GPU's pass after some seconds.
 constexpr int rounds_per_pass = 1 << 14;
 static_assert(rounds_per_pass < counted_loops / 2);
 
@@ -52,7 +52,7 @@ double multiply_add_peak(const RendererOptions& options)
     if (static_cast<std::size_t>(options.device) >= instance.devices().size()) {
         throw Unavailable(fmt::format("backend vulkan: there is no device {}", options.device));
     }
-    // On the heap: a hung device keeps what it works on.
+    // On the heap, so that a hung device keeps the objects in use.
     auto gpu = std::make_unique<Gpu>(instance.devices()[static_cast<std::size_t>(options.device)], options.precision);
     auto bench = std::make_unique<Workbench>();
     try {

@@ -6,7 +6,8 @@
 
 namespace mandelmarch::vulkan {
 
-// Operations per second. Throws Unavailable where the device is not there or lacks the precision, Error if it fails.
+// Returns operations per second. Throws Unavailable if the device does not exist or lacks the precision, Error if it
+// fails.
 double multiply_add_peak(const RendererOptions& options);
 
 }  // namespace mandelmarch::vulkan

@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The file: this, then the driver's bytes.
+// The file: this header, then the driver's bytes.
 struct FileHeader {
     std::array<char, 8> magic;
     std::uint64_t checksum;
@@ -36,7 +36,7 @@ std::uint64_t hash_of(const void* data, std::size_t size)
 
 std::string cache_folder()
 {
-    // The XDG Base Directory Specification: an empty or relative path counts as none.
+    // The XDG Base Directory Specification: an empty or relative path is ignored.
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
         return std::string(xdg) + "/mandelmarch";
     }
@@ -46,7 +46,7 @@ std::string cache_folder()
     return {};
 }
 
-// A pipe, say, would be waited for.
+// False for pipes and the like, on which reading would block.
 bool may_hold_cache(const std::string& path)
 {
     std::error_code ignored;
@@ -54,7 +54,7 @@ bool may_hold_cache(const std::string& path)
     return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
 }
 
-// Empty if the file is not there or not whole.
+// Reads the cache; empty if the file is missing or damaged.
 Bytes read_cache(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -67,7 +67,7 @@ Bytes read_cache(const std::string& path)
     return content;
 }
 
-// True if the driver's own header names this device. Drivers must check it themselves, but not all always did.
+// True if the driver's own header names this device. Drivers must check this themselves, but some did not.
 bool is_of(const vk::PhysicalDeviceProperties& device, const Bytes& content)
 {
     VkPipelineCacheHeaderVersionOne header{};
@@ -116,7 +116,7 @@ void PipelineCache::save()
         file.commit();
         known_ = content;
     } catch (const std::exception&) {
-        path_.clear();  // without a cache everything works as well, only later
+        path_.clear();  // continues without a cache
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a driver made of a module, kept for the next run in $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch.
+// Cache of driver-compiled pipelines between runs, in $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace mandelmarch::vulkan {
 
-// A file that is truncated, changed or another driver's is ignored and written anew; a folder that cannot be written,
-// or what is no file in its place, means no cache, silently.
+// A file that is truncated, modified or from another driver is ignored and rewritten. If the folder is not writable, or
+// the path is not a file, nothing is cached, without a message.
 class PipelineCache {
 public:
     PipelineCache(const Gpu& gpu, Module module);
 
     const vk::raii::PipelineCache& handle() const { return handle_; }
 
-    // Writes what has come to it since it was opened.
+    // Writes the cache if it has changed since it was opened.
     void save();
 
 private:

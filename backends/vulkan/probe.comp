@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What exact mode takes for granted, by itself: the host compares each with IEEE's results. The words quotient and root;
-// and canaries for products that a device fuses with the sums that they go into, which would round once in place of
-// twice.
+// Tests the assumptions of exact mode; the host compares the results with IEEE's: quotient() and root(), and canaries
+// for multiplications that a device fuses with additions, which rounds once instead of twice.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 
@@ -16,7 +15,7 @@ layout(std430, binding = 5) writeonly buffer Sums { real sums[]; };
 
 real multiplied_and_added(real a, real b, real c) { return a * b + c; }
 
-// A chain, as in a norm, and in a called function.
+// A chain, as in a norm, inside a called function.
 real norm(vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
 void main()

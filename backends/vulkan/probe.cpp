@@ -14,10 +14,9 @@ constexpr int values = 4096;    // a multiple of the group's size
 constexpr int group_side = 64;  // as in probe.comp
 constexpr int group_count = values / group_side;
 
-// Numbers between 2^-20 and 2^20, every bit of the mantissa in use: SplitMix64 (Steele, Lea and Flood, 2014). An
-// approximation that is off in the last bit is seen within a few dozen of them. Among them are, again and again,
-// numbers whose quotients and roots lie just beside the middle of two neighbours: 1 + ulp, 2 - ulp and other neighbours
-// of powers of two.
+// Returns numbers between 2^-20 and 2^20 that use every bit of the mantissa: SplitMix64 (Steele, Lea and Flood, 2014).
+// A few dozen of them reveal an approximation with an error in the last bit. Some are near powers of two (1 + ulp, 2 -
+// ulp and other neighbours), so that their quotients and roots lie close to the midpoint of two neighbours.
 template <class Real>
 std::vector<Real> tricky_numbers(std::uint64_t seed)
 {
@@ -36,7 +35,7 @@ std::vector<Real> tricky_numbers(std::uint64_t seed)
     return numbers;
 }
 
-// What probe.comp finds otherwise than the host, or nothing.
+// First difference between probe.comp and the host.
 enum class Found { nothing, quotients, contraction };
 
 template <class Real>
@@ -54,7 +53,7 @@ Found probed(Gpu& gpu, Workbench& bench, const std::string& module)
     }
     const auto dividends = tricky_numbers<Real>(1);
     const auto divisors = tricky_numbers<Real>(2);
-    // The products' own opposites, of which a fused sum is what the product lost by rounding.
+    // The negated rounded products: a fused addition then returns the rounding error of the product.
     std::vector<Real> addends;
     for (std::size_t i = 0; i < values; ++i) addends.push_back(-(dividends[i] * divisors[i]));
     for (const auto& [at, numbers] : {std::pair(0, &dividends), {1, &divisors}, {2, &addends}}) {

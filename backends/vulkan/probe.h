@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a device computes as IEEE 754 says: Vulkan lets quotients and roots be off by 2.5 units in the last place,
-// and not every driver heeds NoContraction.
+// Tests if a device follows IEEE 754: Vulkan allows errors of 2.5 ulp in divisions and square roots, and some drivers
+// ignore NoContraction.
 #pragma once
 
 #include <memory>
@@ -11,15 +11,15 @@
 
 namespace mandelmarch::vulkan {
 
-// All that a device works with. It is kept apart from the code that uses it, so that it can be left behind together
-// with a device that does not answer.
+// Objects in use by a device. Separate from the code that uses them, so that they can be abandoned together with a
+// device that does not respond.
 struct Workbench {
     std::unique_ptr<Program> program;
     std::vector<Buffer> buffers;
 };
 
-// The ending of the names of the modules that keep exact mode's promise on this device: "", or for its inexact float
-// quotients "_corrected" or "_pinned" (modules.h). Throws Unavailable if there are none.
+// Returns the name suffix of the modules with which this device is exact: "", or, if its float divisions are inexact,
+// "_corrected" or "_pinned" (modules.h). Throws Unavailable if none is exact.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 
 }  // namespace mandelmarch::vulkan

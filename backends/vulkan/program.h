@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A module on a device: its pipelines, made when first asked for, and the buffers that they work on.
+// A module on a device: its pipelines, created on first use, and its buffers.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace mandelmarch::vulkan {
 
-// A part of a buffer, as a shader sees it.
+// A range of a buffer, as bound to a shader.
 struct Binding {
     const Buffer* buffer;
     vk::DeviceSize offset;  // bytes
     vk::DeviceSize size;    // bytes
 };
 
-// Both of the shaders: storage buffers 0, 1, ... in set 0, four ints of push constants, four ints of specialization.
+// Both shaders use: storage buffers 0, 1, ... in set 0, four ints of push constants, four of specialization.
 class Program {
 public:
     using Ints = std::array<std::int32_t, 4>;
@@ -29,10 +29,10 @@ public:
 
     void bind(std::span<const Binding> bindings) const;
 
-    // True if the pipeline of these constants is still to be made, which dispatch() does.
+    // True if the pipeline of these constants does not exist yet; dispatch() creates it.
     bool lacks(const Ints& constants) const { return !pipelines_.contains(constants); }
 
-    // Records work. The caller sees to barriers.
+    // Records work. The caller adds barriers.
     void dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x, std::uint32_t groups_y);
 
 private:
@@ -43,7 +43,7 @@ private:
     vk::raii::DescriptorSetLayout set_layout_ = nullptr;
     vk::raii::PipelineLayout layout_ = nullptr;
     vk::raii::DescriptorPool pool_ = nullptr;
-    vk::DescriptorSet set_;  // the pool's
+    vk::DescriptorSet set_;  // owned by the pool
     PipelineCache cache_;
     std::map<Ints, vk::raii::Pipeline> pipelines_;
 };

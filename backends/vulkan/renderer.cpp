@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-// What a renderer holds of Vulkan, in the order in which it may be taken down from the end.
+// Vulkan objects of a renderer; destroyed in reverse order.
 struct Session {
     Instance instance;
     Gpu gpu;
@@ -66,8 +66,8 @@ public:
     }
 
 private:
-    // Runs f. A device that does not answer is left behind with all that it may still be using: to destroy it would be
-    // to wait for it.
+    // Runs f. A device that does not respond is abandoned with all objects that it may still use, since destroying them
+    // would block.
     template <class Function>
     void guarded(Function f)
     {
@@ -95,7 +95,7 @@ private:
                             .device = gpu.facts().device,
                             .precision = options_.precision,
                             .mode = options_.mode,
-                            // lavapipe reports no number of threads, but names each of them.
+                            // lavapipe does not report its number of threads, but names each of them.
                             .threads = gpu.facts().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                             .instruction_set = instruction_set_,
                             .timings = {},
@@ -121,7 +121,7 @@ private:
         return report;
     }
 
-    // The fractal's program, on the bench.
+    // Loads the fractal's program into the Workbench.
     void load(std::string_view fractal)
     {
         const Module module = module_named(fmt::format("{}_{}", fractal, variant_));
@@ -131,7 +131,8 @@ private:
         loaded_ = fractal;
     }
 
-    // Buffers for bands of so many pixels, on the bench, and the program's. Those of earlier pictures stay if they do.
+    // Makes buffers for bands of `pixels` pixels and binds them. Buffers of earlier pictures are reused if large
+    // enough.
     template <class Real>
     void bind_buffers(vk::DeviceSize pixels)
     {
@@ -158,10 +159,10 @@ private:
 
     RendererOptions options_;
     std::unique_ptr<Session> session_;
-    std::string variant_;                     // the ending of the modules' names
-    std::string instruction_set_ = "SPIR-V";  // and how it computes float quotients, for the user
+    std::string variant_;                     // suffix of the modules' names
+    std::string instruction_set_ = "SPIR-V";  // includes the method of float divisions, for the user
     std::string loaded_;                      // fractal
-    vk::DeviceSize held_ = 0;                 // pixels that the buffers on the bench hold
+    vk::DeviceSize held_ = 0;                 // pixels that the Workbench's buffers can hold
     double context_ = 0;                      // seconds
 };
 

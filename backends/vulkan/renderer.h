@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws scenes on one Vulkan device.
+// Renders scenes on one Vulkan device.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace mandelmarch::vulkan {
 
-// Throws Unavailable if the device is not there or cannot do what is asked.
+// Throws Unavailable if the device does not exist or does not support the options.
 std::unique_ptr<Renderer> make_renderer(const RendererOptions& options);
 
 }  // namespace mandelmarch::vulkan

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tool of the build, on SPIR-V modules:
-//   decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add, and no algebra
-//                        of an optimiser's own. GLSL's `precise` misses operations in functions that are called.
-//   check IN...          exit code 1 if an operation lacks it
-//   embed OUT.cpp IN...  the modules as a C++ table, named by their files' stems
+// A build tool for SPIR-V modules:
+//   decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add and no
+//                        algebraic optimisation. GLSL's `precise` omits operations in called functions.
+//   check IN...          exit code 1 if an operation lacks the decoration
+//   embed OUT.cpp IN...  writes the modules as a C++ table, named by the stems of their files
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,8 +24,8 @@ constexpr std::size_t header_words = 5;
 constexpr std::uint32_t no_contraction = 42;
 constexpr std::uint32_t op_decorate = 71;
 
-// FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices. Where a float
-// quotient is computed in double, Mesa 25 would leave out the rounding to float before the next one.
+// FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices. FConvert is included
+// because Mesa 25 would omit the rounding to float between two float divisions computed in double.
 bool is_arithmetic(std::uint32_t opcode)
 {
     static const std::set<std::uint32_t> opcodes{115, 127, 129, 131, 133, 136, 140, 141,
@@ -33,7 +33,7 @@ bool is_arithmetic(std::uint32_t opcode)
     return opcodes.contains(opcode);
 }
 
-// Instructions that come before the module's types: annotations end there.
+// Instructions that precede the module's types, before which annotations end.
 bool is_preamble(std::uint32_t opcode)
 {
     static const std::set<std::uint32_t> opcodes{2,  3,  4,  5,  6,  7,  10,  11,  14,  15,   16,
@@ -53,7 +53,7 @@ Words read_module(const std::string& path)
     return words;
 }
 
-// What a module's instructions say about contraction.
+// Contraction of a module's instructions.
 struct Survey {
     std::size_t annotations_end = 0;      // word index
     std::set<std::uint32_t> undecorated;  // results of arithmetic operations

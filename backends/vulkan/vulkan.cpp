@@ -23,7 +23,7 @@ public:
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
-    // The loader's manifests, in its usual folders.
+    // Reads the loader's manifests, in its usual folders.
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;
@@ -60,7 +60,7 @@ public:
             const vulkan::Instance instance;
             for (const auto& physical : instance.devices()) devices.push_back(vulkan::facts_of(physical).device);
         } catch (const Error&) {
-            devices.clear();  // unavailable() says why
+            devices.clear();  // unavailable() returns the reason
         }
         return devices;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Vulkan backend: the kernel text as SPIR-V compute shaders, on GPUs and on CPUs through lavapipe.
+// The Vulkan backend: the kernel as SPIR-V compute shaders, on GPUs, and on CPUs through lavapipe.
 #pragma once
 
 #include <memory>

@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-// Handles output that failed. A closed pipe is no error: a reader such as `| head -1` has all that it wanted, and the
-// program's exit code does not change.
+// Handles failed output. A closed pipe is not an error: a reader such as `| head -1` has read what it needs, and the
+// exit code does not change.
 void refuse_unless_unread(int cause)
 {
     if (cause != EPIPE) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs say: notes on stderr, results on stdout.
+// Console output: messages on stderr, results on stdout.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-// A note for the user on stderr, as it stands. Where stderr cannot be written the note is lost and the work goes on.
+// Prints a message to stderr, unchanged. If stderr cannot be written, the message is lost and the program continues.
 void say(std::string_view text);
 
 template <class... Values>
@@ -18,7 +18,7 @@ void say(fmt::format_string<Values...> format, Values&&... values)
     say(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-// Prints a result to stdout. Throws Error if it cannot be written; a pipe that its reader has closed is no error. The
+// Prints a result to stdout. Throws Error if it cannot be written; a pipe closed by its reader is not an error. The
 // output is buffered; run_program flushes it.
 void print(std::string_view text);
 
@@ -28,7 +28,7 @@ void print(fmt::format_string<Values...> format, Values&&... values)
     print(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-// Writes out what stdout buffers. Throws Error where that fails, or has failed before.
+// Flushes stdout. Throws Error if this fails, or failed before.
 void flush_stdout();
 
 }  // namespace mandelmarch

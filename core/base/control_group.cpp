@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::map<std::string, std::uint64_t, std::less<>>;
 
-// The lines `key number` of a file.
+// Reads the lines `key number` of a file.
 Numbers numbers_in(const std::string& path)
 {
     std::ifstream file(path);
@@ -33,7 +33,7 @@ std::uint64_t value_of(const Numbers& numbers, std::string_view key)
     return found == numbers.end() ? 0 : found->second;
 }
 
-// A file that holds one number; no_limit where it is missing or holds "max".
+// Reads a file that contains one number; no_limit if it is missing or contains "max".
 std::uint64_t number_in(const std::string& path)
 {
     std::ifstream file(path);
@@ -41,7 +41,7 @@ std::uint64_t number_in(const std::string& path)
     return file >> value ? value : no_limit;
 }
 
-// The group's path: for a controller of version 1, or for version 2 if `controller` is empty.
+// Returns the group's path: for a controller of version 1, or for version 2 if `controller` is empty.
 std::string group_of(const std::string& root, std::string_view controller)
 {
     std::ifstream file(root + "/proc/self/cgroup");
@@ -58,7 +58,8 @@ std::string group_of(const std::string& root, std::string_view controller)
     return {};
 }
 
-// The folders of the group and of all groups above it, the root last. In a container, the root may be the group itself.
+// Returns the folders of the group and its parent groups, the root last. In a container the root may be the group
+// itself.
 std::vector<std::string> folders(const std::string& root, std::string_view controller)
 {
     const std::string groups = root + "/sys/fs/cgroup";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The resources that the control groups of this process leave it (Linux cgroups, version 1 or 2, as containers and job
-// schedulers make them). `root`: the folder that stands for /, so that tests can supply a tree of files.
+// Resource limits of this process from its control groups (Linux cgroups, version 1 or 2, set by containers and job
+// schedulers). `root`: the folder used as /, so that tests can supply files.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace mandelmarch {
 
 inline constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
-// Bytes left in the group and in every group above it; no_limit if no group has a limit. Page cache that a group counts
-// as used is free here: the kernel reclaims it when memory is needed.
+// Returns the min of the bytes left in the group and its parent groups; no_limit if none has a limit. Page cache
+// charged to a group counts as free, since the kernel reclaims it on demand.
 std::uint64_t memory_left_in_groups(const std::string& root = {});
 
-// The smallest quota of the group and all groups above it, in seconds of processor time per second: 1.5 is one and a
-// half cores. nullopt if there is no quota.
+// Returns the min quota of the group and its parent groups, in seconds of processor time per second (1.5: one and a
+// half cores); nullopt: no quota.
 std::optional<double> processor_quota(const std::string& root = {});
 
-// Counts of how often a quota has stopped a group since it was made.
+// How often a quota has stopped a group since its creation.
 struct Throttling {
     std::uint64_t periods = 0;    // periods in which the group was busy
     std::uint64_t throttled = 0;  // periods in which it was stopped
 };
 
-// The throttling of the group that was stopped most often.
+// Returns the throttling of the group that was stopped most often.
 Throttling throttling(const std::string& root = {});
 
 }  // namespace mandelmarch

@@ -20,15 +20,15 @@
 namespace mandelmarch {
 namespace {
 
-// The process's original affinity, a bit for each core. It is written once, before main() and before the constructors
-// of shared libraries, because OpenMP's constructor binds the first thread.
+// The process's original affinity, one bit per core. Written once, before main() and the constructors of shared
+// libraries, because OpenMP's constructor binds the first thread.
 struct Mask {
     unsigned long bits[128] = {};  // 8192 cores
     long bytes = 0;                // written by the kernel; 0 or less: unknown
 };
 constinit Mask given;
 
-// Not instrumented: sanitizers are not ready yet.
+// Not instrumented, because sanitizers are not initialised yet.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
 {
     given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);
@@ -45,7 +45,7 @@ int cores_given()
     return std::max(1, count);
 }
 
-// The first number of a variable's list; nullopt unless it is above 0.
+// Returns the first number of a variable's list; nullopt if it is not positive.
 std::optional<int> first_number(const char* variable)
 {
     const char* text = std::getenv(variable);

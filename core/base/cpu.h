@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What CPU this is.
+// Identification of the CPU.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@ struct Cache {
     int level = 0;
     std::string type;  // "Data", "Instruction" or "Unified"
     std::uint64_t bytes = 0;
-    std::string cores{};  // that share it, as Linux lists them: "0-7"
+    std::string cores{};  // cores that share it, in Linux's list format: "0-7"
 };
 
 struct Cpu {
-    std::string name = "CPU";  // as it calls itself, "CPU" where unknown
+    std::string name = "CPU";  // as reported by the CPU; "CPU" if unknown
     std::string vendor = "unknown";
-    // Of x86: different designs may share a name. nullopt where unknown.
+    // x86 only; they distinguish designs with the same name. nullopt if unknown.
     std::optional<int> family, model, stepping;
-    std::vector<std::string> flags;    // as Linux names them, in the order of the alphabet
-    std::vector<std::string> vectors;  // the vector extensions among them, in Linux's order
+    std::vector<std::string> flags;    // Linux's names, sorted
+    std::vector<std::string> vectors;  // the vector extensions among the flags, in Linux's order
 
-    // A name that differs where the design does: "AMD EPYC (family 25 model 17)".
+    // Returns a name that differs between designs: "AMD EPYC (family 25 model 17)".
     std::string platform() const;
 };
 
-// From the text of /proc/cpuinfo, of its first processor.
+// Parses the text of /proc/cpuinfo; uses its first processor.
 Cpu read_cpuinfo(std::istream& cpuinfo);
 
-// Those of the first core, from a folder like /sys/devices/system/cpu/cpu0/cache. Empty where it is not there.
+// Reads the caches of the first core from a folder like /sys/devices/system/cpu/cpu0/cache. Empty if it does not exist.
 std::vector<Cache> read_caches(const std::string& folder);
 
 Cpu host_cpu();

@@ -21,13 +21,13 @@ namespace mandelmarch {
 
 namespace {
 
-// Opens /dev/null where standard input, output or error is closed, or a file would get its number and what is written
-// there. The wrong way round: reading and writing fail, as before.
+// If a standard descriptor is closed, opens /dev/null in its place, so that no file reuses its number. Uses the
+// opposite access mode, so that reads and writes still fail.
 void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest number that is free is this one.
+        // open() uses the lowest free number, which is this one.
         static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
 }
@@ -51,7 +51,7 @@ int run_program(const char* program, int (*body)(int, char**), int argc, char** 
 {
     hold_standard_descriptors();
     restore_affinity();
-    // A reader that goes away and a file size limit become errors of the write that meets them.
+    // Closed pipes and file size limits then cause errors of the write instead of signals.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const auto complain = [&](const std::exception& error) { say("{}: {}\n", program, printable(error.what())); };

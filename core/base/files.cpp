@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;  // as Linux
+constexpr int most_links = 40;  // as in Linux
 
-// What the name leads to; nullopt where nothing is there.
+// Returns the status of the file, following links; nullopt if it does not exist.
 std::optional<struct stat> status_of(const std::string& path)
 {
     struct stat status {};
@@ -61,8 +61,8 @@ std::string end_of_links(const std::string& path)
         std::error_code error;
         if (in_proc(at.string())) return at.string();
         const fs::path next = fs::read_symlink(at, error);
-        if (error) return at.string();  // no link
-        at = at.parent_path() / next;   // an absolute one stands alone
+        if (error) return at.string();  // not a link
+        at = at.parent_path() / next;   // an absolute path replaces it
     }
     throw InputError(fmt::format("{}: {}, expected a file", path, std::strerror(ELOOP)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What file a name means.
+// File names and the files that they refer to.
 #pragma once
 
 #include <string>
@@ -7,30 +7,30 @@
 
 namespace mandelmarch {
 
-// The name at the end of a chain of symbolic links; that file need not be there yet. A name in /proc ends the chain:
-// what it leads to is open already. Throws InputError where links lead in a circle.
+// Follows a chain of symbolic links to its last name, whose file may not exist yet. Stops at a name in /proc, since its
+// target is already open. Throws InputError if the links are circular.
 std::string end_of_links(const std::string& path);
 
-// True for a name in a folder of /proc: its file is made by the kernel, or open already.
+// True for a name in a folder of /proc: a virtual file, or one that is already open.
 bool in_proc(const std::string& path);
 
-// The files of a folder, sorted; none where it cannot be read.
+// Returns the files of a folder, sorted; empty if it cannot be read.
 std::vector<std::string> files_in(const std::string& folder);
 
-// The folder of a name, "." where it has none.
+// Returns the folder of a path; "." if it has none.
 std::string folder_of(const std::string& path);
 
-// True if both names mean one file, by whatever spelling or link, there or not yet.
+// True if both names refer to one file, by any spelling or link, even if it does not exist yet.
 bool same_file(const std::string& a, const std::string& b);
 
-// A file that a command line names: what messages call it (an option, say) and its path, empty where it is not given.
+// A file on a command line: its name in messages (such as an option) and its path; empty if not given.
 struct NamedFile {
     std::string name;
     std::string path;
 };
 
-// Throws InputError where a file that is written is also another one, written or read. Devices (/dev/null, a terminal)
-// may be shared.
+// Throws InputError if a written file is also another written or read file. Devices (/dev/null, a terminal) may be
+// shared.
 void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read = {});
 
 }  // namespace mandelmarch

@@ -12,7 +12,7 @@
 namespace mandelmarch {
 namespace {
 
-// The number after `key` in a file of lines `key number kB`, in bytes, or no_limit.
+// Returns the number after `key` in a file of lines `key number kB`, in bytes; otherwise no_limit.
 std::uint64_t bytes_after(const std::string& path, const std::string& key)
 {
     constexpr std::uint64_t kibibyte = 1024;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much memory this process may still take.
+// Memory available to this process.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace mandelmarch {
 
-// Bytes that this process can still allocate: the smallest of the system's available memory, the memory left by the
-// control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root`: the folder that stands
-// for /.
+// Returns the bytes that this process can still allocate: the min of the system's available memory, the memory left by
+// the control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root`: the folder used as
+// /.
 std::uint64_t available_memory(const std::string& root = {});
 
 }  // namespace mandelmarch

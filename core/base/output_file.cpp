@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// N, where the path leads to this process's own descriptor N, as /dev/stdout and /dev/fd/N do.
+// Returns N if the path refers to this process's own descriptor N, as do /dev/stdout and /dev/fd/N.
 std::optional<int> own_descriptor(const std::string& path)
 {
     const std::string end = end_of_links(path);
@@ -39,14 +39,14 @@ bool writable(int descriptor)
     return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
-// Programs make no devices: a new name in /dev is a slip.
+// Programs do not create devices, so a new name in /dev is a mistake.
 bool new_in_dev(const std::string& target)
 {
     std::error_code ignored;
     return same_file(folder_of(target), "/dev") && !fs::exists(target, ignored);
 }
 
-// A file that is reached from a folder that has been deleted cannot be made, whatever access() says.
+// True for a relative path in a deleted current folder. No file can be created there, even if access() succeeds.
 bool is_deleted(const std::string& folder)
 {
     std::error_code error;
@@ -136,7 +136,7 @@ void OutputFile::seek(std::uint64_t offset)
 void OutputFile::commit()
 {
     if (temporary_) {
-        // A new file gets the rights that the user's mask leaves; a replaced one keeps its own.
+        // A new file has the default permissions of the user's mask; a replaced one keeps its permissions.
         struct stat old {};
         const mode_t mask = umask(0);
         umask(mask);

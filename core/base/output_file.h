@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that appears whole or not at all.
+// Output files that appear complete or not at all.
 #pragma once
 
 #include <cstddef>
@@ -12,39 +12,39 @@
 
 namespace mandelmarch {
 
-// Writes beside the target and renames on commit(). A stream is written into instead and never replaced. A symbolic
-// link stays; its target is replaced, or made. Errors are thrown as Error with the path and the cause.
+// Writes to a temporary file next to the target; commit() renames it. Writes directly into a stream. A symbolic link is
+// kept; its target is replaced, or created. Errors are thrown as Error with the path and the cause.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
-    ~OutputFile();  // without a commit(), what was written beside the target is removed; see TemporaryPath for signals
+    ~OutputFile();  // without a commit(), removes the temporary file; for signals see TemporaryPath
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(const void* data, std::size_t size);
-    // The next write goes to `offset` bytes from the beginning. Not for streams.
+    // Sets the position of the next write, in bytes from the beginning. Not for streams.
     void seek(std::uint64_t offset);
     void commit();
 
     // Throws InputError if the target certainly cannot be written: its folder is missing or not writable, or it is a
-    // folder itself, or a new name in /dev. Touches nothing.
+    // folder, or a new name in /dev. Changes nothing.
     static void check(const std::string& path);
 
-    // True if the target exists and is neither a regular file nor a folder (a device, a pipe), or is named in /proc, as
-    // /dev/stdout, /dev/stderr and /dev/fd/N are. The last are written into as a shell would, also where they are
-    // files.
+    // True if the target exists and is neither a regular file nor a folder (a device, a pipe), or if its name is in
+    // /proc, as for /dev/stdout, /dev/stderr and /dev/fd/N. The latter are written directly, as by a shell, even if
+    // they are regular files.
     static bool is_stream(const std::string& path);
 
 private:
     [[noreturn]] void fail(const char* action) const;
 
-    std::string path_;                        // as the user named it
-    std::string target_;                      // what is replaced; empty for a stream
-    std::optional<TemporaryPath> temporary_;  // beside it
+    std::string path_;                        // as given by the user
+    std::string target_;                      // the file to replace; empty for a stream
+    std::optional<TemporaryPath> temporary_;  // next to the target
     int descriptor_ = -1;
 };
 
-// Writes a whole file, as OutputFile does.
+// Writes a whole file through OutputFile.
 void write_file(const std::string& path, std::string_view text);
 
 }  // namespace mandelmarch

@@ -27,12 +27,12 @@ constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
 
 struct Name {
     std::string path;
-    pid_t owner;  // a process forked from it knows the name, but the file is not its own
+    pid_t owner;  // a forked process has the name, but does not own the file
 
     bool operator==(const Name&) const = default;
 };
 
-// The names in use. A signal handler has nothing but globals to find them by.
+// The names in use; global, as a signal handler needs.
 struct Names {
     std::vector<Name> all;
     std::mutex mutex;
@@ -47,12 +47,13 @@ void wait_a_millisecond()
     nanosleep(&millisecond, nullptr);
 }
 
-// Removes the files. The signal's usual action follows when this returns.
+// Removes the files, then raises the signal with its default action.
 void remove_files(int signal)
 {
     Names& known = *names.load();
     known.ending = true;
-    // A thread amid a change soon ends it, and none begins another. One stuck in a file system is not waited for.
+    // A thread inside a Change finishes soon, and no other begins. Waits at most a second, in case it is blocked in a
+    // file system.
     for (int waits = 0; known.changing > 0 && waits < 1000; ++waits) wait_a_millisecond();
     if (known.changing == 0) {
         for (const Name& name : known.all) {
@@ -69,7 +70,7 @@ Names& installed()
 {
     static std::once_flag once;
     std::call_once(once, [] {
-        names = new Names;  // never deleted: a signal may come until the very end
+        names = new Names;  // never deleted, as signals may arrive until the end of the process
         struct sigaction action {};
         action.sa_handler = remove_files;
         sigfillset(&action.sa_mask);
@@ -82,7 +83,7 @@ Names& installed()
     return *names.load();
 }
 
-// While this lives, files and names may change. No signal comes to this thread, and a handler in another one waits.
+// Files and names may change only while a Change exists. It blocks signals in this thread; handlers in others wait.
 class Change {
 public:
     Change() : names_(installed())
@@ -95,7 +96,7 @@ public:
         ++names_.changing;
         if (!names_.ending) return;
         --names_.changing;
-        for (;;) pause();  // the process ends in a moment
+        for (;;) pause();  // the process is about to end
     }
     ~Change()
     {
@@ -107,7 +108,7 @@ public:
     Change& operator=(const Change&) = delete;
 
     void add(const std::string& path) { names_.all.push_back({path, getpid()}); }
-    // False where another process made it.
+    // Returns false if another process created the file.
     bool forget(const std::string& path) { return std::erase(names_.all, Name{path, getpid()}) > 0; }
 
 private:

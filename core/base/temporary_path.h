@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are in the making go with the process that makes them.
+// Temporary files that are removed when the process ends.
 #pragma once
 
 #include <string>
 
 namespace mandelmarch {
 
-// The name of a file in the making. The file is removed when this goes, unless it was renamed, and when the process is
-// ended by SIGINT, SIGTERM or SIGHUP, which it then still ends by. A signal that is ignored or has a handler stays as
-// it is.
+// The path of a temporary file. The destructor removes the file unless it was renamed. SIGINT, SIGTERM and SIGHUP
+// remove it, too, and then end the process as usual; a signal that is ignored or has a handler is left unchanged.
 class TemporaryPath {
 public:
-    // Of a file that something else makes.
+    // For a file created by other code.
     explicit TemporaryPath(std::string path);
-    // Makes an empty file, `prefix` and six characters, and opens it for writing. Throws Error with name and cause.
+    // Creates an empty file, named `prefix` and six characters, and opens it for writing. Throws Error with name and
+    // cause.
     TemporaryPath(const std::string& prefix, int& descriptor);
     ~TemporaryPath();
     TemporaryPath(const TemporaryPath&) = delete;
@@ -21,11 +21,11 @@ public:
 
     const std::string& path() const { return path_; }
 
-    // Gives the file its name for good, in the place of what has that name; false with errno where it cannot.
+    // Renames the file to its final name and replaces a file of that name; returns false and sets errno on failure.
     bool rename_to(const std::string& target);
 
 private:
-    std::string path_;  // empty: renamed
+    std::string path_;  // empty after renaming
 };
 
 }  // namespace mandelmarch

@@ -8,7 +8,7 @@
 namespace mandelmarch {
 namespace {
 
-// Bytes of the UTF-8 character at the beginning of `text`, 0 where there is none.
+// Returns the length of the UTF-8 character at the beginning of `text`, in bytes; 0: not UTF-8.
 std::size_t utf8_length(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which version of the project a program is, and of which revision of its sources it was built.
+// Version of the project and revision of the sources that a program was built from.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 namespace mandelmarch {
 
 std::string_view project_version();  // "0.1.0"
-std::string_view source_revision();  // git's, whole; "unknown" outside a repository
-bool sources_changed();              // tracked files outside report/results differed from the revision
+std::string_view source_revision();  // full hash of git; "unknown" outside a repository
+bool sources_changed();              // tracked files outside report/results differ from the revision
 
-// What --version prints: "NAME 0.1.0 (REVISION)", or "(REVISION, changed)".
+// Returns the output of --version: "NAME 0.1.0 (REVISION)", or "(REVISION, changed)".
 std::string version_line(std::string_view program);
 
 }  // namespace mandelmarch

@@ -14,7 +14,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int visible = 2;  // bytes; the bar of every comparison of this project
+constexpr int visible = 2;  // of 255; the threshold of all comparisons in this project
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 

@@ -11,22 +11,22 @@
 
 namespace mandelmarch {
 
-// One pixel as a backend computed it.
+// A pixel as computed by a backend.
 struct PixelValue {
     double red = 0, green = 0, blue = 0;  // 0 to 1, as displayed
-    double depth = 0;                     // +infinity: nothing hit
+    double depth = 0;                     // +infinity: no hit
     std::int32_t steps = 0;
     std::int32_t iterations = 0;
 };
 
-// Finished pixels where a backend left them, one plane for each value. Pixel (x, y) stands at y * stride + x of every
-// plane. Real is the kernel's number type.
+// Finished pixels in a backend's memory, one plane for each value. Pixel (x, y) has index y * stride + x in every
+// plane. Real is the kernel's floating-point type.
 template <class Real>
 struct Planes {
     const Real* red;  // 0 to 1, as displayed
     const Real* green;
     const Real* blue;
-    const Real* depth;  // +infinity: nothing hit
+    const Real* depth;  // +infinity: no hit
     const int* steps;
     const int* estimates;
     const int* iterations;
@@ -36,19 +36,19 @@ struct Planes {
 template <class Real>
 Planes<Real> planes_of(const Tile<Real>& tile);
 
-// The layout of a device's buffers: the planes red, green, blue and depth one after another in `reals`, the planes
-// steps, estimates and iterations in `wholes`, each of `pixels` values (real_planes and whole_planes of them).
+// Layout of a device's buffers, each plane of `pixels` values: red, green, blue and depth in `reals`; steps, estimates
+// and iterations in `wholes` (real_planes and whole_planes are their numbers).
 template <class Real>
 Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride);
 
-// Rows go from the bottom to the top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
+// Rows go from bottom to top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
 class Image {
 public:
-    // What is kept beside the three bytes: nothing, the values of the colours they came from, or all of PixelValue.
+    // Values stored with the three bytes: none, the colours that the bytes come from, or all of PixelValue.
     enum class Layers { bytes, colours, all };
 
     Image() = default;
-    // A black image. Copies take their memory from the heap. `first_row`: row 0's number in the larger picture, if any.
+    // Makes a black image. Copies use the heap. `first_row`: index of row 0 in a larger picture, if any.
     Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
           int first_row = 0);
 
@@ -64,24 +64,23 @@ public:
     bool has_values() const { return layers_ != Layers::bytes; }
     bool has_depths() const { return layers_ == Layers::all; }
 
-    // Three bytes a pixel: red, green, blue.
+    // Three bytes per pixel: red, green, blue.
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    // The first byte of this row, numbered as in the larger picture.
+    // Returns the first byte of a row, counted as in the larger picture.
     std::uint8_t* row_bytes(int row) { return bytes_.data() + 3 * pixels(width_, row - first_row_); }
 
-    // Empty for Layers::bytes; depth, steps and iterations are 0 and mean nothing for Layers::colours.
+    // Empty for Layers::bytes. With Layers::colours, depth, steps and iterations are 0 and meaningless.
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
-    // Stores pixels (0, 0) to (width - 1, height - 1) of the planes from (left, bottom) of the larger picture on. A
-    // byte is trunc(255 c), computed in the tile's number type. Different parts of an image can be stored from
-    // different threads.
+    // Stores pixels (0, 0) to (width - 1, height - 1) of the planes at (left, bottom) of the larger picture. A byte is
+    // trunc(255 c), computed in the planes' precision. Threads may store different parts of an image concurrently.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);
 
-    // Memory that an image takes, in bytes per pixel.
+    // Memory of an image, in bytes per pixel.
     static std::size_t bytes_per_pixel(Layers layers);
 
 private:

@@ -24,7 +24,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// Appends at most `size` bytes; false at the end of the file.
+// Appends up to `size` bytes; returns false at the end of the file.
 bool read_some(std::ifstream& file, Bytes& data, std::size_t size)
 {
     const std::size_t before = data.size();
@@ -48,7 +48,7 @@ constexpr std::array known_endings{KnownEnding{".bmp", ImageFormat::bmp},  Known
                                    KnownEnding{".jpg", ImageFormat::jpeg}, KnownEnding{".jpeg", ImageFormat::jpeg},
                                    KnownEnding{".exr", ImageFormat::exr}};
 
-constexpr int largest_jpeg = 65'500;  // pixels of a side, in libjpeg
+constexpr int largest_jpeg = 65'500;  // pixels per side; limit of libjpeg
 
 bool is_pnm(const Bytes& data)
 {
@@ -127,7 +127,7 @@ Image read_image(const std::string& path)
     if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a directory");
     std::ifstream file(path, std::ios::binary);
     if (!file) refuse(path, std::strerror(errno));
-    constexpr std::size_t first = 4;  // bytes that tell the format
+    constexpr std::size_t first = 4;  // bytes that determine the format
     Bytes data;
     read_some(file, data, first);
     auto* const decode = begins_with(data, "\x89PNG")            ? decode_png
@@ -138,7 +138,7 @@ Image read_image(const std::string& path)
     if (decode == nullptr) refuse(path, "it is no BMP, PNG, PNM or EXR");
     const std::uint64_t size = std::filesystem::file_size(path, ignored);
     constexpr std::uint64_t least = 1 << 20;
-    const std::size_t step = ignored ? least : std::max(size, least);  // a pipe's size is not known
+    const std::size_t step = ignored ? least : std::max(size, least);  // a pipe's size is unknown
     const std::uint64_t most = available_memory();
     do {
         if (step > most || data.size() > most - step) refuse(path, "it is larger than the memory available");

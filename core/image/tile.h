@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A square of finished pixels on its way from a backend into an image. Plain data: it is shared with translation units
-// that are compiled for one instruction set and must hold no code of the standard library.
+// A square of finished pixels, passed from a backend to an image. Plain data: translation units compiled for one
+// instruction set use it and must not contain code of the standard library.
 #pragma once
 
 namespace mandelmarch {
@@ -11,13 +11,13 @@ inline constexpr int tile_pixels = tile_side * tile_side;
 inline constexpr int real_planes = 4;   // of a canvas: red, green, blue, depth
 inline constexpr int whole_planes = 3;  // steps, estimates, iterations
 
-// Real is the kernel's number type. Pixel (x, y) of the tile stands at y * tile_side + x; y grows upwards.
+// Real is the kernel's floating-point type. Pixel (x, y) has index y * tile_side + x; y grows upwards.
 template <class Real>
 struct Tile {
     Real red[tile_pixels];  // 0 to 1, as displayed
     Real green[tile_pixels];
     Real blue[tile_pixels];
-    Real depth[tile_pixels];  // +infinity: nothing hit
+    Real depth[tile_pixels];  // +infinity: no hit
     int steps[tile_pixels];
     int estimates[tile_pixels];
     int iterations[tile_pixels];

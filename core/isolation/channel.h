@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pair of connected sockets between two processes of one machine: messages, each whole, with a descriptor where one
-// is given.
+// A pair of connected sockets between two processes of one machine. Messages arrive whole, optionally with a file
+// descriptor.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,21 @@ namespace mandelmarch::isolation {
 
 struct Packet {
     std::string bytes;
-    Descriptor descriptor;  // that came with it, if any
+    Descriptor descriptor;  // received with the message, if any
 };
 
 class Channel {
 public:
-    static constexpr std::size_t largest = 1 << 16;  // bytes of a message
+    static constexpr std::size_t largest = 1 << 16;  // max bytes of a message
 
     static std::pair<Channel, Channel> pair();  // throws Error
     explicit Channel(Descriptor socket) : socket_(std::move(socket)) {}
 
-    // False where the other side has gone. Throws Error where the message is larger than `largest`.
+    // Returns false if the other side has closed. Throws Error if the message is larger than `largest`.
     bool send(const std::string& bytes, int descriptor = -1) const;
-    // Waits for a message; nullopt where the other side has gone.
+    // Waits for a message; nullopt if the other side has closed.
     std::optional<Packet> receive() const;
-    // True where a message, or the other side's end, can be received at once.
+    // True if a message, or the end of the channel, can be received without waiting.
     bool waiting() const;
 
     int number() const { return socket_.number(); }

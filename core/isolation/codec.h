@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The backend interface's structures as messages. Each is taken apart by a structured binding, so that a new member
-// that is forgotten here does not compile.
+// Serialization of the backend interface's structures. Structured bindings make the compilation fail if a new member is
+// missing here.
 #pragma once
 
 #include "core/isolation/message.h"
@@ -8,7 +8,7 @@
 
 namespace mandelmarch::isolation {
 
-// `Archive` is a Writer, and the value const, or a Reader.
+// `Archive` is a Writer, with a const value, or a Reader.
 template <class Archive, class SceneOrConst>
 requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
@@ -49,17 +49,17 @@ void transfer(Archive& archive, ReportOrConst& report)
     archive(precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work, kernels);
 }
 
-// What a program asks of a device's process.
+// Requests of a program to a device process: arguments -> response.
 enum class Request : int {
-    list,     // -> why there is no device, or an empty text; the devices
-    create,   // a renderer's number, its options ->
-    render,   // its number, whether the image has values, the scene; with it the image's memory -> the report
-    release,  // its number; nothing is answered
-    cancel,   // nothing is answered: what is being drawn is, if it still is
-    peak      // options -> whether there is a number; operations per second
+    list,     // -> reason why no device is available, or ""; the devices
+    create,   // renderer number, options ->
+    render,   // renderer number, whether the image has values, scene, shared memory of the image -> report
+    release,  // renderer number; no response
+    cancel,   // cancels the render in progress, if any; no response
+    peak      // options -> whether a peak exists; operations per second
 };
 
-// What it answers. Progress comes any number of times before one of the others.
+// Responses of a device process. Any number of progress messages may precede the final one.
 enum class Answer : int { progress, done, error, input_error, unavailable, hung, no_memory, cancelled };
 
 }  // namespace mandelmarch::isolation

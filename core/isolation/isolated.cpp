@@ -17,7 +17,7 @@ namespace {
 
 using namespace isolation;
 
-// A device: its process, while a renderer uses it, and the memory for its pictures.
+// A device: its process, while a renderer uses it, and the shared memory for its pictures.
 class Host {
 public:
     Host(std::shared_ptr<const Nursery> nursery, std::string name)
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    // The process that there is, or a new one. Throws Error where the device was given up.
+    // Returns the running process, or starts one. Throws Error if the device was given up.
     std::shared_ptr<Process> process()
     {
         const std::scoped_lock lock(mutex_);
@@ -38,7 +38,7 @@ public:
         return found;
     }
 
-    // Draws what `request` asks for. Renderers of one device take turns.
+    // Renders a picture as specified by `request`. Renderers of one device take turns.
     RenderReport draw(Process& process, const Writer& request, Image& image, const Progress& progress)
     {
         const std::scoped_lock lock(drawing_);
@@ -56,7 +56,7 @@ public:
         return report;
     }
 
-    // Calls `body`. A device that hangs is not asked again: each time would take as long.
+    // Calls `body`. A device that hangs is given up, since each further call would take as long.
     template <class Body>
     auto guarded(const Body& body)
     {
@@ -72,13 +72,13 @@ public:
     int next_number() { return numbers_++; }
 
 private:
-    static constexpr std::size_t most_spare = 64;  // times as much memory as is needed
+    static constexpr std::size_t most_spare = 64;  // max ratio of the memory to the size needed
 
     std::shared_ptr<const Nursery> nursery_;
     std::string name_;
     std::weak_ptr<Process> process_;
-    std::unique_ptr<SharedMemory> memory_;  // that the process has been given
-    std::string given_up_;                  // why
+    std::unique_ptr<SharedMemory> memory_;  // also mapped by the process
+    std::string given_up_;                  // reason; empty: in use
     std::atomic<int> numbers_ = 0;          // of renderers
     std::mutex mutex_;
     std::mutex drawing_;
@@ -103,7 +103,7 @@ public:
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
         return host_->guarded([&] {
-            // A crash, in another renderer's call perhaps, has taken the process along.
+            // A crash, possibly in another renderer's call, has ended the process.
             if (process_->has_ended()) create();
             Writer request;
             request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
@@ -172,10 +172,10 @@ private:
     struct Listing {
         std::string unavailable;
         std::vector<Device> devices;
-        std::string failure;  // why there is neither
+        std::string failure;  // why both are empty
     };
 
-    // Drivers are asked once, by a process that ends with its answer.
+    // Lists devices once, in a process that ends afterwards.
     const Listing& listing() const
     {
         const std::scoped_lock lock(mutex_);

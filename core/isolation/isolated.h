@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backends whose drivers may crash, hang or end the process.
+// Isolation of backends whose drivers may crash, hang or end the process.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace mandelmarch {
 
-// The backend, with each of its devices in a process of its own: a driver that ends its process fails there with Error,
-// as does one that does not answer for device_timeout() seconds, which is not asked again. A crash spoils nothing but
-// the call in which it happens: the next one has a new process. `unavailable()` and `devices()` throw the same where
-// the driver fails while it lists devices.
+// Returns the backend with each of its devices in a separate process. A driver that ends that process causes Error; so
+// does one that does not respond for device_timeout() seconds, and its device is then not used again. A crash affects
+// only the call in which it occurs: the next call starts a new process. `unavailable()` and `devices()` throw the same
+// if the driver fails while listing devices.
 //
-// Must be called while the program has no threads; fractals that are registered later are not known there.
+// Call it while the program has no threads; fractals registered later are unknown in the device processes.
 std::unique_ptr<Backend> isolated(std::unique_ptr<Backend> backend);
 
 }  // namespace mandelmarch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program and the processes of its devices tell each other: values one after another, as they stand in memory.
-// Both are the same program, so that layouts and addresses of constants agree.
+// Messages between a program and its device processes: values in sequence, as stored in memory. Both run the same
+// executable, so layouts and addresses of constants agree.
 #pragma once
 
 #include <cstring>
@@ -44,7 +44,7 @@ private:
     std::string bytes_;
 };
 
-// Throws Error where the message ends too early.
+// Throws Error if the message ends too early.
 class Reader {
 public:
     explicit Reader(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // Where the next `size` bytes stand.
+    // Returns the address of the next `size` bytes.
     const char* advance(std::size_t size);
 
     template <class Value>

@@ -32,7 +32,7 @@ constexpr auto nap = std::chrono::milliseconds(2);
     throw Error(fmt::format("{} for a device: {}", what, std::strerror(errno)));
 }
 
-// Forks; the child ends with its parent, and forgets what the parent has not written yet.
+// Forks; the child ends with its parent, and discards the parent's unwritten output.
 pid_t fork_tied()
 {
     const pid_t parent = getpid();
@@ -45,7 +45,7 @@ pid_t fork_tied()
     return 0;
 }
 
-// In a new process: what drivers print goes to `said`, so that no result on stdout is mixed with it.
+// Runs a new process: output of drivers goes to `said`, so that it does not mix with results on stdout.
 [[noreturn]] void run(const Task& work, Descriptor socket, Descriptor said)
 {
     const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -61,7 +61,7 @@ pid_t fork_tied()
     _exit(exit_fine);
 }
 
-// The status that waitpid() tells; unless `now`, after the process has had some time to end by itself.
+// Returns the status of waitpid(); unless `now`, gives the process some time to exit by itself.
 int status_of(pid_t child, bool now)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -77,8 +77,8 @@ int status_of(pid_t child, bool now)
     return status;
 }
 
-// A message to the nursery comes with the socket for a new process, and is followed by one with the pipe for what that
-// prints; or it names the process to end.
+// Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
+// output; any other message contains the process to end.
 [[noreturn]] void tend(const Task& work, const Channel& channel)
 {
     while (auto asked = channel.receive()) {
@@ -112,7 +112,7 @@ Nursery::Nursery(const Task& work) : channel_(Descriptor())
 
 Nursery::~Nursery()
 {
-    // Its processes are tied to it.
+    // Its processes end with it.
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
 }

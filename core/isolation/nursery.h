@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where processes for devices come from. A nursery is forked off while the program has no threads and no driver; each
-// process for a device is forked off the nursery, so that it begins as clean as that, however long the program runs.
+// Creates device processes. The fork server (nursery) is forked while the program has no threads and no driver; each
+// device process is forked from it, and so begins in that clean state, however long the program has run.
 #pragma once
 
 #include <sys/types.h>
@@ -13,31 +13,31 @@
 
 namespace mandelmarch::isolation {
 
-// A process of its own, as the program sees it.
+// A child process, as seen by the program.
 struct Child {
     pid_t id = 0;
     Channel channel;  // to `work`
-    Descriptor said;  // what it writes on stdout and stderr; does not block
+    Descriptor said;  // stdout and stderr of the process; non-blocking
 };
 
 class Nursery {
 public:
-    // `work` is what each process does, with its end of a channel; when it returns, the process ends. The program must
-    // have no threads. Throws Error.
+    // `work` runs in each process, with its end of a channel; when it returns, the process ends. The program must not
+    // have threads. Throws Error.
     explicit Nursery(const std::function<void(Channel)>& work);
-    ~Nursery();  // ends all of its processes
+    ~Nursery();  // ends all its processes
     Nursery(const Nursery&) = delete;
     Nursery& operator=(const Nursery&) = delete;
 
     // Throws Error.
     Child start() const;
 
-    // Ends the process, `now` or if it has not ended by itself a moment later, and tells how it ended in words: "exit
+    // Ends the process, at once if `now`, otherwise after a short time to exit by itself. Returns how it ended: "exit
     // code 0", "signal 11 (Segmentation fault)".
     std::string end(pid_t child, bool now) const;
 
 private:
-    // What it answers to messages that belong together.
+    // Sends messages that belong together and returns the response.
     std::optional<Packet> ask(std::initializer_list<std::pair<std::string, int>> messages) const;
 
     Channel channel_;

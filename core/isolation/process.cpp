@@ -22,15 +22,15 @@
 namespace mandelmarch::isolation {
 namespace {
 
-// The process gives a device up by itself after device_timeout(), and then says more exactly what hung.
+// Longer than device_timeout(), because the process then gives a device up itself, with a more precise message.
 std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
 
-constexpr std::size_t most_said = 1 << 16;  // bytes that are kept until they are printed
-constexpr std::size_t last_words = 300;     // bytes of them in a message
+constexpr std::size_t most_said = 1 << 16;  // bytes kept until they are printed
+constexpr std::size_t last_words = 300;     // bytes of output quoted in a message
 
 constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
 
-// The file that the variable names; none where it is not set.
+// Opens the file that the variable names; none if it is not set.
 Descriptor opened_log()
 {
     const char* path = std::getenv(log_variable);
@@ -60,7 +60,7 @@ std::optional<Packet> Process::heard(const char* doing)
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) break;
         poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
-        // What it prints must not wait in a full pipe, and is no answer.
+        // The output must not block in a full pipe, and does not count as a response.
         if (from[1].revents != 0) listen();
         if (from[0].revents != 0) return child_.channel.receive();
     }
@@ -75,7 +75,7 @@ void Process::listen()
     std::array<char, 4096> buffer{};
     for (;;) {
         const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
-        if (size == 0) child_.said = Descriptor();  // closed: nothing more will come
+        if (size == 0) child_.said = Descriptor();  // closed by the process
         if (size <= 0) return;
         log({buffer.data(), static_cast<std::size_t>(size)});
         said_.append(buffer.data(), static_cast<std::size_t>(size));
@@ -98,7 +98,7 @@ void Process::log(std::string_view text)
 
 void Process::repeat_said()
 {
-    // Every process of a driver says the same: a line is for the user once.
+    // All processes of a driver print the same, so each line is printed to the user once.
     static std::set<std::string, std::less<>> repeated;
     static std::mutex one;
     const std::scoped_lock lock(one);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device's process, as the program sees it.
+// A device process, as seen by the program.
 #pragma once
 
 #include <memory>
@@ -13,30 +13,30 @@ namespace mandelmarch::isolation {
 
 class Process {
 public:
-    // `name` is what messages call it, "backend opencl: device 0".
+    // `name` is used in messages, such as "backend opencl: device 0".
     Process(std::shared_ptr<const Nursery> nursery, std::string name);
-    ~Process();  // ends it
+    ~Process();  // ends the process
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // Sends a request and waits for its answer; `doing` is for messages: "drawing". What the process prints goes to
-    // stderr. Throws what the backend there throws; Error where the process ends, and DeviceHung where nothing is heard
-    // for longer than device_timeout(): the process has then been ended, and has_ended() is true. Cancelled: the
-    // process has been told after a sign of life, and has answered.
+    // Sends a request and waits for its response; `doing` is used in messages, such as "drawing". Output of the process
+    // is printed to stderr. Rethrows exceptions of the backend. Throws Error if the process ends, and DeviceHung if it
+    // sends nothing for longer than device_timeout(): the process is then ended and has_ended() is true. Cancelled is
+    // thrown after the process has received the cancellation, following a progress message, and has responded.
     Reader ask(const Writer& request, const char* doing, int descriptor = -1, const Progress& progress = {});
-    // Sends what is not answered.
+    // Sends a request without a response.
     void tell(const Writer& request);
 
     bool has_ended() const { return ended_; }
 
 private:
-    // The next message; nullopt where the process has ended. Throws DeviceHung.
+    // Returns the next message; nullopt if the process has ended. Throws DeviceHung.
     std::optional<Packet> heard(const char* doing);
-    void listen();                                      // takes what the process has printed
-    void log(std::string_view text);                    // appends it to the file that MANDELMARCH_DRIVER_LOG names
-    void repeat_said();                                 // prints it
-    std::string end(bool now = false);                  // how it ended
-    bool told(const Progress& progress, double share);  // false: cancelled, and the process knows
+    void listen();                                      // reads the output of the process
+    void log(std::string_view text);                    // appends to the file in MANDELMARCH_DRIVER_LOG
+    void repeat_said();                                 // prints the output of the process
+    std::string end(bool now = false);                  // returns how it ended
+    bool told(const Progress& progress, double share);  // false: cancelled, and the process was notified
     [[noreturn]] void fail(Answer kind, Reader& answer, const char* doing);
 
     std::shared_ptr<const Nursery> nursery_;

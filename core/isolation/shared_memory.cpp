@@ -12,7 +12,7 @@
 namespace mandelmarch::isolation {
 namespace {
 
-// The bytes come first, then the values at their alignment, as SharedImage's resource hands memory out.
+// Bytes come first, then the aligned values, as allocated by SharedImage's resource.
 std::size_t values_at(std::size_t pixels)
 {
     constexpr std::size_t alignment = alignof(PixelValue);

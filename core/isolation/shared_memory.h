@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory that two processes see: an image's layers, which a device's process draws and the program reads.
+// Memory shared by two processes: an image's layers, rendered by a device process and read by the program.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace mandelmarch::isolation {
 
 class SharedMemory {
 public:
-    explicit SharedMemory(std::size_t size);       // new, all 0; throws std::bad_alloc
-    explicit SharedMemory(Descriptor descriptor);  // what the other process made; throws Error
+    explicit SharedMemory(std::size_t size);       // new, zeroed; throws std::bad_alloc
+    explicit SharedMemory(Descriptor descriptor);  // memory created by the other process; throws Error
     SharedMemory(const SharedMemory&) = delete;
     SharedMemory& operator=(const SharedMemory&) = delete;
     ~SharedMemory();
@@ -30,11 +30,10 @@ private:
     std::byte* data_ = nullptr;
 };
 
-// Bytes that an image takes there.
+// Returns the bytes of an image in shared memory.
 std::size_t shared_size(std::size_t pixels, Image::Layers layers);
 
-// An image that lives there; it must not outlive the memory. A second one of the same size and layers is at the same
-// place.
+// An image in shared memory, which must outlive it. Images of the same size and layers have the same layout.
 class SharedImage {
 public:
     SharedImage(const SharedMemory& memory, int width, int height, Image::Layers layers, int first_row = 0)
@@ -50,7 +49,7 @@ public:
     Image image;
 };
 
-// Copies what another process has drawn in a SharedImage of the same size and layers.
+// Copies an image that another process has rendered into a SharedImage of the same size and layers.
 void copy_shared(const SharedMemory& memory, Image& image);
 
 }  // namespace mandelmarch::isolation

@@ -17,7 +17,7 @@ class Worker {
 public:
     Worker(const Backend& backend, const Channel& channel) : backend_(backend), channel_(channel) {}
 
-    // False where nothing more will be asked.
+    // Returns false after the last request.
     bool answer(Packet& asked)
     {
         Reader request(std::move(asked.bytes));
@@ -27,7 +27,7 @@ public:
             renderers_.erase(request.take<int>());
             return true;
         }
-        if (kind == Request::cancel) return true;  // it came too late
+        if (kind == Request::cancel) return true;  // too late
         try {
             Writer made;
             made(Answer::done);
@@ -90,7 +90,7 @@ private:
             Writer progress;
             progress(Answer::progress, share);
             channel_.send(progress.bytes());
-            // While a picture is drawn nothing else is asked for.
+            // During a render the only possible request is to cancel.
             if (channel_.waiting()) {
                 static_cast<void>(channel_.receive());
                 throw Cancelled();
@@ -118,7 +118,7 @@ void serve(const Backend& backend, const Channel& channel)
 {
     Worker worker(backend, channel);
     for (auto asked = channel.receive(); asked && worker.answer(*asked);) asked = channel.receive();
-    std::_Exit(exit_fine);  // nothing is tidied up: some drivers crash or hang there
+    std::_Exit(exit_fine);  // without cleaning up, which makes some drivers crash or hang
 }
 
 }  // namespace mandelmarch::isolation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device's process: does what the program asks for, with the real backend.
+// The code of a device process: serves requests with the real backend.
 #pragma once
 
 #include "core/isolation/channel.h"
@@ -7,7 +7,7 @@
 
 namespace mandelmarch::isolation {
 
-// Answers requests until the program hangs up, then ends the process.
+// Serves requests until the program closes the channel, then ends the process.
 [[noreturn]] void serve(const Backend& backend, const Channel& channel);
 
 }  // namespace mandelmarch::isolation

@@ -12,13 +12,13 @@
 namespace mandelmarch::job {
 namespace {
 
-// Of a device's free memory, this share may be taken: others use it too.
+// Uses at most 1 / memory_share of a device's free memory, as other programs need some.
 constexpr std::size_t memory_share = 4;
-// The approximate time of a band on the host, short enough that a picture can be cancelled.
+// Approximate time of a band on the host, short enough to cancel a picture.
 constexpr double seconds_per_band = 0.1;
-// For a job, and what an allocation is rounded up to.
+// Memory of a job, with the rounding of allocations.
 constexpr std::size_t job_memory = 1 << 16;  // bytes
-// Of the host's memory: a cache line, and what a Scene asks for.
+// Alignment of host memory: a cache line, at least that of a Scene.
 constexpr std::align_val_t alignment{64};
 
 class JobRenderer : public Renderer {
@@ -36,7 +36,7 @@ public:
         try {
             model_->run(options_, [&] { memory_.reset(); });
         } catch (const Error&) {
-            // A device that is lost has lost its memory.
+            // A lost device has lost its memory, so nothing is freed.
             static_cast<void>(memory_.release());
         }
     }
@@ -94,14 +94,14 @@ private:
         return launch;
     }
 
-    // At least a row, at most the picture.
+    // Returns limits of at least a row and at most the picture.
     Limits limits_for(const Scene& scene, std::size_t bytes) const
     {
         const std::int64_t picture = std::int64_t{scene.width} * scene.height;
         std::int64_t pixels = options_.band > 0 ? options_.band : opened_.pixels_per_band;
         double seconds = 0;
         if (auto free = model_->free_memory(options_.device)) {
-            *free += memory_->held();  // it may be given back for more
+            *free += memory_->held();  // can be freed for larger buffers
             pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
             const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
             if (*free < needed) {
@@ -185,7 +185,7 @@ private:
         return opened(options.device);
     }
 
-    // A device is opened once, when first asked for, and how long that took is its renderers' `context`.
+    // Opens a device on first use; the duration becomes the `context` of its renderers.
     OpenedInTime opened(int index) const
     {
         const std::scoped_lock lock(mutex_);

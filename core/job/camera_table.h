@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What columns and rows do to the camera's axes, for kernels that have no registers to compute it in.
+// Camera factors of all columns and rows, for kernels without registers to compute them.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace mandelmarch::job {
 
-// Of core/kernel/camera.h's along_axes(): a.re of all columns, a.im of all columns, then the same of the rows' b, with
-// the bits of the text in exact mode.
+// Factors of along_axes() in core/kernel/camera.h: a.re of all columns, a.im of all columns, then b of the rows
+// likewise. In exact mode the bits equal those of the kernel.
 std::vector<float> camera_table(const layout_f32::Scene& scene);
 std::vector<double> camera_table(const layout_f64::Scene& scene);
 

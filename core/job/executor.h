@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Core's schedule on a model's device.
+// Runs the schedule on a programming model's device.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 
 namespace mandelmarch::job {
 
-// Adds the seconds of a call.
+// Adds the duration of a call, in seconds.
 template <class Call>
 void timed(double& seconds, const Call& call)
 {
@@ -28,7 +28,7 @@ void timed(double& seconds, const Call& call)
     seconds += seconds_since(begin);
 }
 
-// Memory that grows, and is kept from picture to picture. To be used and destroyed in Model::run().
+// A buffer that grows and is reused between pictures. Must be used and destroyed inside Model::run().
 template <auto take, auto give>
 class Kept {
 public:
@@ -40,7 +40,7 @@ public:
     Kept(const Kept&) = delete;
     Kept& operator=(const Kept&) = delete;
 
-    // Throws Error where there is none left.
+    // Throws Error if memory is exhausted.
     void* of_size(std::size_t bytes)
     {
         if (bytes <= size_) return address_;
@@ -64,7 +64,7 @@ private:
 using DeviceMemory = Kept<&Model::allocate, &Model::release>;
 using Staging = Kept<&Model::allocate_staging, &Model::release_staging>;
 
-// What a renderer has taken.
+// Buffers of a renderer.
 struct Memory {
     DeviceMemory reals, wholes, bytes, camera, job;
     Staging host_reals, host_wholes;
@@ -73,14 +73,14 @@ struct Memory {
         : reals(model), wholes(model), bytes(model), camera(model), job(model), host_reals(model), host_wholes(model)
     {
     }
-    // Of the device's, what grows with the picture.
+    // Bytes of the device buffers that grow with the picture.
     std::size_t held() const { return reals.size() + wholes.size() + bytes.size(); }
 };
 
 template <class Real>
 constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * sizeof(int);
 
-// Draws bands of at most `pixels` pixels.
+// Renders bands of up to `pixels` pixels.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -89,7 +89,7 @@ public:
         : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
-        // The kernels take these two as fixed (pixels.h), but for normals of a tetrahedron.
+        // Compile-time constants of the kernels (pixels.h), except for tetrahedron normals.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
             (job_.scene.differences != 2 &&
              job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>))) {
@@ -108,7 +108,7 @@ public:
         job_on_device_ = memory.job.of_size(sizeof(job_));
     }
 
-    // A whole pixel is asked for.
+    // The entry is always `draw`.
     void run(Entry, const Band& band, int) override
     {
         job_.first_row = band.first_row;
@@ -149,7 +149,7 @@ public:
     const Work& work() const { return work_; }
 
 private:
-    // So many that the threads still fill the device twice, and that few of a warp's lanes wait for its last rays.
+    // Enough threads remain to fill the device twice, and few lanes of a warp wait for its last rays.
     int pixels_of_thread(std::int64_t pixels) const
     {
         constexpr std::int64_t most = 8;

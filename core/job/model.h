@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A backend whose kernels are the scalar text in the loops of a programming model: what differs between such models.
-// docs/add-a-backend.md, "A model that compiles C++".
+// The interface of programming models that compile the scalar kernel in their loops. See docs/add-a-backend.md, "A
+// model that compiles C++".
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@
 
 namespace mandelmarch::job {
 
-// A device, opened.
+// An opened device.
 struct Opened {
     Device device = {};
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    // Threads march several pixels each, of a fractal whose lanes would wait long: where pixels_per_band is known to be
-    // waves_of_band of the threads that the device holds.
+    // Threads march several pixels each, if the fractal uses refill. Requires that pixels_per_band is waves_of_band
+    // times the resident threads.
     bool lanes_refill = false;
-    int peak_threads = 1 << 7;  // that keep it busy in multiply-adds; a multiple of block_threads
-    std::string note = {};      // said where a renderer is made: that it is not what one would expect
+    int peak_threads = 1 << 7;  // threads that keep it busy with multiply-adds; a multiple of block_threads
+    std::string note = {};      // warning printed when a renderer is created on this device; may be empty
 };
 
-// The kernels: mandelmarch_job_kernels (cmake/JobKernels.cmake) makes both functions, in the model's namespace.
+// The kernels. mandelmarch_job_kernels (cmake/JobKernels.cmake) generates both functions, in the model's namespace.
 struct Kernels {
-    Launch (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: it has no such fractal
+    Launch (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
     Chains (*chains)(Precision precision);
 };
 
@@ -40,62 +40,62 @@ class Model {
 public:
     virtual ~Model() = default;
 
-    // As Backend's functions of these names are.
+    // As the functions of Backend with these names.
     virtual std::string_view name() const = 0;
     virtual Facts facts() const = 0;
     virtual std::optional<std::string> unavailable() const { return std::nullopt; }
 
     virtual Kernels kernels() const = 0;
 
-    // How many devices there are; 0 where unavailable() says why.
+    // Returns the number of devices; 0 if unavailable().
     virtual int devices() const { return 1; }
 
-    // Called once for each device. Seconds that it takes are Timings::context.
+    // Called once per device; its duration is part of Timings::context.
     virtual Opened open(int index) const = 0;
 
-    // Calls `draw` in a thread whose device is that of the options, with as many threads as they ask for.
+    // Calls `draw` in a thread that uses the device, with the number of threads of the options.
     virtual void run(const RendererOptions& options, const std::function<void()>& draw) const
     {
         static_cast<void>(options);
         draw();
     }
-    // How many threads run() takes.
+    // Returns the number of threads that run() uses.
     virtual int threads(const RendererOptions& options, const Opened& opened) const
     {
         static_cast<void>(options);
         return opened.threads;
     }
 
-    // Runs a launch to its end, in run(). Returns the seconds that it took, by the device's clock where it has one.
+    // Runs a launch to completion, inside run(). Returns its seconds, by the device's clock if it has one.
     virtual double seconds_of(const std::function<void()>& launch) const;
 
-    // Makes a launch's kernels ready on the calling thread's device, before its first launch and in Timings::build.
-    // Returns what the driver made of them, where it tells.
+    // Prepares the kernels of a launch on the calling thread's device, before its first launch; its duration is part of
+    // Timings::build. Returns the kernels' resources, if the driver reports them.
     virtual std::vector<KernelResources> build(Launch launch) const
     {
         static_cast<void>(launch);
         return {};
     }
 
-    // Bytes that a device has free for kernels; nullopt where it is the host.
+    // Returns the free memory of a device, in bytes; nullopt if the device is the host.
     virtual std::optional<std::size_t> free_memory(int index) const
     {
         static_cast<void>(index);
         return std::nullopt;
     }
 
-    // Memory of the calling thread's device, as void*; nullptr where there is none left.
+    // Memory of the calling thread's device; allocate() returns nullptr if it is exhausted.
     virtual void* allocate(std::size_t bytes) const;
     virtual void release(void* address) const;
     virtual void upload(void* to, const void* from, std::size_t bytes) const;
     virtual void read_back(void* to, const void* from, std::size_t bytes) const;
 
-    // Memory of the host that the device copies to at full speed; nullptr where there is none left.
+    // Host memory that the device copies to at full speed; nullptr if it is exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
 };
 
-// The backend of a model.
+// Returns a backend for a model, which it owns.
 std::unique_ptr<Backend> backend_of(std::unique_ptr<Model> model);
 
 }  // namespace mandelmarch::job

@@ -10,7 +10,7 @@
 namespace mandelmarch::job {
 namespace {
 
-// Names and numbers are those of cuda.h, which a build without CUDA lacks.
+// Names and values of cuda.h, which is missing in builds without CUDA.
 using CUresult = int;
 using CUdevice = int;
 using CUevent = struct CUevent_st*;
@@ -65,10 +65,10 @@ public:
     Event(const Event&) = delete;
     Event& operator=(const Event&) = delete;
 
-    // False where there is no such event.
+    // Returns false if the event could not be created.
     bool record() const { return made_ && driver().cuEventRecord(event_, nullptr) == CUDA_SUCCESS; }
     bool wait() const { return made_ && driver().cuEventSynchronize(event_) == CUDA_SUCCESS; }
-    // False unless both have happened.
+    // Returns false unless both events have occurred.
     bool since(const Event& first, float& milliseconds) const
     {
         return driver().cuEventElapsedTime(&milliseconds, first.event_, event_) == CUDA_SUCCESS;

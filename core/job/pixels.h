@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text and what a model's loops call, each for one pixel of a job: draw_pixel(), or march_pixel(), then
-// shade_pixel() and at last bytes_of_pixel(). No include guard: every kernel source includes it once, in a namespace of
-// its own, with MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and MM_MODE_exact or MM_MODE_fast defined, and
-// core/job/job.h included before.
+// The kernel source and the functions that a model's loops call for each pixel of a job: draw_pixel(), or
+// march_pixel(), shade_pixel() and bytes_of_pixel() in turn. Without include guard: every kernel source file includes
+// it once, in its own namespace, after core/job/job.h and with MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and
+// MM_MODE_exact or MM_MODE_fast defined.
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif
@@ -12,19 +12,19 @@
 #include "core/kernel/bytes.h"
 #undef MM_TRUNCATED
 
-// What is fixed for the precision and the mode is fixed at compile time (core/job/backend.cpp refuses other scenes).
+// Fixed at compile time by precision and mode (core/job/backend.cpp rejects other scenes).
 #ifdef MM_MODE_fast
 constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
-// Where a scene's normals come from no tetrahedron (2).
+// For scenes without tetrahedron normals (2).
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
 using Job = mandelmarch::job::Job<Scene, MM_REAL>;
 
-// The same value, but the compiler cannot know that: what is computed from it is computed anew. Registers decide how
-// many threads a GPU can hold: what a thread needs for a moment only it reads from the job, again and again.
+// Hides the value from the optimiser, so that expressions of it are recomputed, not kept in registers. Registers limit
+// the resident threads of a GPU; short-lived values are therefore reloaded from the job each time.
 #ifndef MM_ANEW
 #ifdef __NVCOMPILER
 #define MM_ANEW(value)
@@ -60,7 +60,7 @@ FN void put_bytes(const Job* job, int at, real red, real green, real blue)
     bytes[2] = static_cast<unsigned char>(byte_of(blue));
 }
 
-// A whole pixel, the one at this place of the job's planes: for a core.
+// Renders the pixel with this index in the job's planes, on a core.
 FN void draw_pixel(const Job* job, int at)
 {
     Scene scene = fixed_scene(job);
@@ -73,14 +73,14 @@ FN void draw_pixel(const Job* job, int at)
     }
 }
 
-// The scene, read from memory at this very place.
+// Loads the scene from memory at this point of the program.
 FN Scene scene_of(const Job* job)
 {
     MM_ANEW(job);
     return fixed_scene(job);
 }
 
-// The same for marching, which in exact mode does not ask where normals come from.
+// The same for marching, which in exact mode does not depend on the source of normals.
 FN Scene march_scene_of(const Job* job)
 {
     Scene scene = scene_of(job);
@@ -90,11 +90,11 @@ FN Scene march_scene_of(const Job* job)
 
 // A GPU thread's pixel.
 struct Place {
-    bool inside;  // of the job
+    bool inside;  // false: outside the job
     int x;
     int y;       // from the job's first row
-    int at;      // in a plane
-    int pixels;  // of a plane
+    int at;      // index in a plane
+    int pixels;  // pixels of a plane
 };
 
 FN Place place_of(const Job* job, int thread)
@@ -126,10 +126,10 @@ FN Ray begun(const Job* job, Place place)
     return begin_along(scene_of(job), direction);
 }
 
-// A ray that has stopped waits for shade_pixel() in its own pixel's planes.
+// Stores a stopped ray in its pixel's planes, for shade_pixel().
 FN void put_ray(const Job* job, Place place, Ray ray)
 {
-    // The plain schedule asks for t, refinement for the estimate before the hit.
+    // The original stepping needs t, refinement the estimate before the hit.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
@@ -139,12 +139,12 @@ FN void put_ray(const Job* job, Place place, Ray ray)
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
-// In exact mode fewer lanes wait, and the loop's registers cost a GPU threads.
+// Not in exact mode: fewer lanes wait there, and the loop's registers reduce a GPU's resident threads.
 #if defined(MM_LANES_WAIT) && defined(MM_MODE_fast)
-// Steps of a warp before lanes whose rays have stopped take new ones, for which all wait.
+// Steps of a warp between refills; during a refill all its lanes wait.
 constexpr int steps_of_round = 4;
 
-// The places of a launch, of which a warp's threads take 32 at once, as blocks_of() in core/job/job.h counts them.
+// Returns the indices of a launch; a warp takes 32 at once, as in blocks_of() in core/job/job.h.
 FN int places_of(const Job* job)
 {
     constexpr int warp_width = mandelmarch::job::warp_width;
@@ -155,7 +155,7 @@ FN int places_of(const Job* job)
     return columns * lines * (warp_width * warp_height);
 }
 
-// How far a thread's places lie apart: whole blocks.
+// Returns the distance between the indices of a thread, a multiple of the block size.
 FN int stride_of(const Job* job)
 {
     constexpr int block_threads = mandelmarch::job::block_threads;
@@ -163,16 +163,16 @@ FN int stride_of(const Job* job)
     return (threads + block_threads - 1) / block_threads * block_threads;
 }
 
-// The thread's first place from `at` on that is inside; places_of() or more if there is none.
+// Returns the thread's first index from `at` on that is inside; places_of() or more if none is.
 FN int next_inside(const Job* job, int at)
 {
     while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
     return at;
 }
 
-// Until the rays of the thread's places have stopped: a lane whose ray has ended takes its next place's (persistent
-// threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Threads beyond the
-// stride have none.
+// Marches the rays of the thread's indices until they stop, with refill: a lane whose ray has stopped begins the ray of
+// its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
+// 2009). Threads from stride_of() on have no indices.
 FN void march_pixel(const Job* job, int thread)
 {
     if (thread >= stride_of(job)) return;
@@ -191,7 +191,7 @@ FN void march_pixel(const Job* job, int thread)
     }
 }
 #else
-// Until the ray stops.
+// Marches the ray until it stops.
 FN void march_pixel(const Job* job, int thread)
 {
     const Place place = place_of(job, thread);
@@ -222,7 +222,7 @@ FN void shade_pixel(const Job* job, int thread)
     put_pixel(job, place.at, place.pixels, pixel);
 }
 
-// A GPU thread's pixel from its planes to its bytes, if they are asked for; shading has no registers for it.
+// Converts a pixel's planes to its bytes, if needed. A separate pass, as shading has no registers left for it.
 FN void bytes_of_pixel(const Job* job, int at)
 {
     const int pixels = job->scene.width * job->rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 12: a pixel's bytes, as Image::store() makes them of its values. For kernels that hand out bytes
-// alone. Whoever includes it says how its language cuts a number to an int: MM_TRUNCATED(x).
+// Kernel source, part 12: the bytes of a pixel, as Image::store() computes them. For kernels that write bytes only.
+// Define MM_TRUNCATED(x), the language's truncation to int, before including it.
 
-// Of a colour's part, 0 to 1. What is not a number becomes 0.
+// Converts a colour component, 0 to 1; NaN becomes 0.
 FN int byte_of(scalar c) { return c > 0 ? MM_TRUNCATED(255 * (c < 1 ? c : 1)) : 0; }

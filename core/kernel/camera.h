@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 7: the camera's directions.
+// Kernel source, part 7: directions from the camera.
 
-// Where pixel number `at` of `size` in a row or a column lies in the picture, from -1 to 1. The last bits show.
+// Maps pixel `at` of `size` in a row or a column to -1 to 1. Exact division, because the last bits affect the picture.
 FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
 
-// Through (u, v) of a perspective picture; v = -1 is the bottom. Of no particular length.
+// Direction through (u, v) of a perspective picture, not normalised; v = -1 is the bottom.
 FN vec3 perspective(Scene scene, real u, real v)
 {
     return along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v);
 }
 
-// What a column and a row do to the camera's axes: forward times a.re b.re, across times a.im b.re, upward times b.im.
-// In a perspective picture that is 1, u and v.
+// Scales the camera's axes by a column's and a row's factors and adds them: forward times a.re b.re, across times a.im
+// b.re, upward times b.im. The factors of a perspective picture are 1, u and v.
 FN vec3 along_axes(Scene scene, Complex a, Complex b)
 {
     vec3 level = along(times(a.re, wide(scene.forward)), wide(scene.across), a.im);
     return along(times(b.re, level), wide(scene.upward), b.im);
 }
 
-// Through (u, v) of an equirectangular picture: of length 1 but for rounding.
+// Factors of a column and a row of an equirectangular picture; the direction then has length 1 up to rounding.
 FN Complex column_of(Scene scene, real u)
 {
     Complex angle = cosine_and_sine(scene.longitudes * u + scene.longitude);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 4: hulls. The surface of a fractal lies inside a sphere or a cube around the origin.
+// Kernel source, part 4: hulls. A hull is a bounding volume, a sphere or a cube around the origin, that holds the
+// surface of a fractal.
 
-// Where a ray is inside: from t = first to t = last; last < first where it never is.
+// The part of a ray inside a hull, from t = first to t = last; last < first if the ray misses the hull.
 struct Span {
     real first;
     real last;
@@ -19,10 +20,10 @@ FN Span sphere_span(scalar radius, vec3 origin, vec3 direction)
     return span;
 }
 
-// The share of a ray between two planes at -size and size.
+// The part of a ray between the planes at -size and size.
 FN Span slab_span(scalar size, real origin, real direction)
 {
-    // A ray along the planes is given a slope that no picture shows.
+    // Replaces a slope of nearly 0, to avoid a division by 0; the picture does not change.
     real slope = pick(magnitude(direction) > R(1.0e-12), direction, R(1.0e-12));
     real a = quick_quotient(-size - origin, slope);
     real b = quick_quotient(size - origin, slope);

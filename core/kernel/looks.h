@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 10: our own looks, the colouring types from 2 up. Colours are light (linear) until the last step.
-//   2 limestone  one warm stone, open to a cool sky
+// Kernel source, part 10: looks, the colouring types from 2. Colours are linear light until the last step.
+//   2 limestone  warm stone under a cool sky
 //   3 coral      the orbit trap's colours under the same light
-//   4 lagoon     dark water, a lamp on the camera
-// All have ambient occlusion and a soft key light, both from a few distances along a line (Evans, "Fast approximations
-// for global illumination on dynamic scenes", SIGGRAPH 2006 course), and haze.
+//   4 lagoon     dark water, with a lamp at the camera
+// All have haze, ambient occlusion and a soft key light. Occlusion and light are computed from a few distances along a
+// line (Evans, "Fast approximations for global illumination on dynamic scenes", SIGGRAPH 2006 course).
 
 FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 
-// a for s = 0, b for s = 1
+// Returns a for s = 0, b for s = 1.
 FN vec3 blend(vec3 a, vec3 b, real s) { return along(times(1 - s, a), b, s); }
 
 FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
 
 struct Openness {
-    real share;  // 0: closed in, 1: open
-    real least;  // the same at the distance where it is most closed in
+    real share;  // 0: closed in, 1: open; mean of four distances
+    real least;  // min over the four distances
     effort estimates;
     effort iterations;
 };
 
-// How open it is from p along n: the estimate at four distances, from 0.4 to 9 % of the way t from the camera, each
-// beside the distance gone. An estimate is a bound, often a third of the truth: half the distance counts as open.
+// Openness (1 - occlusion) at p along n: the ratio of estimate to distance at four distances, from 0.4 to 9 % of t. The
+// estimate is a lower bound, often a third of the distance, so a ratio of one half counts as open.
 FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;
@@ -44,7 +44,7 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     return result;
 }
 
-// Stone: light for half of it comes from where the orbit passed, cut to [0, 1] for each of three traps.
+// Albedo of the stone, a mix of colours by the orbit trap.
 FN vec3 albedo(Scene scene, vec3 trap)
 {
     vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
@@ -61,7 +61,7 @@ FN vec3 albedo(Scene scene, vec3 trap)
     return colour;
 }
 
-// What a ray meets that hits nothing, and what the haze looks like in its direction.
+// Colour of a ray without a hit, and of the haze in its direction.
 FN vec3 sky(Scene scene, vec3 direction)
 {
     vec3 zenith = vec3(R(0.10), R(0.24), R(0.55));
@@ -77,7 +77,7 @@ FN vec3 sky(Scene scene, vec3 direction)
         horizon = vec3(R(0.01), R(0.10), R(0.15));
         glow = vec3(R(0.02), R(0.16), R(0.16));
     }
-    // Bright at the horizon, darker up and down; around the sun a wide halo and a narrow one.
+    // Brighter at the horizon, darker above and below; a wide and a narrow halo around the sun.
     real low = 1 - direction.y * direction.y;
     low = low * low;
     low = low * low;
@@ -90,7 +90,7 @@ FN vec3 sky(Scene scene, vec3 direction)
     return along(blend(zenith, horizon, low), glow, R(0.30) * wide_halo + R(0.6) * halo);
 }
 
-// Light to what is displayed: brightness, a film's curve (Narkowicz, "ACES filmic tone mapping curve", 2016), gamma 2.
+// Linear light to display value: brightness, film curve (Narkowicz, "ACES filmic tone mapping curve", 2016), gamma 2.
 FN real displayed(Scene scene, real light)
 {
     real x = R(0.8) * scene.brightness * light;
@@ -108,15 +108,15 @@ FN vec3 displayed3(Scene scene, vec3 light)
     return vec3(displayed(scene, light.x), displayed(scene, light.y), displayed(scene, light.z));
 }
 
-// How open it is at a hit: what a look costs most. It changes little from pixel to pixel of one surface.
+// Openness of a hit, the most expensive part of a look. It varies little between neighbouring pixels of a surface.
 struct Surroundings {
     real along_normal;  // 0: closed in, 1: open
-    real sunwards;      // likewise, four times as far
+    real sunwards;      // the same towards the sun, over four times the distance
     effort estimates;
     effort iterations;
 };
 
-// Of a hit at p with unit normal n, t from the camera.
+// Evaluates the openness of a hit at p with unit normal n, t from the camera.
 FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness along_normal = openness(scene, p, n, t, on);
@@ -129,32 +129,32 @@ FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on
     return found;
 }
 
-// The light from such a hit.
+// Returns the colour of that hit.
 FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroundings found, mask on)
 {
-    // What the trap's loop does not ask for comes before it, so that few numbers wait for its end.
+    // Computed before the trap's loop, so that few registers are live across it.
     vec3 sun = wide(scene.sun);
     real facing = saturated(-inner(n, direction));
     real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
-    // The sky's light from above, the ground's from below, the sun's, and a little from the eye.
+    // Light from sky, ground and sun, and a little from the eye.
     vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.28), R(0.39), R(0.60)));
     light = along(light, vec3(R(0.30), R(0.17), R(0.11)), shelter * (R(0.5) - R(0.5) * n.y));
     light = along(light, vec3(R(2.15), R(1.64), R(1.00)), key);
     light = along(light, vec3(R(0.20), R(0.18), R(0.17)), shelter * facing);
     real hazed = haze(t);
     if (scene.colouring == 4) {
-        // A lamp at the camera: its light falls off, and the rims stay dark.
+        // A lamp at the camera: its light decreases with distance, and grazing surfaces stay dark.
         real fall = quotient(1 - hazed, 1 + 5 * hazed);
         light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(1.8), R(1.65), R(1.3)));
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
     }
-    // A glint where the normal halves the angle between sun and eye.
+    // Glint around the direction halfway between sun and eye.
     real glint = saturated(inner(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
-    // Half of the most there is at half the fractal's size, so that it tells depths inside, too.
+    // Half its maximum at half the fractal's size, so that it shows depth inside, too.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
     air = air * air * (scene.colouring == 4 ? R(0.5) : R(0.24));
     vec3 behind = sky(scene, direction);
@@ -162,7 +162,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     Look result;
     result.colour = displayed3(scene, blend(lit_stone, behind, air));
-    // The trap is one more.
+    // Plus the evaluation of the trap.
     result.estimates = tally(found.estimates, on);
     result.iterations = found.iterations;
     return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 8: a ray from the camera until it has hit or left the scene. begin -> march (any number of times).
+// Kernel source, part 8: a ray from the camera until it hits or leaves the scene. begin -> march (repeatable).
 
-// The ray from the camera in a direction of any length.
+// Begins a ray from the camera; the direction may have any length.
 FN Ray begin_along(Scene scene, vec3 direction)
 {
     Ray ray;
@@ -10,14 +10,14 @@ FN Ray begin_along(Scene scene, vec3 direction)
     ray.t = 0;
     if (scene.hull > 0) {
         Span span = hull(scene, wide(scene.eye), ray.direction);
-        // Rounding moves the far end by less than this.
+        // The margin exceeds the rounding error of the far end.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
-        // The plain schedule's samples start at the eye.
+        // The original stepping takes its first sample at the eye.
         if (scene.canonical != 0) ray.t = larger(span.first * R(0.9999), 0);
     }
     ray.last_t = 0;
-    ray.last_distance = scene.end;  // larger than the tolerance of any first sample, so that the march begins
+    ray.last_distance = scene.end;  // above the tolerance of any first sample, so that the march begins
     ray.before_t = 0;
     ray.before_distance = scene.end;
     ray.steps = 0;
@@ -26,7 +26,7 @@ FN Ray begin_along(Scene scene, vec3 direction)
     return ray;
 }
 
-// The ray through (u, v) of the picture; v = -1 is the bottom.
+// Begins the ray through (u, v) of the picture; v = -1 is the bottom.
 FN Ray begin_at(Scene scene, real u, real v)
 {
     vec3 direction = perspective(scene, u, v);
@@ -34,13 +34,13 @@ FN Ray begin_at(Scene scene, real u, real v)
     return begin_along(scene, direction);
 }
 
-// The ray through pixel (i, j); j = 0 is the bottom row.
+// Begins the ray through pixel (i, j); j = 0 is the bottom row.
 FN Ray begin(Scene scene, real i, real j)
 {
     return begin_at(scene, picture_place(i, scene.width), picture_place(j, scene.height));
 }
 
-// The estimate below which the last sample is a hit. The plain schedule takes the t after the step.
+// The last sample is a hit if its estimate is below this. The original stepping uses t after the step.
 FN real tolerance(Scene scene, Ray ray)
 {
     real t = ray.t;
@@ -58,13 +58,13 @@ FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(sce
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
 
-// The ray's next sample. What steps do with a sample are functions of their own, so that a backend can take samples of
-// more rays at once than it handles otherwise.
+// Evaluates DE at the next sample. Separate from advanced(), so that a backend can evaluate more rays at once than it
+// otherwise processes.
 FN Estimate probe(Scene scene, Ray ray, mask on) { return estimate(scene, point_at(scene, ray, ray.t), on); }
 
-// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the rays that are on, with
-// over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is taken back
-// where the spheres of its two ends do not overlap.
+// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the active rays, with
+// over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is retracted
+// if the spheres at its ends do not overlap.
 FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 {
     real reach = ray.t - ray.last_t;
@@ -85,16 +85,16 @@ FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 
 FN Ray advance(Scene scene, Ray ray, mask on) { return advanced(scene, ray, probe(scene, ray, on), on); }
 
-// A cone of rays, at most `width` apart from its axis at distance 1, goes as far as none of them can hit: within the
-// sphere of radius DE around a point of its axis DE is at least what is left of that radius. (Fractal distance
-// estimates can change faster than the distance, so that this is for fast mode.)
+// A cone holds rays up to `width` from its axis at distance 1 and advances while none of them can hit: inside the
+// sphere of radius DE around a point of the axis, DE is at least the distance to that sphere. Fractal distance
+// estimates can change faster than the distance, so cones are used in fast mode only.
 FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
 {
     return quick_quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
 }
 
-// A cone's step, relaxed as a ray's: its gap takes the estimate's place. `last_distance` becomes 0 where it ends, as a
-// step would be short beside its own width.
+// One step of a cone, relaxed as for a ray, with the gap instead of the estimate. Sets `last_distance` to 0 when the
+// cone ends, that is, when a step would be short compared with the cone's width.
 FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 {
     real t = ray.t;
@@ -107,10 +107,10 @@ FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
     return ray;
 }
 
-// True while the cone has not ended: it has room, and the scene and its steps are not at their end.
+// True while the cone has clearance, is in the scene and has steps left.
 FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
 
-// Begins a ray where its neighbours say.
+// Begins a ray at neighbour_start().
 FN Ray begun_by_neighbours(Ray ray, real start)
 {
     ray.last_t = pick(start > ray.t, ray.t, 0);
@@ -118,7 +118,7 @@ FN Ray begun_by_neighbours(Ray ray, real start)
     return ray;
 }
 
-// True where the first sample is a hit after all: the ray begins again, alone.
+// True if the first sample after neighbour_start() is already a hit: the ray must begin again from its own start.
 FN mask begun_too_late(Scene scene, Ray ray)
 {
     return has_hit(scene, ray) && ray.before_t > 0 && ray.before_distance == scene.end;
@@ -133,7 +133,7 @@ FN Ray begun_alone(Scene scene, Ray ray, mask on)
     return ray;
 }
 
-// At most `steps` steps of every ray that is still marching.
+// Advances every marching ray by at most `steps` steps.
 FN Ray march(Scene scene, Ray ray, int steps)
 {
     mask on = marching(scene, ray);

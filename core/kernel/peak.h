@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text of its own, beside the picture's: multiply-adds and nothing else, to measure what a device can reach.
-// Ten chains that do not depend on each other hide the latency of a core's two multiply-add units (4 to 5 cycles each),
-// and fit the 16 registers of AVX2 together with a and b. They begin apart, so that no compiler can see two equal ones.
+// A separate kernel source: multiply-adds only, to measure peak throughput. Ten independent chains hide the latency of
+// a core's two multiply-add units (4 to 5 cycles each) and, with a and b, fit the 16 registers of AVX2. They start from
+// different values, so that no compiler can merge them.
 
 struct Chains {
     real c0;
@@ -31,8 +31,8 @@ FN Chains multiplied_and_added(Chains c, real a, real b)
     return c;
 }
 
-// `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h counts them). With
-// a = 0.5 and b = 1 every chain goes to 2: no number becomes subnormal or infinite.
+// Performs `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h). For
+// a = 0.5 and b = 1 every chain converges to 2, without subnormal or infinite values.
 FN real multiply_add_chains(real x, real a, real b, int rounds)
 {
     Chains c;

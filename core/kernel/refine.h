@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 9: from a ray that marches no more to the place where it meets the surface. stopped -> refine (any
-// number of times, in canonical pictures) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t
-// between a ray's last two samples.
+// Kernel source, part 9: from a stopped ray to its point on the surface. stopped -> refine (repeatable, canonical
+// pictures only) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t between the last two samples.
 
 // States of a Hit.
-FN real no_hit() { return 0; }       // the ray has left the scene, or made all its steps
-FN real settled() { return 1; }      // t is the hit: of a plain picture, or with no bracket, or with none left
-FN real untried() { return 2; }      // no root was tried yet
-FN real tried_below() { return 3; }  // the last root that was tried lies below the surface
-FN real tried_above() { return 4; }  // above it
+FN real no_hit() { return 0; }       // the ray has left the scene or used all its steps
+FN real settled() { return 1; }      // t is the hit: not canonical, without a bracket, or with an empty one
+FN real untried() { return 2; }      // not refined yet
+FN real tried_below() { return 3; }  // the last refinement lies below the surface
+FN real tried_above() { return 4; }  // the last refinement lies above it
 
 FN mask is_hit(Hit hit) { return hit.state > no_hit(); }
 
@@ -35,7 +34,8 @@ FN Hit stopped(Scene scene, Ray ray)
     return hit;
 }
 
-// A root is good where f is a small share of the tolerance: one more secant then brings it closer still.
+// True while |f| and the bracket exceed a small fraction of the tolerance. landing() adds a secant, which is closer
+// still.
 FN mask refining(Scene scene, Hit hit)
 {
     real narrow = scene.root_share * scene.tolerance * hit.below_t;
@@ -43,7 +43,7 @@ FN mask refining(Scene scene, Hit hit)
     return hit.state > settled() && magnitude(f) > narrow && hit.below_t - hit.above_t > narrow;
 }
 
-// The method is that of Anderson and Bjorck (BIT 13, 1973): a secant's root, and a share of f at an end that stays.
+// Regula falsi of Anderson and Bjorck (BIT 13, 1973): f at a retained end is scaled down.
 FN real secant(Hit hit)
 {
     real rise = hit.below_f - hit.above_f;
@@ -52,7 +52,7 @@ FN real secant(Hit hit)
 
 FN mask in_bracket(Hit hit, real t) { return t > hit.above_t && t < hit.below_t; }
 
-// Where the next root is tried; none is where no number is left between the ends.
+// Sets the next t to evaluate; the hit is settled if no number lies between the ends of the bracket.
 FN Hit aimed(Hit hit, mask on)
 {
     real t = secant(hit);
@@ -62,19 +62,19 @@ FN Hit aimed(Hit hit, mask on)
     return hit;
 }
 
-// The estimate at the root that is tried.
+// Evaluates DE at that t.
 FN Estimate probe_root(Scene scene, Hit hit, mask on)
 {
     return estimate(scene, along(wide(scene.eye), hit.direction, hit.t), on);
 }
 
-// What the root that was tried tells.
+// Narrows the bracket with that estimate.
 FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
 {
     real f = here.distance - scene.tolerance * hit.t;
     mask below = on && f < 0;
     mask above = on && !below;
-    // An end that stays a second time counts by how far the other one fell, or half.
+    // An end retained twice is scaled by the relative decrease of the other end, or by one half.
     real share = 1 - rough_quotient(f, pick(below, hit.below_f, hit.above_f));
     share = pick(share > 0, share, R(0.5));
     mask twice_below = below && hit.state == tried_below();
@@ -91,7 +91,7 @@ FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
     return hit;
 }
 
-// At most `tries` roots tried, after which it can go on in another pass.
+// Refines at most `tries` times; another pass can continue.
 FN Hit refine_by(Scene scene, Hit hit, int tries)
 {
     mask on = refining(scene, hit);
@@ -106,17 +106,17 @@ FN Hit refine_by(Scene scene, Hit hit, int tries)
     return hit;
 }
 
-// The most roots that are tried: the method takes some five, and a hundred are enough where f jumps.
+// Max refinements: the method needs about five; a hundred suffice where f jumps.
 FN int most_tries() { return 100; }
 
 FN Hit refine(Scene scene, Hit hit) { return refine_by(scene, hit, most_tries()); }
 
-// Where a ray that has hit meets the surface.
+// Returns the t at which the ray meets the surface.
 FN real landing(Scene scene, Hit hit)
 {
     real t = hit.below_t;
     if (scene.canonical != 0) {
-        // One more secant's root, which costs no estimate.
+        // One more secant, without a DE evaluation.
         real closer = secant(hit);
         t = pick(hit.state > settled() && in_bracket(hit, closer), closer, hit.t);
     }

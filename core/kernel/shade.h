@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 11: from a hit to a pixel's colour.
+// Kernel source, part 11: from a hit to the colour of a pixel.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -7,7 +7,7 @@ struct Normal {
     effort iterations;
 };
 
-// The gradient of DE by central differences, six estimates; the step is relative to the larger of |p| and 1.
+// Gradient of DE by central differences, six DE evaluations; the step is relative to max(|p|, 1).
 FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 {
     real h = larger(norm(p), 1) * scene.difference_step;
@@ -43,8 +43,8 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-// The gradient of DE by differences over a tetrahedron, four estimates; its corners lie h from p. What is smaller than
-// h does not show: no pixel's normal depends on a detail that the next one misses.
+// Gradient of DE by differences over a tetrahedron with corners at distance h from p, four DE evaluations. Detail
+// smaller than h has no effect, so the normals of adjacent pixels agree.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     vec3 slope = vec3(0, 0, 0);
@@ -53,7 +53,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
     normal.iterations = 0;
     int corner = 0;
     while (corner < 4) {
-        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1), each over sqrt(3): a unit vector.
+        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1), each over sqrt(3): unit vectors.
         scalar x = corner < 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
         scalar y = corner == 0 || corner == 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
         scalar z = corner == 0 || corner == 3 ? R(0.57735026918962576) : R(-0.57735026918962576);
@@ -68,7 +68,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
     return normal;
 }
 
-// The normal of p, a hit's shading point at t.
+// Returns the normal of p, the shading point of a hit at t.
 FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
 {
     Normal normal;
@@ -85,7 +85,7 @@ FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
     return normal;
 }
 
-// (light n + 1) / 2 * brightness, cut to [0, 1] and squared; 0 where it is not a number.
+// (light n + 1) / 2 * brightness, clamped to [0, 1] and squared; 0 for NaN.
 FN real channel(Scene scene, real light, real n)
 {
     real c = (light * n + 1) * R(0.5) * scene.brightness;
@@ -93,7 +93,7 @@ FN real channel(Scene scene, real light, real n)
     return c * c;
 }
 
-// The original program's light: colour is the normal itself, lit by the view's angle to it.
+// Lighting of the original program: the colour is the normal, lit by its angle to the view.
 FN vec3 lit(Scene scene, vec3 direction, vec3 n)
 {
     real light = R(1.8) * larger(inner(minus(n, vec3(1, 1, 1)), direction), R(0.3));
@@ -102,7 +102,7 @@ FN vec3 lit(Scene scene, vec3 direction, vec3 n)
     return colour;
 }
 
-// The pixel of a ray that has hit nothing.
+// Returns the pixel of a ray without a hit.
 FN Pixel missed(Scene scene, Hit hit)
 {
     Pixel pixel;
@@ -115,15 +115,16 @@ FN Pixel missed(Scene scene, Hit hit)
     return pixel;
 }
 
-// The normal n of a hit at t, but an eye in the solid sees no surface: in a canonical picture what it sees faces it.
-// shade_with() asks for it where it needs it, twice: asked once before, it costs the K40 three registers.
+// Returns the normal n of a hit at t. If the eye is inside the solid (t = 0), there is no surface; canonical pictures
+// then use the direction towards the eye. Called in both branches of shade_with(): a single call before them would cost
+// three registers on the K40.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
     return n;
 }
 
-// Where a hit is shaded: at t, with the normal of p, one tolerance before it.
+// Shading point of a hit at t: p lies one tolerance before it, and its normal is used.
 struct ShadingPoint {
     real t;
     vec3 p;
@@ -139,7 +140,7 @@ FN ShadingPoint shading_point(Scene scene, Hit hit)
     return at;
 }
 
-// The pixel of a miss becomes that of a hit where there is one: what all colourings have in common.
+// Adds depth and counts to the pixel of a hit; the same for all colourings.
 FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     pixel.depth = pick(is_hit(hit), at.t, pixel.depth);
@@ -148,7 +149,7 @@ FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
     return pixel;
 }
 
-// The same in a look, by what the hit's surroundings are.
+// Shades a hit in a look, with a given openness. Pixels without a hit stay unchanged.
 FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Surroundings found)
 {
     mask on = is_hit(hit);
@@ -160,7 +161,7 @@ FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal 
     return finished(hit, pixel, at, normal);
 }
 
-// The pixel of a miss becomes that of a hit where there is one, by the normal at its shading point.
+// Shades a hit, with the normal at its shading point. Pixels without a hit stay unchanged.
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     mask on = is_hit(hit);
@@ -175,7 +176,7 @@ FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal n
     return pixel;
 }
 
-// The pixel of a ray that marches no more.
+// Returns the pixel of a stopped ray.
 FN Pixel shade(Scene scene, Hit hit)
 {
     mask on = is_hit(hit);
@@ -188,7 +189,7 @@ FN Pixel shade(Scene scene, Hit hit)
     return pixel;
 }
 
-// The whole pixel in one go.
+// Renders a pixel from begin to shade.
 FN Pixel draw(Scene scene, real i, real j)
 {
     Hit hit = stopped(scene, march(scene, begin(scene, i, j), scene.max_steps));

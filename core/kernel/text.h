@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one kernel text, in its order. Define MM_FRACTAL_FILE, include a prelude, then this: inside a namespace in C++.
-// No include guard: a translation unit may hold several specialisations, each in a namespace of its own.
-#ifndef FN_SAMPLED  // for preludes that make no difference between an estimator and other functions
+// The whole kernel source, in order. Define MM_FRACTAL_FILE, include a prelude, then this file: in C++ inside a
+// namespace. Without an include guard, as a translation unit may hold several specialisations in different namespaces.
+#ifndef FN_SAMPLED  // for preludes that treat an estimator as any other function
 #define FN_SAMPLED FN_CALLED
 #endif
 #include "core/kernel/scene.h"
@@ -11,7 +11,7 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-// For fractals that define them.
+// Defined by some fractals.
 #undef MM_WIDE_REGISTERS_AVX3
 #undef MM_LANES_WAIT
 #include MM_FRACTAL_FILE

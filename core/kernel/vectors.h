@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 2: vectors, component by component: OpenCL C has no operators for a struct of packs.
+// Kernel source, part 2: vectors, by component, because OpenCL C has no operators for structs.
 
 FN real inner(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -20,43 +20,43 @@ FN vec3 unit(vec3 a)
 
 FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on, a.y, b.y), pick(on, a.z, b.z)); }
 
-// A triple of the scene, for every lane.
+// Copies a uniform triple to every lane.
 FN vec3 wide(triple a) { return vec3(a.x, a.y, a.z); }
 
-// b where one of them is not a number. A prelude may have them as one instruction.
+// Max and min; b if an operand is NaN. A prelude may define them as one instruction.
 #ifndef MM_HAS_LARGER
 FN real larger(real a, real b) { return pick(a > b, a, b); }
 
 FN real smaller(real a, real b) { return pick(a < b, a, b); }
 #endif
 
-// x cut to [-most, most]
+// Clamps x to [-most, most].
 #ifndef MM_HAS_CLIPPED
 FN real clipped(real x, scalar most) { return smaller(larger(x, -most), most); }
 #endif
 
-// |a|^2, which may be 0: then a number whose root has a reciprocal.
+// Returns |a|^2, but at least a number whose square root has a finite reciprocal.
 FN real norm2(vec3 a) { return larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
 
 FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 
-// Where 14 bits are enough: what only scales an estimate, but not where a point goes.
+// With at least 14 bits: for factors of a distance estimate, never for the position of a point.
 #ifndef MM_HAS_ROUGH
 FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 
 FN real rough_root(real a) { return quick_root(a); }
 
-// a / root(b), where less = a / b: a product less where roots cost no division.
+// a / sqrt(b), where less = a / b: saves a multiplication where a square root needs no division.
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
 #ifndef MM_HAS_INVERSE_ROOT
-// s / root(a)
+// s / sqrt(a)
 FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_root(a)); }
 #endif
 
 #ifndef MM_HAS_TALLY
-// A count of work with the lanes that are on.
+// Adds the active lanes to a work count.
 FN effort tally(effort a, mask on) { return a + count(on); }
 #endif
 
@@ -84,16 +84,16 @@ FN Complex squared(Complex a)
     return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
 }
 
-// a^2 where |a|^2 is known, which spares a product: cos 2x = 2 cos^2 x - 1.
+// a^2 if |a|^2 is known; saves a multiplication: cos 2x = 2 cos^2 x - 1.
 FN Complex squared_within(Complex a, real length2)
 {
     real twice = a.re + a.re;
     return complex_number(twice * a.re - length2, twice * a.im);
 }
 
-// a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), n < 1024. A line for each bit,
-// not a loop: where n is known when a device compiles the text only the lines of n's bits are left, and a device that
-// counts an invocation's loops sees none here.
+// a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), n < 1024. Unrolled by bits: if
+// n is a compile-time constant, only the lines of its set bits remain; and drivers that limit the loop iterations of an
+// invocation see no loop.
 FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 {
     if (n / bit > 1) {
@@ -103,7 +103,7 @@ FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
     return result;
 }
 
-// n >= 1.
+// n >= 1
 FN Complex raised(Complex a, int n)
 {
     Complex result = raised_by_bit(a, a, n, 256);
@@ -126,7 +126,7 @@ FN real raised_real_by_bit(real result, real a, int n, int bit)
     return result;
 }
 
-// n >= 0.
+// n >= 0
 FN real raised_real(real a, int n)
 {
     real result = a;

@@ -12,7 +12,7 @@
 namespace mandelmarch {
 namespace {
 
-// The number's place in the order of all floating-point numbers, so that neighbours differ by 1. 0 and -0 share one.
+// Maps floating-point numbers to their order, so that neighbours differ by 1. 0 and -0 are equal.
 template <class Real>
 double rank(Real value)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a picture is the one that was expected, and how well: what tests and benchmarks ask before they trust it.
+// Agreement of a picture with the expected one, for tests and benchmarks.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace mandelmarch {
 
-// The levels of agreement, the best first.
+// Levels of agreement, best first.
 enum class Level {
     same_bits,   // every bit of colour and depth
-    ulps,        // the same hits, and every value within a few units in the last place
-    perceptual,  // few pixels are off by more than an eye could see
+    ulps,        // the same hits, and every value within a few ulp
+    perceptual,  // few pixels differ visibly
     different
 };
 
@@ -23,20 +23,20 @@ struct Agreement {
     Level level = Level::different;
     Comparison comparison;
     bool numbers = false;     // both have values, and the second no NaN
-    double largest_ulps = 0;  // of a colour or depth, in the precision's units; +infinity where one is not a number
+    double largest_ulps = 0;  // of a colour or depth, in ulp of the precision; +infinity if one is NaN
 };
 
-// The bounds of the levels.
+// Limits of the levels.
 inline constexpr double most_ulps = 4;
-inline constexpr double most_visible_percent = 2;  // pixels with a byte off by more than 2 of 255
+inline constexpr double most_visible_percent = 2;  // pixels with a byte that differs by more than 2 of 255
 
-// The level that a mode asks for: same bits in exact mode, perceptual in fast mode.
+// Returns the level that a mode requires: same bits in exact mode, perceptual in fast mode.
 Level level_required(Mode mode);
 
-// Both images need their values and the same size. Throws InputError where the sizes differ.
+// Both images need values. Throws InputError if the sizes differ.
 Agreement agreement(const Image& expected, const Image& image, Precision precision);
 
-// "same bits", or the level with how many pixels differ.
+// Returns "same bits", or the level with the number of differing pixels.
 std::string summary(const Agreement& agreement);
 
 }  // namespace mandelmarch

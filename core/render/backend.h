@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The backend interface. A backend knows core/ and nothing of other backends; programs know this page and the registry.
+// The backend interface. A backend depends on core only; programs use this header and the registry.
 #pragma once
 
 #include <cstdint>
@@ -31,49 +31,48 @@ struct Device {
     bool is_gpu = false;
 };
 
-// What makes a picture cheaper or (root) better, each to be switched off by its name, so that its worth can be
-// measured. None changes a bit of an exact picture.
+// Optimisations, each of which can be disabled by name for ablation studies. None changes a bit of an exact picture.
 struct Techniques {
-    bool hull = true;          // rays begin (fast) and end where they meet a hull that holds the surface
-    bool relaxation = true;    // fast: steps longer than the estimate, and short ones just before a hit
-    bool cones = true;         // fast, openmp: cones of 8 x 8 pixels find where their rays begin
-    bool neighbours = true;    // fast, openmp: rays begin near the hits of pixels around them
-    bool trial = true;         // fast: a small picture shows before whether steps must be shorter
-    bool root = true;          // fast: hits are refined to the canonical root, else one secant is all
-    bool surroundings = true;  // fast, openmp, films: pixels of one surface share what a look finds around them
-    bool tail = true;          // fast, Mandelbox: an orbit's last iterations are made without their tests
-    bool normal = true;        // fast, double: normals from the gradient, else from differences of six estimates
+    bool hull = true;          // rays end, and in fast mode begin, at a bounding volume of the surface
+    bool relaxation = true;    // fast: steps longer than the estimate, and short ones close to a hit
+    bool cones = true;         // fast, openmp: cones of 8 x 8 pixels find the starting points of rays
+    bool neighbours = true;    // fast, openmp: rays begin near the hits of the surrounding pixels
+    bool trial = true;         // fast: a small test render decides if steps must be shorter
+    bool root = true;          // fast: hits are refined to the canonical root; otherwise by one secant
+    bool surroundings = true;  // fast, openmp, films: pixels of one surface share the occlusion of a look
+    bool tail = true;          // fast, Mandelbox: the last iterations of an orbit skip their tests
+    bool normal = true;        // fast, double: normals from the gradient, otherwise from differences of six estimates
 };
 
-// All but those named, `hull,cones`, say. Throws InputError with the known names.
+// Returns all techniques but those named, such as `hull,cones`. Throws InputError with the known names.
 Techniques techniques_without(std::string_view names);
 
-// How a renderer is made.
+// Options of create().
 struct RendererOptions {
     int device = 0;  // index into Backend::devices()
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    int threads = 0;     // 0: all that there are; for backends that run on the host's cores
+    int threads = 0;     // 0: usable_threads() (core/base/cores.h); for backends on the host's cores
     int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
-    int chunk = 0;       // tiles that a host thread takes at once; 0: the backend's choice; for openmp
-    int band = 0;        // pixels that a device draws in one go, at most; 0: the backend's choice
-    int block = 0;       // threads of a GPU's block, work items of a group: a multiple of 32; 0: the backend's choice
-    bool counts = true;  // false: RenderReport::work is not asked for, which makes openmp's fast pictures cheaper
+    int chunk = 0;       // tiles per request of a host thread; 0: the backend's choice; openmp only
+    int band = 0;        // max pixels per pass of a device; 0: the backend's choice
+    int block = 0;       // threads per GPU block, or work items per group, a multiple of 32; 0: the backend's choice
+    bool counts = true;  // false: RenderReport::work is not needed, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
 
-// Seconds. `build`, `upload`, `host` and `readback` are parts of `wall`, by the host's clock and apart from each other;
-// what they leave is the schedule's own.
+// Seconds. `build`, `upload`, `host` and `readback` are disjoint parts of `wall`, by the host's clock; the rest is
+// overhead of the schedule.
 struct Timings {
-    double context = 0;   // finding and opening the device, in create(); no part of wall
-    double build = 0;     // making the kernel ready, in the first picture of a fractal; 0 after that
-    double upload = 0;    // memory on the device, and the scene on its way there; 0 on the host
-    double kernel = 0;    // the kernels, by the device's own clock; where it tells none, or is the host, as `host`
-    double host = 0;      // launching the kernels and waiting for them
+    double context = 0;   // finding and opening the device, in create(); not part of wall
+    double build = 0;     // preparing the kernel, in the first picture of a fractal; otherwise 0
+    double upload = 0;    // allocating device memory and copying the scene to it; 0 on the host
+    double kernel = 0;    // kernels, by the device's clock; without one, or on the host, the same as `host`
+    double host = 0;      // launching kernels and waiting for them
     double readback = 0;  // from the last kernel to the picture in host memory: copying, converting, counting
     double wall = 0;      // the whole render() call
 
-    // Kernels took this long by the host's clock, and by the device's if it has one of its own.
+    // Adds a kernel's time by the host's clock and, if available, by the device's.
     void ran(double by_host, std::optional<double> by_device = {})
     {
         kernel += by_device.value_or(by_host);
@@ -81,14 +80,14 @@ struct Timings {
     }
 };
 
-// Work done for one picture, counted by the kernel itself. 0 where it was not asked for and not counted.
+// Work for one picture, counted by the kernel itself. 0 if it is not counted.
 struct Work {
-    std::uint64_t steps = 0;       // samples taken while marching
-    std::uint64_t estimates = 0;   // calls of the distance estimator, all of them
-    std::uint64_t iterations = 0;  // of the distance estimator
+    std::uint64_t steps = 0;       // samples of the marching
+    std::uint64_t estimates = 0;   // all DE evaluations
+    std::uint64_t iterations = 0;  // of the DE evaluations
 };
 
-// All but `context`, which a renderer spends once.
+// Adds all but `context`, which a renderer spends once.
 Timings& operator+=(Timings& to, const Timings& from);
 Work& operator+=(Work& to, const Work& from);
 
@@ -96,14 +95,14 @@ Work& operator+=(Work& to, const Work& from);
 template <class Real>
 void add_work(Work& work, const Planes<Real>& planes, int width, int height);
 
-// What the device's driver made of a kernel, for each thread.
+// A kernel's resources per thread, as compiled by the driver.
 struct KernelResources {
     std::string kernel;
     int registers = 0;
-    int local_bytes = 0;  // memory of its own: the stack, with registers that are spilled
+    int local_bytes = 0;  // private memory: the stack, with spilled registers
 };
 
-// What really ran.
+// Configuration, times and work of a rendered picture.
 struct RenderReport {
     std::string backend;
     Device device;
@@ -112,18 +111,18 @@ struct RenderReport {
     int threads = 1;
     int pack = 1;
     std::string instruction_set;  // or device architecture; may be empty
-    // Of a trial (core/render/trial.h): the stride that it chose, in distance estimates, and the share of its pixels
-    // that shorter steps would still change visibly, where that is more than a few. 0 and 0 without one.
+    // From a trial (core/render/trial.h): the chosen step factor, and the fraction of its pixels that shorter steps
+    // still change visibly, if more than a few. 0 and 0 without a trial.
     double stride = 0;
     double unsettled = 0;
     Timings timings;
     Work work;
-    std::vector<KernelResources> kernels = {};  // that drew it; none where the driver does not tell
+    std::vector<KernelResources> kernels = {};  // empty if the driver does not report them
 };
 
-// Called with the finished share of the picture, 0 to 1, from the thread that called render(). Made of any function of
-// a share, and of a token by which any thread may cancel the drawing: render() then throws Cancelled, before its next
-// band at the latest. What stands in the image is then no picture.
+// Progress callback and stop token of render(). The callback receives the finished fraction of the picture, 0 to 1, in
+// the thread that called render(). Any thread may request a stop: render() then throws Cancelled, at the latest before
+// its next band, and the contents of the image are undefined.
 class Progress {
 public:
     Progress() = default;
@@ -136,9 +135,9 @@ public:
     explicit Progress(std::stop_token stop) : stop_(std::move(stop)) {}
 
     explicit operator bool() const { return told_ || stop_.stop_possible(); }
-    // From any thread.
+    // May be called from any thread.
     bool cancelled() const { return stop_.stop_requested(); }
-    // Throws Cancelled.
+    // Calls the callback. Throws Cancelled after a stop request.
     void operator()(double share) const;
 
 private:
@@ -150,48 +149,48 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    // Draws `scene` into `image`, which has the scene's width and either all of its rows or some, from
-    // Image::first_row() on; the pixels are the same. Writes the whole image. Can be called again.
-    // Throws Unavailable if the scene's fractal cannot be drawn, Error if the device fails, Cancelled.
+    // Renders `scene` into `image` and overwrites all of it. The image has the scene's width and all of its rows or
+    // some, from Image::first_row() on; the pixels are the same. May be called repeatedly. Throws Unavailable if the
+    // scene's fractal is not supported, Error if the device fails, and Cancelled.
     virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };
 
-// What a backend is to the programs, which ask for a role where they need one backend.
+// Role of a backend; programs that need one backend select it by role.
 enum class Role {
     none,
-    reference,  // shares no formula with the kernel text: the yardstick of pictures and of speed, drawn without a trial
-    host,       // the text on this machine's cores; with pack 1 it draws the exact bits that all others must have
-    accelerator  // `auto` takes it where it has a GPU
+    reference,   // independent of the kernel's formulas: renders expected pictures and baseline times, without a trial
+    host,        // the kernel on this machine's cores; with SIMD width 1 it defines the exact bits for all backends
+    accelerator  // selected by `auto` if it has a GPU
 };
 
 std::string_view name_of(Role role);  // "reference", "host", "accelerator", or "" for none
 
-// How a backend's kernels are compiled. Its CMakeLists.txt says so: mandelmarch_build_facts (cmake/Backend.cmake).
+// Compilation of a backend's kernels. Set in its CMakeLists.txt by mandelmarch_build_facts (cmake/Backend.cmake).
 struct BuildFacts {
     std::string compiler = {};
-    std::string exact = {};  // flags in each mode
+    std::string exact = {};  // compiler flags of each mode
     std::string fast = {};
 };
 
-// What is true of a backend on every machine.
+// Properties of a backend that do not depend on the machine.
 struct Facts {
     Role role = Role::none;
-    bool has_driver = false;  // code from outside works for it, which may crash: programs run it in its own process
-    // Which of RendererOptions' members it heeds.
+    bool has_driver = false;  // uses a third-party driver, which may crash: programs run it in a separate process
+    // Members of RendererOptions that the backend uses.
     bool threads = false;
     bool pack = false;
     bool chunk = false;
     bool band = false;
     bool block = false;
-    std::vector<std::string_view> variables = {};  // of the environment, which change how it runs
+    std::vector<std::string_view> variables = {};  // environment variables that change its behaviour
     BuildFacts build = {};
 };
 
-// A driver, or the loader of drivers, as this system's files name it.
+// An installed driver, or the loader of drivers, as described by the system's files.
 struct InstalledDriver {
     std::string api;          // "loader" for the loader
-    std::string file;         // that names it
-    std::string library;      // by its path, or by a name that the linker finds
+    std::string file;         // file that names the driver
+    std::string library;      // path, or a name for the dynamic linker
     std::string api_version;  // may be empty
 };
 
@@ -201,31 +200,31 @@ public:
 
     virtual std::string_view name() const = 0;
 
-    // Asks no device.
+    // Does not access any device.
     virtual Facts facts() const { return {}; }
 
-    // What its API's loader would open. Reads files, opens no driver.
+    // Returns the drivers that the API's loader would open. Reads files; does not open drivers.
     virtual std::vector<InstalledDriver> installed_drivers() const { return {}; }
 
-    // Why there is nothing to run on; nullopt if there is.
+    // Returns why no device can be used; nullopt: available.
     virtual std::optional<std::string> unavailable() const = 0;
 
     // Empty if unavailable.
     virtual std::vector<Device> devices() const = 0;
 
-    // False for scenes that it cannot draw on any device, of a fractal that it does not know, say.
+    // False if no device can render the scene, for example for an unknown fractal.
     virtual bool draws(const Scene& scene) const
     {
         static_cast<void>(scene);
         return true;
     }
 
-    // Throws Unavailable if the device is not there or cannot do what is asked.
+    // Throws Unavailable if the device does not exist or does not support the options.
     virtual std::unique_ptr<Renderer> create(const RendererOptions& options) const = 0;
 
-    // The multiply-add peak, in operations per second, that this backend reaches with core/kernel/peak.h on the device
-    // and in the precision of the options; nullopt where the backend has no such kernel or the device no such number.
-    // Takes about a second. Throws Error if the device fails.
+    // Returns the multiply-add peak, in operations per second, of core/kernel/peak.h on the device and in the precision
+    // of the options; nullopt if the backend has no such kernel or the device does not support the precision. Takes
+    // about a second. Throws Error if the device fails.
     virtual std::optional<double> multiply_add_peak(const RendererOptions& options) const
     {
         static_cast<void>(options);

@@ -15,13 +15,13 @@
 namespace mandelmarch {
 namespace {
 
-// Of the original program: 2^-26, the square root of double's epsilon.
+// The original program's: 2^-26, the square root of double's epsilon.
 constexpr double difference_step = 1.4901161193847656e-8;
 
 template <class Layout>
 constexpr bool is_float = std::is_same_v<decltype(Layout::tolerance), float>;
 
-// std430 and OpenCL C see the same bytes: ints, reals, then triples at multiples of four reals.
+// std430 and OpenCL C have the same layout: ints, reals, then triples at multiples of four reals.
 template <class Layout>
 constexpr bool layout_is_portable()
 {
@@ -31,7 +31,7 @@ constexpr bool layout_is_portable()
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
-// As in core/kernel/scene.h. A conservative estimate has no analytic gradient.
+// As Scene::differences of core/kernel/scene.h. A conservative estimate has no analytic gradient.
 int differences(const Scene& scene, bool fast, bool in_float, const Techniques& techniques)
 {
     constexpr int gradient = 0;
@@ -50,8 +50,8 @@ void assign(Triple& to, Vector from)
           static_cast<std::remove_reference_t<Real>>(from.z)};
 }
 
-// Where pixel 0 and the pixels' number of a side lie in the whole picture's side, from -1 to 1: `middle` of the side is
-// moved by half a pixel where rays go through pixels' middles.
+// Position of pixel 0 and length of the scene's side in the whole picture's side, from -1 to 1. `middle` is moved by
+// half a pixel if rays go through the pixels' centres.
 struct Side {
     double middle, half;
 
@@ -61,7 +61,7 @@ struct Side {
     }
 };
 
-// The axes that the kernel's pixels are counted along.
+// Sets the axes along which the kernel counts pixels.
 template <class Layout>
 void put_camera(const Scene& scene, Layout& k)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as the kernel text takes it, in each precision.
+// Converts a scene to the kernel's parameters, in each precision.
 #pragma once
 
 #include <type_traits>
@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-// The layouts come from the text itself (core/kernel/scene.h); a backend passes them on as bytes.
+// The layouts are those of core/kernel/scene.h; backends pass them on as bytes.
 namespace layout_f64 {
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
@@ -29,22 +29,22 @@ namespace layout_f32 {
 #undef MM_REAL_IS_FLOAT
 }  // namespace layout_f32
 
-// float's layout or double's.
+// The layout for a floating-point type.
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
-// Of the original program.
-inline constexpr int max_steps = 8000;           // samples on a ray
-inline constexpr double farthest_sample = 1000;  // the largest t of a sample
+// Values of the original program.
+inline constexpr int max_steps = 8000;           // max samples of a ray
+inline constexpr double farthest_sample = 1000;  // max t of a sample
 
-// Computed in double, then rounded.
-// exact: the plain schedule's hit. fast: the canonical hit.
-// The normal comes from central differences in double and from the analytic gradient in float.
+// Computes in double, then rounds.
+// exact: the hit of the original stepping. fast: the canonical hit.
+// Normals come from central differences in double and from the analytic gradient in float.
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
-// The camera's axes: forward is the unit vector of the view; across and upward lead from the picture's middle to its
-// right and top edges at distance 1. Of the whole picture where the scene is a part of one.
+// The camera's axes. forward: unit vector of the view; across and upward: from the picture's centre to its right and
+// top edges, at distance 1. With a crop window, those of the whole picture.
 struct Camera {
     Vector forward, across, upward;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often the kernel text loops at most, for devices that survive so many loops only.
+// Limits of the kernel's loop iterations, for devices that limit the iterations of an invocation.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 
 namespace mandelmarch {
 
-// Rounds of all loops of one invocation, each loop's end counted as one more; nested loops count each for themselves.
-// Branches that are not taken are not counted, though a device with masks may run each of their loops once.
+// Max iterations of all loops of one invocation. The end of a loop counts as one more; each nested loop is counted.
+// Branches not taken are not counted, although a device with masks may execute their loops once.
 struct Loops {
-    std::int64_t pass;    // of marching and refining, beside their steps
-    std::int64_t step;    // of marching
-    std::int64_t tried;   // a root that refining tries
-    std::int64_t refine;  // all that a ray is refined
+    std::int64_t pass;    // of marching and refinement, without their steps
+    std::int64_t step;    // per marching step
+    std::int64_t tried;   // per refinement
+    std::int64_t refine;  // of a whole refinement
     std::int64_t shade;
 };
 
-// Counted by running the text with every lane on (core/kernel/prelude/loops.h), normals from differences included.
+// Returns the limits for a scene, counted by running the kernel with all lanes active (core/kernel/prelude/loops.h) and
+// with normals from differences.
 Loops loops_of(const Scene& scene);
 
 }  // namespace mandelmarch

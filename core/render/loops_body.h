@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the loops of the text before it. Included in the text's namespace; no guard.
+// Counts the loop iterations of the kernel source included before it, in the same namespace; without include guard.
 
 template <class Body>
 std::int64_t counted(Body body)

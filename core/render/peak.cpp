@@ -7,7 +7,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double long_enough = 0.02;  // seconds of one run: clocks and launches are nothing beside it
+constexpr double long_enough = 0.02;  // seconds of one run, so that clock resolution and launch overhead are negligible
 constexpr int runs = 9;
 constexpr int most_rounds = 1 << 28;
 
@@ -16,9 +16,10 @@ constexpr int most_rounds = 1 << 28;
 double highest_rate(const PeakRun& run, double lanes)
 {
     int rounds = 256;
-    run(rounds);  // starts threads and finishes compiling
+    run(rounds);  // starts threads and completes compilation
     for (;;) {
-        // What disturbs a run only makes it longer: the rounds are enough when the fastest run is long enough.
+        // Disturbances only make a run longer, so the number of iterations suffices when the fastest run is long
+        // enough.
         double fastest = run(rounds);
         for (int i = 1; i < runs && (fastest >= long_enough || rounds == most_rounds); ++i) {
             fastest = std::min(fastest, run(rounds));

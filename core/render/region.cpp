@@ -8,9 +8,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int pixels_of_strip = 1 << 22;  // at once, where rows are cut
+constexpr int pixels_of_strip = 1 << 22;  // of a strip, if rows are cropped
 
-// Rows that are drawn at once.
+// Returns the rows of a strip.
 int rows_of_strip(const Scene& scene, const Region& region)
 {
     if (region.width == scene.width) return region.height;

@@ -12,16 +12,16 @@
 
 namespace mandelmarch {
 
-// What a backend has. Of the three one is not empty.
+// Devices of a backend; exactly one member is not empty.
 struct Listing {
     std::vector<Device> devices;
-    std::string unavailable;  // why there are none
-    std::string failure;      // how its driver failed while it listed them
+    std::string unavailable;  // why it has no devices
+    std::string failure;      // how its driver failed while listing devices
 };
 
 Listing listing_of(const Backend& backend);
 
-// What `auto` chose, and why, in words for the user.
+// The backend selected by `auto`, with the reason as a message.
 struct AutomaticChoice {
     const Backend* backend;
     std::string reason;
@@ -33,25 +33,25 @@ public:
 
     std::span<const std::unique_ptr<Backend>> backends() const { return backends_; }
 
-    // nullptr if there is no such backend.
+    // Returns nullptr if no backend has the name.
     const Backend* find(std::string_view name) const;
 
-    // The first one with the role; nullptr if there is none.
+    // Returns the first backend with the role; nullptr if none has it.
     const Backend* find(Role role) const;
 
-    // As find(Role), but throws Unavailable where this program has none.
+    // As find(Role), but throws Unavailable instead of returning nullptr.
     const Backend& with(Role role) const;
 
     std::vector<std::string> names() const;
 
-    // An accelerator that has a GPU, else the host.
+    // Selects an accelerator that has a GPU, otherwise the host.
     AutomaticChoice automatic() const;
 
 private:
     std::vector<std::unique_ptr<Backend>> backends_;
 };
 
-// An unavailable backend: the program was built without it, for the reason `why`.
+// Returns an unavailable backend: the program was built without it, for the reason `why`.
 std::unique_ptr<Backend> without_backend(std::string_view name, std::string_view why);
 
 }  // namespace mandelmarch

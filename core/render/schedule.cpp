@@ -16,13 +16,13 @@ namespace {
 
 // Enough bands to show progress, each large enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-// For bands that are cut by time: pixels of the first band, and the largest ratio of a band to the one before.
+// For bands sized by time: pixels of the first band, and the max ratio of successive bands.
 constexpr std::int64_t first_band = 1 << 14;
 constexpr double most_growth = 4;
 
-// What one invocation does at most.
+// Limits of one invocation.
 struct Plan {
-    bool whole = true;  // a pixel from its beginning to its end
+    bool whole = true;  // a pixel completely
     int steps = max_steps;
     int tries = 0;      // in a pass that refines
     int all_tries = 0;  // of a ray
@@ -39,7 +39,7 @@ Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
             "iterations or the types 0 and 1",
             scene.colouring, scene.iterations));
     }
-    // Half of it: the rest is for what Loops does not count.
+    // Half of the limit; the other half allows for iterations that Loops does not count.
     const std::int64_t planned = survived / 2;
     const std::int64_t refining = mode == Mode::fast ? loops.refine : 0;
     const auto fit = [&](std::int64_t each, std::int64_t most) {
@@ -60,7 +60,7 @@ int rows_per_band(const Scene& scene, const Limits& limits)
     const std::int64_t wanted =
         std::clamp(width * scene.height / bands_wanted, std::min(limits.pixels_to_fill, limits.pixels_per_band),
                    limits.pixels_per_band);
-    // Whole tiles where the limits allow it and there is more than one band.
+    // Whole tiles, if the limits allow it and there are several bands.
     std::int64_t rows = std::clamp<std::int64_t>(wanted / width, 1, scene.height);
     if (rows > tile_side && rows < scene.height) rows = rows / tile_side * tile_side;
     return static_cast<int>(rows);
@@ -82,7 +82,7 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
         } else {
             executor.run(Entry::begin, band, 0);
             do {
-                // A sign of life: a band may take many passes.
+                // Reports progress and checks for cancellation, since a band may take many passes.
                 if (progress) progress(share(row));
                 executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));

@@ -13,7 +13,7 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
     const bool fast = mode == Mode::fast;
     const double stride =
         std::min(scene.limits.stride, fast ? fractal.fast.stride.value(inputs_of(scene)) : plain_stride);
-    // A scene whose steps are to be short gets no longer ones.
+    // Scenes that need short steps are not over-relaxed.
     const bool relaxed = fast && techniques.relaxation && stride >= plain_stride;
     return {
         .stride = stride,

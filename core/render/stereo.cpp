@@ -33,7 +33,7 @@ Scene of_eye(const Scene& scene, double eyes, int side)
     const Vector moved = (side * eyes / 2) * unit(camera.across);
     eye.eye = scene.eye + moved;
     eye.target = scene.target + moved;
-    // Half of the parallax of the screen, in pixels: the window moves the other way.
+    // Half of the parallax of the screen, in pixels; the window moves in the opposite direction.
     const double half_width = std::sqrt(dot(camera.across, camera.across));
     const auto shift = static_cast<int>(std::lround(eye.width / (4 * screen_distance * half_width)));
     eye.part = {.left = side < 0 ? 2 * shift : 0, .whole_width = eye.width + 2 * shift, .whole_height = eye.height};

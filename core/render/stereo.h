@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two eyes side by side in one picture: the left eye's in its left half.
+// Side-by-side stereo, with the left eye's picture in the left half.
 #pragma once
 
 #include "core/render/backend.h"
 
 namespace mandelmarch {
 
-// Things at this distance, in distances of the eyes, appear at the screen's: nearer ones in front of it.
+// Distance at which objects appear at the screen, in eye distances; closer objects appear in front of it.
 inline constexpr double screen_distance = 60;
 
-// The scene of one eye: half as wide, moved sideways by half of `eyes`, which is the eyes' distance, and looking
-// through the same window at the screen's distance. `side`: -1 left, 1 right.
+// Returns the scene of one eye: half as wide, moved sideways by half of `eyes` (the eye distance), with the same window
+// at the screen's distance. `side`: -1 left, 1 right.
 Scene of_eye(const Scene& scene, double eyes, int side);
 
 // An equirectangular picture of two eyes has this many strips for each eye. The eyes turn with the strip
@@ -21,8 +21,8 @@ inline constexpr int strips_around = 180;
 // `scene` has the size of both eyes' pictures; `eyes` and `side` are those of of_eye().
 Scene strip_of_eye(const Scene& scene, double eyes, int side, int left, int width);
 
-// Draws `scene` for two eyes into `image`, which has the scene's size. Throws InputError for an odd width and for a
-// part of a picture.
+// Renders `scene` for two eyes into `image`, which has the scene's size. Throws InputError for an odd width and for a
+// crop window.
 RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image,
                            const Progress& progress = {});
 

@@ -10,10 +10,10 @@
 namespace mandelmarch {
 namespace {
 
-// docs/notes/experiments.md, "Trials", for these constants.
+// docs/notes/experiments.md, "Trials", explains these constants.
 constexpr double trial_pixels = 1024;
-constexpr double most_off = 0.015;   // of its pixels, visibly: what is less is 2 % of the picture's at most, mostly
-constexpr double converging = 0.75;  // of the share before
+constexpr double most_off = 0.015;   // of its pixels, visibly; below it usually at most 2 % of the picture differ
+constexpr double converging = 0.75;  // relative to the previous fraction
 
 double share_off(const Image& a, const Image& b)
 {
@@ -115,7 +115,7 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
 
 bool is_tried(const RendererOptions& options)
 {
-    // Where hits are not refined every schedule draws a picture of its own.
+    // Without refinement the picture depends on the step factor anyway.
     return options.mode == Mode::fast && options.techniques.root && options.techniques.trial;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of random scenes, the same on every machine.
+// Random numbers for scenes, the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -18,10 +18,10 @@ public:
         return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
     }
 
-    // low, high > 0; every order of magnitude as likely.
+    // Samples log-uniformly; low, high > 0.
     double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
-    // In the single precision of parameter files.
+    // Rounds to single precision, as for parameter files.
     static double single(double value) { return double{static_cast<float>(value)}; }
     double single_between(double low, double high) { return single(between(low, high)); }
 

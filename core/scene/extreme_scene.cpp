@@ -43,7 +43,7 @@ void draw_shape(Chance& chance, Scene& scene)
     scene.escape = Chance::single(scene.escape);
 }
 
-// Lines 7 and 8 of the scenes that keep their shape.
+// Sets lines 7 and 8 of the scenes that keep their shape.
 void set_plain_shape(const Fractal& fractal, Scene& scene)
 {
     if (const auto& plain = fractal.random.plain) {
@@ -59,7 +59,7 @@ void set_plain_shape(const Fractal& fractal, Scene& scene)
 Scene drawn(Chance& chance, const Fractal& fractal, int number)
 {
     constexpr std::array sizes{Size{48, 32}, Size{32, 24}, Size{33, 31}, Size{17, 40}, Size{61, 1}, Size{1, 29}};
-    // An iteration of a pixel is about the same work in every scene.
+    // Each scene has about the same number of pixels times iterations.
     constexpr double pixel_iterations = 64.0 * 48 * 32;
     Scene scene;
     scene.fractal = &fractal;
@@ -67,7 +67,7 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
     set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
     scene.brightness = Chance::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
-    // Two by two of one size: what is left of the picture before shows.
+    // Two successive scenes have the same size, so that remains of the previous picture become visible.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;
     scene.height = size.height;
@@ -101,7 +101,7 @@ Scene extreme_scene(const Fractal& fractal, unsigned seed, int number)
         try {
             return parse_parameters(to_parameters(drawn(chance, fractal, number)), "a scene", fractal).scene;
         } catch (const InputError&) {
-            // Values that do not go together: drawn again.
+            // Incompatible values: another scene is tried.
         }
     }
 }

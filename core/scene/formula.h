@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that writes down how it was computed. What a fractal's row computes as a function template over the number
-// type, the programs compute with double and hand out as text: an expression that JavaScript and Python both read, so
-// that the viewer computes the same (docs/report.md).
+// A number that records its formula. Function templates of a fractal's descriptor are computed with double in the
+// programs and exported as text with Formula. The text is an expression valid in both JavaScript and Python, so that
+// the viewer computes the same (docs/report.md).
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ class Formula {
 public:
     Formula(double value = 0);  // NOLINT(google-explicit-constructor): literals are formulas
 
-    // An input: `shape[0]`, say.
+    // An input, such as `shape[0]`.
     static Formula input(std::string_view name);
 
-    // With min, max, pow, sqrt, abs, floor, sign and pick(condition, a, b), and parentheses around every operation.
+    // Uses min, max, pow, sqrt, abs, floor, sign and pick(condition, a, b), with parentheses around every operation.
     const std::string& text() const { return text_; }
 
-    // What pick() decides by.
+    // First argument of pick().
     struct Condition {
         std::string text;
     };
@@ -43,7 +43,7 @@ private:
     std::string text_;
 };
 
-// The functions of a row's templates, for both number types.
+// Functions used by the descriptors' templates, for both number types.
 namespace formula {
 
 inline double min(double a, double b) { return std::min(a, b); }
@@ -52,7 +52,7 @@ inline double pow(double a, double b) { return std::pow(a, b); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline double abs(double a) { return std::abs(a); }
 inline double floor(double a) { return std::floor(a); }
-inline double sign(double a) { return std::copysign(1, a); }  // of numbers that are not 0
+inline double sign(double a) { return std::copysign(1, a); }  // a != 0
 inline double pick(bool on, double a, double b) { return on ? a : b; }
 
 inline Formula min(const Formula& a, const Formula& b) { return Formula::call("min", a, b); }

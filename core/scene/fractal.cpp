@@ -61,7 +61,7 @@ std::span<const Fractal> fractals()
 
 namespace {
 
-// The table is there before main: a process made of this one (core/isolation) takes its rows by their addresses.
+// The table exists before main, because descriptors are passed to device processes (core/isolation) by address.
 [[maybe_unused]] const bool made = !fractals().empty();
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fractals there are. A fractal is one file of kernel text, core/kernel/fractals/NAME.h, and one row,
+// The registered fractals. Each has a kernel source, core/kernel/fractals/NAME.h, and a descriptor,
 // core/scene/fractals/NAME.cpp.
 #pragma once
 
@@ -16,13 +16,13 @@ struct Scene;
 class Chance;
 class Formula;
 
-// What one number of a parameter file means, and its range. `low` and `high` are allowed themselves unless `open_low`.
+// Meaning and range of a number of a parameter file. The range includes `high`, and `low` unless `open_low`.
 struct Meaning {
     std::string_view name;
     double low;
     double high;
     bool open_low = false;
-    // Where pictures are worth looking at: the least and greatest value of a slider, and its step.
+    // Range of a slider that gives interesting pictures, and its step.
     struct Slider {
         double low, high, step;
     };
@@ -30,28 +30,28 @@ struct Meaning {
 };
 
 inline constexpr Meaning ignored_number{"a number (ignored)", -1e300, 1e300};
-inline constexpr double float_range = 1e37;  // the largest finite power of ten of a float, with room
+inline constexpr double float_range = 1e37;  // a power of ten below the largest float
 
-// What a row's formulas are computed from. Number is double or Formula (core/scene/formula.h).
+// Inputs of a descriptor's formulas. Number is double or Formula (core/scene/formula.h).
 template <class Number>
 struct FractalInputs {
     std::array<Number, 3> shape;
     Number escape;
     Number iterations;
-    Number largest;       // the largest finite power of ten of the picture's number type
-    Number conservative;  // 1: the estimate is to be the conservative one, 0: the original's
+    Number largest;       // the largest finite power of ten in the picture's precision
+    Number conservative;  // 1: conservative estimate, 0: the original one
 };
 
 FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
 
-// What the kernel text of a fractal needs that is the same for all pixels.
+// Kernel parameters of a fractal, the same for all pixels.
 template <class Number>
 struct FractalConstants {
     std::array<Number, 11> values{};
     Number whole = 0;
 };
 
-// The two instances of one function template: its value, and its text for who computes it elsewhere.
+// Two instances of one function template: its value, and its text for use outside the programs.
 template <template <class> class Result>
 struct RowFormula {
     Result<double> (*value)(const FractalInputs<double>& of);
@@ -60,13 +60,13 @@ struct RowFormula {
 template <class Number>
 using Plain = Number;
 
-// What a hull needs to know of a picture.
+// Parameters of a view that a hull depends on.
 struct Sight {
-    double slope;     // the least DE / t that no surface has: DE > slope t means no hit
+    double slope;     // DE > slope t means no hit
     double distance;  // of the eye from the origin
 };
 
-// A cube or a sphere about the origin that holds a whole fractal.
+// Bounds of a whole fractal: a cube or a sphere around the origin.
 struct Hull {
     enum class Shape { cube, sphere };
     Shape shape = Shape::sphere;
@@ -75,69 +75,69 @@ struct Hull {
     bool contains(Vector p) const;
 };
 
-// What holds of a fractal whose row says nothing.
+// Defaults for members that a descriptor does not set.
 namespace usual {
 std::string_view objection(const Scene& scene);         // none
 double no_hull(const Scene& scene, const Sight& view);  // 0
 std::optional<Hull> unknown_body(const Scene& scene);   // nullopt
 template <class Number>
-Number stride(const FractalInputs<Number>& of);       // plain_stride
-double growth(const Scene& scene);                    // 1: no iteration is known to be too fine to be seen
-Vector representative(const Scene& scene, Vector p);  // p
+Number stride(const FractalInputs<Number>& of);                         // plain_stride
+double growth(const Scene& scene);                                      // 1: no iteration is known to be invisible
+Vector representative(const Scene& scene, Vector p);                    // p
 bool worth_searching(const Scene& scene, const Hull& body, Vector p);   // true
-Vector upward(Vector place, Vector up);                                 // away from the middle, as on a planet
-void no_tail(const Scene& scene, FractalConstants<double>& constants);  // leaves them as they are
-void same_shape(Scene& scene, Chance& chance, bool even);               // leaves the scene as it is
-void same_extreme_shape(Scene& scene, Chance& chance);                  // leaves the scene as it is
+Vector upward(Vector place, Vector up);                                 // away from the origin, as on a planet
+void no_tail(const Scene& scene, FractalConstants<double>& constants);  // unchanged
+void same_shape(Scene& scene, Chance& chance, bool even);               // unchanged
+void same_extreme_shape(Scene& scene, Chance& chance);                  // unchanged
 inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
 }  // namespace usual
 
 inline constexpr double sphere_corner = 1;
 inline constexpr double cube_corner = 1.7320508075688772;  // sqrt(3)
 
-// The sphere or cube (as in the kernel file) outside which no ray of a view hits anything.
+// The hull: the sphere or cube (as in the kernel source) outside which no ray of a view hits anything.
 struct FractalHull {
-    double (*size)(const Scene& scene, const Sight& view) = usual::no_hull;  // 0 where none is proven
-    double corner = cube_corner;  // how far it reaches from the origin, in its sizes
+    double (*size)(const Scene& scene, const Sight& view) = usual::no_hull;  // 0: no hull
+    double corner = cube_corner;  // largest distance from the origin, in units of size
 };
 
-// What fast mode may do, where it pays.
+// Parameters of fast mode.
 struct FractalFast {
-    // The share of an estimate that a step takes; less than plain_stride, and none is over-relaxed: for scenes whose
-    // rays would pass what is thin.
+    // Step factor. Below plain_stride, steps are not over-relaxed: for scenes with thin features, which longer steps
+    // would miss.
     RowFormula<Plain> stride{usual::stride<double>, usual::stride<Formula>};
-    // A canonical hit is where |DE - tolerance t| is below this share of the tolerance: chosen by how far pictures
-    // change.
+    // A canonical hit has |DE - tolerance t| below this fraction of the tolerance. Chosen by the changes of pictures.
     double root_share = 0.001;
-    // Cones of neighbouring rays pay where those are no more than this many tolerances apart.
+    // Cones are used up to this distance of adjacent rays, in tolerances.
     double cone_pitch = 0;
-    // The hits of pixels around one tell where its ray begins while those are no more than this many tolerances apart.
+    // Rays begin near the hits of surrounding pixels up to this distance of adjacent rays, in tolerances.
     double neighbour_pitch = 0;
 };
 
-// How a tour is planned. Lengths are shares of the body's size.
+// Parameters of planning a tour. Lengths are fractions of the size of the bounds.
 struct FlightMeasures {
-    double roads = 0.012;        // least clearance of the balls
-    double gate_least = 0.0040;  // bounds of a gate's clearance
+    double roads = 0.012;        // min clearance of the balls
+    double gate_least = 0.0040;  // range of a gate's clearance
     double gate_most = 0.02;
-    double pace = 0.19;  // clearances a frame
+    double pace = 0.19;  // clearances per frame
 };
 
-// What an audit holds a flight to.
+// Thresholds of a flight's audit.
 struct FlightBars {
-    double step = 0.2;     // clearances a frame
+    double step = 0.2;     // clearances per frame
     double aside = 10;     // percent of the frames that look aside
-    double passages = 12;  // of 7200 frames
+    double passages = 12;  // per 7200 frames
     double planning = 20;  // seconds
 };
 
-// What a flight needs to know.
+// Properties of the fractal for planning flights.
 struct FractalFlight {
-    // How much one iteration magnifies, at least: features of iteration n are about growth^-n of the fractal's size.
+    // Returns the min magnification of an iteration: features of iteration n have about growth^-n of the fractal's
+    // size.
     double (*growth)(const Scene& scene) = usual::growth;
-    // The share of an estimate that is surely free some way from the surface, and the share that a step may take in a
-    // close-up: near the surface an estimate can be larger than the distance. With the conservative estimate, where the
-    // fractal has one of its own, these are `conservative`.
+    // Fractions of an estimate. safety: the certainly free part, at some distance from the surface. stride: a step in a
+    // close-up, since near the surface an estimate can exceed the distance. `conservative` applies to the conservative
+    // estimate, if the fractal has one.
     struct Trust {
         double safety = 0.5;
         double stride = 0.5;
@@ -145,61 +145,61 @@ struct FractalFlight {
     Trust trust{};
     std::optional<Trust> conservative{};
     const Trust& trust_of(const Scene& scene) const;
-    // What holds the fractal; a sphere is found by rays where nothing is known.
+    // Returns the bounds of the fractal; nullopt: a sphere is found by casting rays.
     std::optional<Hull> (*body)(const Scene& scene) = usual::unknown_body;
-    // Places that a symmetry maps onto each other get the same answer: the one of them in the fundamental region.
+    // Maps equivalent places of a symmetry to the one in the fundamental region.
     Vector (*representative)(const Scene& scene, Vector p) = usual::representative;
-    // True in a region that holds a copy of every place that differs under the symmetry, and some more: where tours are
-    // sought, as the rest would only cost time.
+    // True in a region that includes a fundamental region of the symmetry. Tours are searched only there, to save time.
     bool (*worth_searching)(const Scene& scene, const Hull& body, Vector p) = usual::worth_searching;
-    // The direction, a unit vector, that a level camera at a place shows upwards, where the camera's up vector is `up`.
+    // Returns the upward direction of a level camera, a unit vector; `up`: the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = usual::upward;
     FlightMeasures measures{};
     FlightBars bars{};
 };
 
-// How scenes are drawn at random (core/scene/random_scene.h and extreme_scene.h). They begin with the official shape.
+// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). They begin with the official shape.
 struct FractalRandom {
-    double extent;             // of the fractal from the origin, about
-    double nearest, farthest;  // cameras from the origin
+    double extent;             // approximate max distance of the fractal from the origin
+    double nearest, farthest;  // range of the camera's distance from the origin
     void (*shape)(Scene& scene, Chance& chance, bool even) = usual::same_shape;
-    // Of any size and sign that a parameter file may say. Rounded to single precision afterwards.
+    // Any size and sign that a parameter file allows. Rounded to single precision afterwards.
     void (*extreme_shape)(Scene& scene, Chance& chance) = usual::same_extreme_shape;
-    // Lines 7 and 8 of extreme scenes that keep their shape, where these are not the official ones.
+    // Lines 7 and 8 of extreme scenes that keep their shape; nullopt: the official ones.
     std::optional<std::array<double, 4>> plain{};
 };
 
-// What bench does with it.
+// Parameters of bench.
 struct FractalStudy {
     std::span<const int> iterations = usual::iterations;  // of the study that varies them
-    // A view that is all surface, of the box-vs-bulb study.
+    // A view filled by the surface, for the box-vs-bulb study.
     struct Look {
         Vector eye, target, up;
     };
     std::optional<Look> close_up{};
-    // One more view of that study: the official one but for what is added to its shape.
+    // Another view of that study: the official one with `added` added to its shape.
     struct Variant {
         std::string_view name;
         std::array<double, 3> added;
     };
     std::optional<Variant> variant{};
-    // Pixels in a hundred of the official scene by which exact pictures may be visibly off the reference backend's.
+    // Allowed percentage of pixels of the official scene that differ visibly between exact mode and the reference
+    // backend.
     double off_in_double = 0;
     double off_in_float = 0;
 };
 
 struct Fractal {
-    std::string_view name;      // the stem of its files
-    std::string_view nickname;  // short form on command lines
-    int rank = 1000;            // lists of fractals go by it, then by name
-    bool studied = false;       // bench measures it unless another one is asked for; the build reads this line, too
-    std::string_view official;  // the parameter file of the scene that is measured, as text
+    std::string_view name;      // stem of its file names
+    std::string_view nickname;  // short name on command lines
+    int rank = 1000;            // lists of fractals are sorted by it, then by name
+    bool studied = false;       // included in bench by default; the build reads this line, too
+    std::string_view official;  // text of the official scene's parameter file
     std::array<Meaning, 3> shape;
     Meaning escape;
-    // What is wrong with the three values of line 7 together, or nothing.
+    // Returns what is wrong with the three values of line 7 together, or "".
     std::string_view (*objection)(const Scene& scene) = usual::objection;
     RowFormula<FractalConstants> constants;
-    // Changes them where an orbit's last iterations may be made without their tests: a technique of fast mode.
+    // Sets the constants of tails (the last iterations of an orbit, without tests), a technique of fast mode.
     void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = usual::no_tail;
     FractalHull hull{};
     FractalFast fast{};
@@ -208,10 +208,10 @@ struct Fractal {
     FractalStudy study{};
 };
 
-// In their order.
+// Sorted by rank, then by name.
 std::span<const Fractal> fractals();
 
-// By name or nickname. Throws InputError with the known names.
+// Finds a fractal by name or short name. Throws InputError with the known names.
 const Fractal& fractal_named(std::string_view name);
 
 }  // namespace mandelmarch

@@ -15,7 +15,7 @@ bool Hull::contains(Vector p) const
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= size;
 }
 
-// A point at distance r is seen at t <= r + |eye|.
+// A point at distance r has t <= r + |eye|.
 double radius_where(const std::function<double(double)>& bound, double radius, const Sight& view)
 {
     const auto free = [&](double r) { return bound(r) > view.slope * (r + view.distance); };
@@ -47,11 +47,11 @@ double least_estimate(double start, double power, double stretch, double added, 
 
 double hull_size(const Scene& scene, double tolerance)
 {
-    // A hit is DE < tolerance t with the t after the step, which goes at most twice the estimate.
+    // A hit is DE < tolerance t, with the t after the step, which is at most twice the estimate.
     if (tolerance > 0.1) return 0;
     const Sight view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
     const double size = scene.fractal->hull.size(scene, view);
-    // Floats: positions are off by a few units in the last place of the eye's distance.
+    // In float, positions are off by a few ulp of the eye's distance.
     return size > 0 ? size * (1 + 1e-4) + 1e-5 * view.distance : 0;
 }
 

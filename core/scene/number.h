@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strict decimal numbers, for files and command lines: no hexadecimal, no infinity, no rest behind the number.
+// Strict decimal numbers, for files and command lines: no hexadecimal, no infinity, nothing after the number.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace mandelmarch {
 
-// nullopt where `text` is not one whole number, or does not fit.
+// Returns nullopt if `text` is not exactly one integer, or is out of range.
 std::optional<long long> parse_whole(std::string_view text);
 
-// nullopt where `text` is not one finite real number, or is too large or too small for a double.
+// Returns nullopt if `text` is not exactly one finite real number, or is out of the range of double.
 std::optional<double> parse_real(std::string_view text);
 
 }  // namespace mandelmarch

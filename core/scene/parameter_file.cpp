@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has 500
 constexpr std::string_view blanks = " \t\r\f\v";
 
-// What a message shows of the user's text: printable, and not too much of it.
+// Quotes user text in a message: printable characters, shortened.
 std::string quoted(std::string_view text)
 {
     constexpr std::size_t most = 40;
@@ -40,7 +40,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// The line without its comment: from a # that begins the line or follows a blank.
+// Removes a comment: from a # at the beginning of the line or after a blank.
 std::string_view without_comment(std::string_view line)
 {
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -49,8 +49,8 @@ std::string_view without_comment(std::string_view line)
     return line;
 }
 
-// Counts the numbers of lines 7 and 8 that are unusual for a fractal: outside the range of its interesting pictures, or
-// not 0 although the fractal ignores them. nullopt if the fractal refuses the numbers.
+// Counts the values of lines 7 and 8 that are unusual for a fractal: outside its sliders' ranges, or not 0 although the
+// fractal ignores them. nullopt if the fractal rejects the values.
 std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
 {
     int count = 0;
@@ -69,7 +69,7 @@ std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
     return fine && fractal.objection(as_that).empty() ? std::optional(count) : std::nullopt;
 }
 
-// Another fractal that has fewer oddities, or nullptr.
+// Returns another fractal with fewer oddities, or nullptr.
 const Fractal* likelier(const Scene& scene)
 {
     const Fractal* best = nullptr;
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    // Comments name the fractal, or its numbers tell it.
+    // Warns if comments name another fractal, or the values suit another one better.
     void warn_of_another_fractal()
     {
         if (names(fractal_)) return;
@@ -144,7 +144,7 @@ private:
 
     [[noreturn]] void fail(const std::string& text) const { throw InputError(place(number_) + ": " + text); }
 
-    // Takes the next line that holds more than blanks and a comment; false at the end.
+    // Reads the next line that is not empty after removing its comment; false at the end.
     bool next_line()
     {
         while (!rest_.empty()) {
@@ -164,7 +164,7 @@ private:
         return false;
     }
 
-    // Takes the line of an entry that has `count` numbers.
+    // Begins the line of an entry with `count` values.
     void begin(Item item, const char* what, int count)
     {
         if (!next_line()) {
@@ -197,7 +197,7 @@ private:
         return *value;
     }
 
-    // A real number, rounded to single precision; the rounded one must be in the range.
+    // Reads a real number and rounds it to single precision; the rounded number must be in the range.
     double single(const Meaning& meaning)
     {
         const auto word = fields_.substr(0, fields_.find_first_of(blanks));
@@ -255,11 +255,11 @@ private:
         return std::string(line_);
     }
 
-    std::string_view rest_;    // what has not been read
-    std::string_view line_;    // the current line, trimmed
-    std::string_view fields_;  // what is left of its values
-    bool commented_ = false;   // a comment follows them
-    int number_ = 0;           // the current line's number, from 1
+    std::string_view rest_;    // unread text
+    std::string_view line_;    // current line, trimmed
+    std::string_view fields_;  // unread values of the line
+    bool commented_ = false;   // a comment follows the values
+    int number_ = 0;           // number of the current line, from 1
     std::array<int, item_count> lines_{};
     std::string comments_;  // all comments, in lower case
     const std::string& name_;

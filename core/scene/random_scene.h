@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes drawn at random, for studies and tests.
+// Random scenes for studies and tests.
 #pragma once
 
 #include <random>
@@ -8,8 +8,8 @@
 
 namespace mandelmarch {
 
-// `like` with a camera, a shape, a detail and a limit of iterations drawn from `random`; the same numbers give the same
-// scene on every machine. Even and odd `number` share the kinds: whole powers and any, scales above and below 0,
+// Returns `like` with a random camera, shape, detail and limit of iterations; the same numbers give the same scene on
+// every machine. Even and odd `number` alternate between kinds: integer and other powers, scales above and below 0,
 // colourings 0 and 1.
 Scene random_scene(const Scene& like, int number, std::mt19937& random);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of three doubles for the host: the camera and the reference renderer.
+// Double vectors on the host, for the camera and the reference renderer.
 #pragma once
 
 #include <cmath>

@@ -73,10 +73,10 @@ void write_bmp(OutputFile& file, const Image& image)
 
 namespace {
 
-// The position of a channel's bits in a pixel of four bytes.
+// Position of a channel's bits in a pixel of four bytes.
 struct BmpMask {
     int shift = 0;
-    std::uint32_t most = 0;  // the largest value
+    std::uint32_t most = 0;  // max value
 
     std::uint8_t byte(std::uint32_t pixel) const
     {
@@ -84,16 +84,16 @@ struct BmpMask {
     }
 };
 
-// The layout of a file's pixels, from its headers.
+// Layout of a file's pixels, from its headers.
 struct BmpPixels {
     int width = 0, height = 0;
     bool top_down = false;
     int bits = 24;
-    std::uint32_t start = 0;  // of the pixels, in bytes from the file's beginning
+    std::uint32_t start = 0;  // of the pixels, in bytes from the beginning of the file
     std::array<BmpMask, 3> masks{BmpMask{16, 255}, BmpMask{8, 255}, BmpMask{0, 255}};  // red, green, blue
 };
 
-constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // kinds of compression that compress nothing
+constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // uncompressed, with masks
 
 template <class Refuse>
 BmpMask bmp_mask(std::uint32_t bits, const Refuse& refuse)
@@ -125,7 +125,7 @@ BmpPixels read_header(std::span<const std::byte> data, const Refuse& refuse)
         refuse(fmt::format("its size is {} x {} pixels", pixels.width, std::abs(height)));
     }
     pixels.height = static_cast<int>(std::abs(height));
-    // The masks follow a header of 40 bytes; larger headers contain them at the same place.
+    // The masks follow a header of 40 bytes; larger headers contain them at the same position.
     constexpr std::size_t masks_size = 12;
     if (masked && data.size() < header_size + masks_size) refuse("the file ends in its header");
     for (std::size_t i = 0; masked && i < pixels.masks.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR, 32 bits a channel: R, G, B are light, as compositing programs expect; the layer `displayed` has the colours
-// as displayed, bit for bit; Z is the depth. The channels `steps` and `iterations` hold the counts.
+// OpenEXR, 32 bits per channel. R, G, B are linear light, as compositing programs expect; the layer `displayed`
+// contains the displayed colours, bit for bit; Z is the depth. The channels `steps` and `iterations` contain the
+// counts.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -33,9 +34,9 @@ constexpr std::array exr_colours{"R", "G", "B"};
 constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
 constexpr std::array exr_counts{"steps", "iterations"};
 constexpr const char* depth_name = "Z";
-constexpr const char* old_depth_name = "depth";  // in old files, whose R, G and B are as displayed
+constexpr const char* old_depth_name = "depth";  // in old files, whose R, G and B are displayed values
 
-// sRGB's curve (IEC 61966-2-1), from a displayed value to light, and back.
+// The sRGB curve (IEC 61966-2-1), from a displayed value to linear light, and back.
 float light_of(float displayed)
 {
     const double c = displayed;
@@ -48,7 +49,7 @@ float displayed_of(float light)
     return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
 }
 
-// One row of the file.
+// A row of the file.
 struct Row {
     explicit Row(int width) : depth(width), steps(width), iterations(width)
     {
@@ -60,7 +61,7 @@ struct Row {
     std::vector<float> depth;
     std::vector<std::uint32_t> steps, iterations;
 
-    // A frame buffer that takes every line of the file for this row.
+    // Returns a frame buffer that maps every row of the file to this object.
     Imf::FrameBuffer frame(const char* depth_channel)
     {
         Imf::FrameBuffer buffer;
@@ -87,7 +88,7 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// OpenEXR's output, into an OutputFile that can seek.
+// Output stream of OpenEXR, to an OutputFile that can seek.
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -136,12 +137,12 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
-// OpenEXR's input, from memory.
+// Input stream of OpenEXR, from memory.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
 
-    // True if there is more.
+    // Returns true if data remains.
     bool read(char to[], int size) override
     {
         if (size < 0 || at_ > data_.size() || data_.size() - at_ < static_cast<std::size_t>(size)) {
@@ -159,8 +160,8 @@ private:
     std::uint64_t at_ = 0;
 };
 
-// How many times its size a file's data can unpack to. ZIP, PIZ, PXR24 and B44 stay below twice deflate's ratio (PXR24
-// drops a quarter of a float before); DWA's blocks of 8 x 8 may have one number each.
+// Returns the max ratio of decoded to encoded size. ZIP, PIZ, PXR24 and B44 stay below twice deflate's ratio (PXR24
+// first drops a quarter of a float); DWA may store one number per block of 8 x 8.
 std::uint64_t ratio_of(Imf::Compression compression)
 {
     switch (compression) {
@@ -185,9 +186,9 @@ int lines_of_block(Imf::Compression compression)
     }
 }
 
-constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after the magic number and the version
+constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after magic number and version
 
-// Throws where an attribute of the header claims more bytes than the file has: OpenEXR would take the memory.
+// Throws if an attribute of the header claims more bytes than the file has, because OpenEXR would allocate them.
 void check_attributes(std::span<const std::byte> data)
 {
     std::size_t at = first_attribute;
@@ -211,21 +212,21 @@ void check_attributes(std::span<const std::byte> data)
     }
 }
 
-// The channels of a file, besides R, G and B.
+// Channels of a file, other than R, G and B.
 struct ExrChannels {
-    const char* depth = nullptr;  // the name of the depth channel; nullptr: none
-    bool displayed = false;       // the file has the layer of displayed colours
-    bool light = true;            // R, G and B are light, except in old files of this program
+    const char* depth = nullptr;  // name of the depth channel; nullptr: none
+    bool displayed = false;       // the layer of displayed colours exists
+    bool light = true;            // R, G and B are linear light; false for old files of this program
 };
 
-// Reads the header alone, before OpenEXR takes memory for what it claims.
+// Checks the header before OpenEXR allocates memory for what it claims.
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
-    constexpr int largest_tile = 4096;  // pixels, both ways
+    constexpr int largest_tile = 4096;  // pixels, both sides
     Imf::Header::setMaxImageSize(max_side, max_side);
     Imf::Header::setMaxTileSize(largest_tile, largest_tile);
-    std::array<char, first_attribute> first{};  // the magic number; version and flags, from the lowest byte up
+    std::array<char, first_attribute> first{};  // magic number; version and flags, lowest byte first
     stream.read(first.data(), first.size());
     int version = 0;
     for (std::size_t i = first.size(); i > 4; --i) version = version << 8 | static_cast<unsigned char>(first.at(i - 1));
@@ -239,7 +240,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
             throw Error(fmt::format("it has no channel {}", channel));
     }
     std::uint64_t bits = 0;
-    std::uint64_t bytes = 0;  // of a pixel where channels are not subsampled
+    std::uint64_t bytes = 0;  // per pixel, if channels are not subsampled
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
         const std::uint64_t size = channel.channel().type == Imf::HALF ? 2 : 4;
         bytes += size;
@@ -264,13 +265,13 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
                        .height = height,
                        .pixel_bits = bits,
                        .most_bytes = most,
-                       .decoder = 3 * block * bytes,  // packed, unpacked and on the way between
+                       .decoder = 3 * block * bytes,  // encoded, decoded and an intermediate copy
                        .layers = found.depth != nullptr ? Image::Layers::all : Image::Layers::colours});
     if (block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
     return found;
 }
 
-// Copies the row of the file to row y of the image, counted from the bottom.
+// Copies a row of the file to row y of the image, counted from the bottom.
 void put_row(const Row& row, const ExrChannels& channels, Image& image, int y)
 {
     const std::size_t at = static_cast<std::size_t>(y) * row.depth.size();
@@ -304,7 +305,7 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
             encode(stream, image);
             return;
         }
-        // OpenEXR goes back to write its table of rows, which a pipe cannot: the file is made in memory.
+        // OpenEXR seeks back to write its table of rows, which is impossible in a pipe, so the file is built in memory.
         Imf::StdOSStream memory;
         encode(memory, image);
         const std::string data = memory.str();

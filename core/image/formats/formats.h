@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One file per picture format; image_file.cpp chooses.
+// Picture formats, one file each; image_file.cpp selects the format.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,19 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image);
 void write_pnm(OutputFile& file, const Image& image);
 void write_jpeg(OutputFile& file, const std::string& path, const Image& image);
 
-// Deflate's best: 258 bytes for two bits.
+// Max ratio of deflate: 258 bytes from two bits.
 inline constexpr std::uint64_t deflate_ratio = 1032;
 
-// Throws InputError, which begins with `name`, where a file's header claims a size that no picture has, more pixels
-// than can be packed into the file, or more memory than there is.
+// Sizes that a file's header claims.
 struct Claim {
     std::int64_t width, height;  // pixels
-    std::uint64_t pixel_bits;    // of the unpacked data
-    std::uint64_t most_bytes;    // that the file's data can unpack to
-    std::uint64_t decoder;       // bytes of memory that the decoder needs
-    Image::Layers layers;        // of the image that is made
+    std::uint64_t pixel_bits;    // of the decoded data
+    std::uint64_t most_bytes;    // max size of the file's decoded data
+    std::uint64_t decoder;       // bytes of memory for the decoder
+    Image::Layers layers;        // of the resulting image
 };
+// Throws InputError, with a message that begins with `name`, if the size is impossible, the file cannot contain so many
+// pixels, or the memory does not suffice.
 void check_claim(const std::string& name, const Claim& claim);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JPEG through libjpeg: quality 95, colours as fine as brightness, rows from the top down.
+// JPEG through libjpeg: quality 95, no chroma subsampling, rows from the top down.
 // clang-format off: jpeglib.h needs what stdio.h declares
 #include <cstdio>
 #include <jpeglib.h>
@@ -32,7 +32,7 @@ struct JpegErrors {
     }
 };
 
-// Takes libjpeg's bytes. The first error of the file is kept for later, as no exception may pass through C code.
+// Receives libjpeg's output. Stores the first file error, because exceptions must not pass through C code.
 struct JpegSink {
     jpeg_destination_mgr manager;
     OutputFile* file;
@@ -73,7 +73,7 @@ struct JpegSink {
     }
 };
 
-// False if libjpeg reported an error. Nothing here has a destructor, which the long jump would skip.
+// Returns false if libjpeg reported an error. Uses no destructors, which the long jump would skip.
 bool compress(jpeg_compress_struct& info, JpegErrors& errors, const Image& image)
 {
     if (setjmp(errors.back) != 0) return false;
@@ -90,7 +90,7 @@ bool compress(jpeg_compress_struct& info, JpegErrors& errors, const Image& image
     jpeg_start_compress(&info, TRUE);
     while (info.next_scanline < info.image_height) {
         const std::size_t y = info.image_height - 1 - info.next_scanline;
-        // libjpeg only reads the row.
+        // libjpeg does not modify the row.
         auto* row = const_cast<JSAMPLE*>(image.bytes().data() + 3 * y * info.image_width);
         jpeg_write_scanlines(&info, &row, 1);
     }

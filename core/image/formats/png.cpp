@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG through libpng's simplified interface: 8 bits a channel, rows from the top down.
+// PNG through libpng's simplified interface: 8 bits per channel, rows from the top down.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -23,7 +23,7 @@ struct Sink {
     std::exception_ptr error;
 };
 
-// A C stream over an OutputFile; the first error is kept for later, as C code stands between.
+// Writes to the OutputFile behind a C stream; stores the first error, because the caller is C code.
 ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
 {
     auto& sink = *static_cast<Sink*>(cookie);
@@ -44,10 +44,10 @@ std::uint32_t number(std::span<const std::byte> data, std::size_t at)  // big-en
 }
 
 constexpr std::size_t signature_size = 8;
-constexpr std::size_t chunk_frame = 12;  // bytes of a chunk beside its data: length, type and checksum
+constexpr std::size_t chunk_frame = 12;  // bytes of a chunk in addition to its data: length, type and checksum
 constexpr std::uint32_t type_ihdr = 0x49484452, type_idat = 0x49444154, type_iend = 0x49454e44;
 
-// Bytes of compressed pixels; nullopt where the chain of chunks does not reach the file's end chunk.
+// Returns the bytes of compressed pixels; nullopt if the chain of chunks does not reach the end chunk.
 std::optional<std::uint64_t> compressed_size(std::span<const std::byte> data)
 {
     std::uint64_t size = 0;
@@ -62,7 +62,8 @@ std::optional<std::uint64_t> compressed_size(std::span<const std::byte> data)
     return std::nullopt;
 }
 
-// Of a pixel, by the header's bits of a channel and kind of colour; the kinds' channels are 1, 3, 1 (palette), 2 and 4.
+// Returns the bits of a pixel, from bits per channel and colour type of the header; the types have 1, 3, 1 (palette), 2
+// and 4 channels.
 std::uint64_t pixel_bits(std::byte depth, std::byte colour)
 {
     constexpr std::array<std::uint64_t, 7> channels{1, 0, 3, 1, 2, 0, 4};
@@ -70,7 +71,7 @@ std::uint64_t pixel_bits(std::byte depth, std::byte colour)
     return std::to_integer<std::uint64_t>(depth) * (kind < channels.size() ? channels.at(kind) : 0);
 }
 
-// The image's rows as libpng wants them: the first is the top row, so that the step to the next is negative.
+// Row stride for libpng, which begins with the top row; therefore negative.
 png_int_32 row_stride(const Image& image) { return -3 * image.width(); }
 
 }  // namespace
@@ -115,7 +116,7 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     const std::unique_ptr<png_image, void (*)(png_image*)> guard(&header, &png_image_free);
     if (png_image_begin_read_from_memory(&header, data.data(), data.size()) == 0) refuse(header.message);
     header.format = PNG_FORMAT_RGB;
-    // Else libpng takes 16 bits for linear light.
+    // Otherwise libpng interprets 16 bits as linear light.
     header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
     Image image(static_cast<int>(header.width), static_cast<int>(header.height), Image::Layers::bytes);
     const png_color black{};

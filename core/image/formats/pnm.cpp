@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Netpbm's pictures: a text header, then rows from the top down. Written as P6, 8 bits a channel; read as P2 and P3
-// (text), P5 and P6 (bytes), grey and colour, with any largest value.
+// Netpbm pictures: a text header, then rows from the top down. Written as P6, 8 bits per channel; read as P2 and P3
+// (text), P5 and P6 (bytes), grey and colour, with any max value.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ public:
         most_ = number();
         if (most_ < 1 || most_ > 0xffff) refuse_pnm(name_, fmt::format("its largest value is {}", most_));
         const std::size_t bytes = most_ < 256 ? 1 : 2;
-        // One blank follows the header; in a text, each value takes at least a digit and a blank.
+        // One blank follows the header; in text, each value takes at least a digit and a blank.
         const std::size_t left = data_.size() - std::min(data_.size(), at_ + (text ? 0 : 1));
         check_claim(name_, {.width = width,
                             .height = height,
@@ -57,7 +57,7 @@ public:
 private:
     bool is_blank() const { return std::isspace(std::to_integer<unsigned char>(data_[at_])) != 0; }
 
-    // The next whole number of a text, after any blanks and comments.
+    // Reads the next integer, after any blanks and comments.
     std::uint32_t number()
     {
         while (at_ < data_.size() && (is_blank() || data_[at_] == std::byte{'#'})) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 5: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
-// 3-D", SIGGRAPH 1982), cut at k = 0, with the distance estimate DE = 0.5 ln(r) r / dr, dr -> 2 r dr of Hart, Sandin
-// and Kauffman ("Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
+// Kernel source, part 5: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
+// 3-D", SIGGRAPH 1982), cut at k = 0. Its distance estimate is DE = 0.5 ln(r) r / dr, dr -> 2 r dr (Hart, Sandin and
+// Kauffman, "Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
 
 FN scalar julia_escape2(Scene scene) { return scene.fractal[4]; }  // escape radius^2
 
@@ -32,7 +32,7 @@ FN real quaternion_inner(Quaternion p, Quaternion q) { return p.a * q.a + p.i * 
 
 FN real vector_inner(Quaternion p, Quaternion q) { return p.i * q.i + p.j * q.j + p.k * q.k; }
 
-// |z|^2, and not so small that a device could flush its terms to zero: near 0 the set's inside is certain.
+// |z|^2, at least 1e-30, so that no term that matters is flushed to zero. Near 0 the point is certainly inside.
 FN real julia_r2(Quaternion z) { return larger(quaternion_inner(z, z), R(1.0e-30)); }
 
 FN Quaternion julia_next(Scene scene, Quaternion z)
@@ -42,7 +42,7 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
 
-// Where a ray can meet the surface: its row proves the sphere.
+// The part of a ray that can meet the surface; the fractal's descriptor justifies the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -54,7 +54,7 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     on = on && r2 <= julia_escape2(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        // Inside the set dr falls towards zero; the bound keeps the quotient below finite.
+        // Inside the set dr tends to zero; the limit keeps the quotient below finite.
         dr = pick(on, larger(2 * root(r2) * dr, R(1.0e-20)), dr);
         z = quaternion_pick(on, julia_next(scene, z), z);
         r2 = pick(on, julia_r2(z), r2);
@@ -69,7 +69,7 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// d/dv of z and of ln dr along one axis v of p.
+// Derivatives of z and of ln dr along one axis v of p.
 struct JuliaTangent {
     Quaternion z;
     real ln_dr;
@@ -93,13 +93,13 @@ FN JuliaTangent julia_advance(mask on, JuliaTangent v, Quaternion z, real r2)
     return next;
 }
 
-// The derivative of DE, times dr > 0.
+// Returns the derivative of DE, times dr > 0.
 FN real julia_slope(Quaternion z, real r, real ln_r, JuliaTangent v)
 {
     return (ln_r + 1) * quotient(quaternion_inner(z, v.z), r) - ln_r * r * v.ln_dr;
 }
 
-// The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
@@ -123,10 +123,10 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     return vec3(julia_slope(z, r, ln_r, x), julia_slope(z, r, ln_r, y), julia_slope(z, r, ln_r, w));
 }
 
-// The share of light that haze takes on a way of length t: half at about the fractal's size.
+// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(2.0)); }
 
-// Where the orbit of p passes nearest to a = 0, to j = 0 and to the middle, for colours. A few iterations, so that
+// Min distances of the orbit of p from a = 0 and from j = 0, and min |z|^2, for colours. Few iterations, so that
 // colours are smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
-// Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1.
-// An iteration ends a ray's loop by the square of the FOLDED point, before the sphere fold.
-// Lengths are in units of sqrt(|s|) rFixed: then the sphere fold's factor, |s| included, is 1 / r^2.
+// Kernel source, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
+// Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1. The escape test uses the
+// square of the FOLDED point, before the sphere fold. Lengths are in units of sqrt(|s|) rFixed, so the factor of the
+// sphere fold, including |s|, is 1 / r^2.
 
-// Rays differ more in their steps than neighbours in their iterations: lanes that refill pay.
+// Refill pays here: step counts differ more between rays than iteration counts between neighbouring pixels.
 #define MM_LANES_WAIT 1
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
-FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // of s: -1 or 1
+FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // sign of s: -1 or 1
 FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
-FN scalar box_outer_radius2(Scene scene) { return scene.fractal[3]; }  // the larger of rMin^2 and rFixed^2
-FN scalar box_one(Scene scene) { return scene.fractal[4]; }            // the length 1
-FN scalar box_unit(Scene scene) { return scene.fractal[5]; }           // the unit of length
+FN scalar box_outer_radius2(Scene scene) { return scene.fractal[3]; }  // max of rMin^2 and rFixed^2
+FN scalar box_one(Scene scene) { return scene.fractal[4]; }            // the length 1, in these units
+FN scalar box_unit(Scene scene) { return scene.fractal[5]; }           // the unit, as a length
 FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
-FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // where tails begin, radius^2
+FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // radius^2 at which a tail begins
 FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n) as it is, in no unit
-FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // a tail begins in iterations before; or 0
+FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), not in units
+FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // limit of a tail's first iteration; 0: no tails
 
-// c > 1: 2 - c; c < -1: -2 - c; else c.
+// Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c.
 FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
 
 FN vec3 box_fold(Scene scene, vec3 z)
@@ -27,27 +27,27 @@ FN vec3 box_fold(Scene scene, vec3 z)
     return vec3(folded(z.x, box_one(scene)), folded(z.y, box_one(scene)), folded(z.z, box_one(scene)));
 }
 
-// |s| times the factor of the sphere fold at squared radius r2, inside.
+// Returns |s| times the factor of the sphere fold at squared radius r2, inside its outer sphere.
 FN real box_shell(Scene scene, real r2) { return quick_quotient(1, larger(r2, box_inner_radius2(scene))); }
 
-// And anywhere.
+// The same at any radius.
 FN real box_growth(Scene scene, real r2)
 {
     return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
 
-// Where a ray can meet the surface: its row proves the cube.
+// The part of a ray that can meet the surface; the fractal's descriptor justifies the cube.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
 struct BoxOrbit {
     vec3 z;
     real k;
-    mask late;  // it came too near to the most iterations to have a tail
+    mask late;  // too close to the max iterations to have a tail
     effort iterations;
 };
 
-// The orbit of p until it escapes, or begins its tail. usual: 1 where s > 0 and rMin <= rFixed, where inside is where
-// its factor is the larger one; 0 works for all. Known to the compiler.
+// Iterates the orbit of p until it escapes or its tail begins. usual: a compile-time constant; 1 requires s > 0 and
+// rMin <= rFixed, when the factor is a max of two terms; 0 works for all.
 FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
 {
     BoxOrbit a;
@@ -78,13 +78,13 @@ FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
     return a;
 }
 
-// What an iteration does far outside: the sphere fold leaves the point as it is. f: the folded point.
+// One iteration far outside, where the sphere fold leaves the folded point f unchanged.
 FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(scene) * box_sign(scene)); }
 
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
-// An orbit's last three iterations, or four, from the tail's radius on: there is no sphere to fold in and no escape to
-// look for but in the last (its row chooses the radius).
+// The last three or four iterations of an orbit, from the tail's radius on. The descriptor chooses that radius so that
+// only the last iteration needs an escape test and none a sphere fold.
 FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;
@@ -124,24 +124,24 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// d/dv of z and of k along one axis v of p.
+// Derivatives of z and of k along one axis v of p.
 struct BoxTangent {
     vec3 z;
     real k;
 };
 
-// What an iteration is to every tangent. The box fold turns components about: their slopes have another sign.
+// Terms of an iteration that all tangents share. A folded component changes the sign of its slope.
 struct BoxStep {
     mask on;
     vec3 f;       // the folded point
     vec3 across;  // f with those signs
     vec3 turned;  // c of the sphere fold, s included, with those signs
     real growth;  // |c|
-    real slope;   // -2 c/r2 in the shell, else 0: there 1/r2 is |c|
+    real slope;   // -2 c/r2 in the shell, where 1/r2 is |c|; otherwise 0
     real k;       // with the sign of s
 };
 
-// a where c is not folded, else -a.
+// Returns a if c is not folded, otherwise -a.
 FN real box_turned(Scene scene, real c, real a) { return pick(magnitude(c) > box_one(scene), -a, a); }
 
 FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
@@ -149,8 +149,8 @@ FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
     return vec3(box_turned(scene, z.x, a.x), box_turned(scene, z.y, a.y), box_turned(scene, z.z, a.z));
 }
 
-// One iteration of a tangent: c has the slope -2 c/r2 (f . d) in the shell and 0 elsewhere. A lane that is off keeps
-// its values: masked instructions hold them without further ones.
+// One iteration of a tangent: c has the slope -2 c/r2 (f . d) in the shell and 0 elsewhere. Inactive lanes keep their
+// values, by masked instructions.
 FN BoxTangent box_advance(BoxTangent v, vec3 axis, BoxStep turn)
 {
     real d_factor = turn.slope * inner(turn.across, v.z);
@@ -172,17 +172,17 @@ FN BoxTangent box_tangent(vec3 axis)
     return v;
 }
 
-// A tail's iterations so far: far outside each takes a component by itself.
+// State of a tail: far outside, an iteration acts on each component separately.
 struct BoxFar {
     vec3 z;
     real r2;      // of the last folded point
-    vec3 slope;   // of each component by what it was when the tail began
-    vec3 direct;  // and by that of p
+    vec3 slope;   // derivative of each component by its value at the tail's beginning
+    vec3 direct;  // derivative of each component by that of p
     real k;
     real growth;  // of k
 };
 
-// One more iteration where the lane is on.
+// One more iteration of the active lanes.
 FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
 {
     real factor = box_scale(scene) * box_sign(scene);
@@ -199,7 +199,7 @@ FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
     return b;
 }
 
-// The derivative of DE, times k > 0. direct: of z by p in the tail, times z.
+// Returns the derivative of DE, times k > 0. direct: derivative of z by p in the tail, times z.
 FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent v)
 {
     vec3 towards = vec3(end.z.x * end.slope.x, end.z.y * end.slope.y, end.z.z * end.slope.z);
@@ -207,7 +207,7 @@ FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent 
     return quick_quotient(outward - quick_quotient(length - box_offset(scene), end.k) * (v.k * end.growth), end.k);
 }
 
-// The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
@@ -249,7 +249,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     end.k = k;
     end.growth = 1;
     if (box_tail_end(scene) > 0) {
-        // As box_tail() does.
+        // The same iterations as in box_tail().
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
@@ -261,11 +261,11 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
                 box_slope(scene, end, end.z.z * end.direct.z, length, w));
 }
 
-// The share of light that haze takes on a way of length t: half at about the fractal's size.
+// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(8.0)); }
 
-// Where the folded orbit of p passes nearest to the plane x = 0, to the diagonal plane x = y and to the middle, for
-// colours. A few iterations, so that colours are smooth at the scale of a picture.
+// Min distances of the folded orbit of p from the plane x = 0 and (up to a factor) from the plane x = y, and min r^2,
+// for colours. Few iterations, so that colours are smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009): z -> z^P + p, where z^P multiplies
-// the spherical angles by P; dr is the running derivative of Quilez ("Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
+// Kernel source, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009), z -> z^P + p, where z^P multiplies
+// the spherical angles by P. dr is the running derivative (Quilez, "Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
 
-// The registers of a wide pack with AVX-512: an iteration takes long enough for three, which spill less than four
+// Registers of a wide pack with AVX-512: three hide the latency of an iteration and spill less than four
 // (docs/notes/experiments.md).
 #define MM_WIDE_REGISTERS_AVX3 3
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
 FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
 FN scalar bulb_envelope(Scene scene) { return scene.fractal[2]; }     // c of conservative_growth(); 0: none
-FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P, or 0 where it is no whole number
+FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P; 0: P is not an integer
 
 // The growth of dr in an iteration. z -> z^P stretches by P r^(P-1) along the radius and the meridian, and by that
-// times |sin P0 / sin 0| along the parallel, where 0 is the polar angle: near the poles P r^(P-1) alone, which the
-// running derivative counts, is up to P times too small. That quotient has lobes, and an estimate with lobes changes
-// faster than the distance; its envelope min(P, 1 / sin 0) has none. A share c of the envelope is enough
+// times |sin P0 / sin 0| along the parallel, where 0 is the polar angle. The running derivative uses P r^(P-1) only,
+// which near the poles is up to P times too small. The quotient has lobes, and an estimate with lobes changes faster
+// than the distance; its envelope min(P, 1 / sin 0) has none. A fraction c of the envelope suffices
 // (docs/notes/experiments.md). per_sine: 1 / sin 0.
 FN real conservative_growth(Scene scene, real growth, real per_sine)
 {
     return growth * larger(bulb_envelope(scene) * smaller(per_sine, bulb_power(scene)), 1);
 }
 
-// z^P: r^P (sin P0 cos P1, sin P0 sin P1, cos P0) with the polar angle 0 from the z axis and the azimuth 1.
+// z^P = r^P (sin P0 cos P1, sin P0 sin P1, cos P0), with the polar angle 0 from the z axis and the azimuth 1.
 struct BulbPower {
     real rho;         // sqrt(x^2 + y^2)
     real per_rho;     // its reciprocal
@@ -30,8 +30,8 @@ struct BulbPower {
     Complex azimuth;  // cos P1 + i sin P1
 };
 
-// A point nearer to the z axis than this counts as being that far from it: no term that matters can then be subnormal,
-// so that devices that flush subnormal numbers to zero draw the same picture. Its azimuth does not matter.
+// Lower limit of the squared distance from the z axis. It keeps every term that matters normal, so that devices that
+// flush subnormal numbers to zero render the same picture. The azimuth of points this close does not matter.
 FN real axis_radius2() { return BY_PRECISION(1.0e-290, 1.0e-30); }
 
 FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
@@ -47,7 +47,7 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
         power.azimuth = squared_within(squared_within(squared_within(direction, 1), 1), 1);
     } else if (bulb_whole_power(scene) > 0) {
-        // Without trigonometry: ((z + i rho))^P and ((x + i y) / rho)^P.
+        // Without trigonometry: (z + i rho)^P and ((x + i y) / rho)^P.
         power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
@@ -74,11 +74,11 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
     return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
 
-// Where a ray can meet the surface: its row proves the sphere.
+// The part of a ray that can meet the surface; the fractal's descriptor justifies the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// The eighth power takes lengths in units of 2^(-1/7): then the new point is z^8 / 2 + p, and the derivative's factor
-// 8 r^7 is 4 r^7.
+// For the eighth power lengths are in units of 2^(-1/7): the next point is then z^8 / 2 + p, and the factor 8 r^7 of
+// the derivative becomes 4 r^7.
 FN scalar eighth_one() { return R(1.1040895136738123); }  // the length 1, 2^(1/7)
 
 struct BulbEighth {
@@ -86,9 +86,9 @@ struct BulbEighth {
     real growth;  // 4 r^7
 };
 
-// By double angles, cos 2v = 2 cos^2 v - 1. Polar: z^2 - rho^2 is r^2 cos 2v, then come r^4 cos 4v and r^8 cos 8v; r^8
-// sin 8v is 8 z rho times the first two. Azimuth: a = 2 cos v, then a^2 - 2 is 2 cos 2v; times 2 sin v it is 2 sin 2v.
-// rho2: x^2 + y^2.
+// By double angles, cos 2v = 2 cos^2 v - 1. Polar: z^2 - rho^2 is r^2 cos 2v, followed by r^4 cos 4v and r^8 cos 8v;
+// r^8 sin 8v is 8 z rho times the first two. Azimuth: if a = 2 cos v, then a^2 - 2 is 2 cos 2v, and a times 2 sin v is
+// 2 sin 2v. rho2: x^2 + y^2.
 FN BulbEighth bulb_eighth(Scene scene, vec3 z, real rho2, real r2, vec3 p)
 {
     real away2 = larger(rho2, axis_radius2());
@@ -119,7 +119,7 @@ FN BulbEighth bulb_eighth(Scene scene, vec3 z, real rho2, real r2, vec3 p)
 
 FN real rho2_of(vec3 z) { return z.x * z.x + z.y * z.y; }
 
-// norm2(z)
+// The same as norm2(z).
 FN real r2_of(vec3 z, real rho2) { return larger(z.z * z.z + rho2, axis_radius2()); }
 
 FN Estimate bulb_estimate(real r2, real dr, effort iterations)
@@ -131,7 +131,7 @@ FN Estimate bulb_estimate(real r2, real dr, effort iterations)
     return result;
 }
 
-// For power 8, in a loop of its own: what other powers need would take its registers.
+// Power 8. A separate loop, because the other powers' terms would occupy its registers.
 FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(eighth_one(), p);
@@ -144,14 +144,14 @@ FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        // Where a lane is off, z does not matter any more.
+        // z of inactive lanes is not used any more.
         BulbEighth next = bulb_eighth(scene, z, rho2, r2, q);
         dr = pick(on, dr * next.growth + 1, dr);
         z = next.z;
         rho2 = rho2_of(z);
         iterations = tally(iterations, on);
         i = i + 1;
-        // The radius after the last iteration is not taken: the original leaves with the one before.
+        // The original program does not update the radius after the last iteration.
         if (i < scene.max_iterations) r2 = pick(on, r2_of(z, rho2), r2);
         on = on && r2 <= bailout2;
     }
@@ -195,11 +195,11 @@ FN Estimate estimate(Scene scene, vec3 p, mask on)
 
 #include "core/kernel/fractals/mandelbulb/gradient.h"
 
-// The share of light that haze takes on a way of length t: half at about the fractal's size.
+// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(1.6)); }
 
-// Where the orbit of p passes nearest to x = 0, to z = 0 and to the middle, for colours: |x|, |z|, r^2. A few
-// iterations, so that colours are smooth at the scale of a picture.
+// Min |x|, |z| and r^2 along the orbit of p, for colours. Few iterations, so that colours are smooth at the scale of a
+// picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside a C++ prelude: loops that count. Each round adds 1 to MM_LOOPS, an expression for the counter, and a loop's
-// end adds one more. undefine.h takes it away again.
+// Makes loops count, after a C++ prelude: every iteration adds 1 to MM_LOOPS, an expression for the counter, and the
+// end of a loop adds one more. undefine.h removes this.
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wkeyword-macro"
 #endif

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude: the words of the kernel text as C++ on a number that counts what is done with it, one lane at a time. Define
-// MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for the object whose members `sums`, `products`,
-// `quotients` and `roots` count, and include it inside a namespace, before the text; undefine.h takes the words away
-// again.
+// Prelude in C++ for counting the operations of one lane. Define MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an
+// expression for an object with the counters `sums`, `products`, `quotients` and `roots`. Include it inside a
+// namespace, before the kernel source; undefine.h removes its macros.
 //
-// One operation: a + b, a - b, a * b, quotient(a, b), root(a) of two numbers that differ from lane to lane, or one such
-// and a number of the scene. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to whole
-// numbers, exponents, whole numbers, and what is the same for all lanes. A multiply-add is two operations.
+// One operation: a + b, a - b, a * b, quotient(a, b) or root(a) of two per-lane numbers, or of one and a scene
+// parameter. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to integers, exponents,
+// integer arithmetic, and operations on uniform values. A multiply-add is two operations.
 
 #define FN inline
 #define FN_CALLED inline

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude: the words of the kernel text in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0), and
-// MM_QUOTIENTS, how float quotients and roots are computed: 0 as the device does; 1 in double and rounded once, which
-// is the correctly rounded one even where the device's double division is 2.5 units off, as Vulkan allows; 2 in float,
-// corrected by exact residuals.
+// Prelude in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0) and MM_QUOTIENTS, the method for
+// float divisions and square roots: 0: the device's own; 1: in double, rounded once, which is correctly rounded even if
+// the double division is 2.5 ulp off, as Vulkan allows; 2: in float, corrected by exact residuals.
 
 #define FN
 #define FN_CALLED
@@ -14,7 +13,7 @@
 #define mask bool
 #define triple vec3
 
-// The build writes a literal's suffixes, as glslang pastes none to a number: R(0.3) comes as BY_PRECISION(0.3lf, 0.3f).
+// glslang cannot paste suffixes to literals, so the build writes R(0.3) as BY_PRECISION(0.3lf, 0.3f).
 #if MM_REAL_IS_FLOAT
 #define BY_PRECISION(in_double, in_float) in_float
 #define real float
@@ -44,19 +43,19 @@ real quick_root(real a) { return root(a); }
 
 real magnitude(real a) { return abs(a); }
 
-// The nearest whole number, ties to even.
+// Nearest integer, ties to even.
 real nearest(real a) { return roundEven(a); }
 
 #if MM_REAL_IS_FLOAT
-// floor(log2 |a|) of a normal number.
+// floor(log2 |a|) of a normal number
 real exponent_of(real a) { return real(((floatBitsToInt(a) >> 23) & 0xff) - 127); }
 
-// 2^n of a whole number n in [-126, 127].
+// 2^n of an integer n in [-126, 127]
 real two_to(real n) { return intBitsToFloat((int(n) + 127) << 23); }
 #else
-// floor(log2 |a|) of a normal number.
+// floor(log2 |a|) of a normal number
 real exponent_of(real a) { return real(int((unpackDouble2x32(a).y >> 20) & 0x7ffu) - 1023); }
 
-// 2^n of a whole number n in [-1022, 1023].
+// 2^n of an integer n in [-1022, 1023]
 real two_to(real n) { return packDouble2x32(uvec2(0u, uint(int(n) + 1023) << 20)); }
 #endif

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words quotient and root in float where the device's own are some units off in the last place: corrected by their
-// exact residuals, with sums and products of floats alone. Needs a device that neither fuses nor reorders them.
+// Correctly rounded float quotient and root for devices whose own are some ulp off: corrected by exact residuals, with
+// additions and multiplications of floats only. The device must neither fuse nor reorder these.
 //
-// A first value that is k units off becomes one that is less than one unit off, by a step of Newton's. Its residual is
-// a float (Boldo and Daumas, "Representable correcting terms for possibly underflowing floating point operations",
-// 2003), got from the product's exact low part (Dekker, "A floating-point technique for extending the available
-// precision", 1971). It tells which neighbour is the nearest: no quotient and no root lies in the middle of two floats.
-// Numbers that are subnormal, 0 or not finite, and results beyond normal ones, are the device's.
+// A first result that is k ulp off is improved by a Newton step to less than one ulp. Its residual is a float (Boldo
+// and Daumas, "Representable correcting terms for possibly underflowing floating point operations", 2003), computed
+// from the exact low part of the product (Dekker, "A floating-point technique for extending the available precision",
+// 1971). The residual shows which neighbour is nearest: no quotient or root lies midway between two floats. If an
+// operand is subnormal, 0 or not finite, or the result is not normal, the device's result is returned.
 
-// The bits of a positive normal number with the exponent of 1.
+// Replaces the exponent of a normal number by that of 1, and its sign by plus.
 float mantissa_of(int bits) { return intBitsToFloat((bits & 0x7fffff) | 0x3f800000); }
 
-// a * b = the rounded product + what this returns, for factors in [0.25, 4].
+// Returns the rounding error: a * b = product + result, for factors in [0.25, 4].
 float low_part(float a, float b, float product)
 {
     float split_a = 4097.0f * a;
@@ -23,7 +23,7 @@ float low_part(float a, float b, float product)
     return rest_a * rest_b - (((product - high_a * high_b) - rest_a * high_b) - high_a * rest_b);
 }
 
-// a - b * c, where the product is close to a.
+// Returns a - b * c, if the product is close to a.
 float residual(float a, float b, float c)
 {
     float product = b * c;
@@ -64,7 +64,7 @@ real root(real a)
     s += residual(x, s, s) / (2.0f * s);
     float left = residual(x, s, s);
     float next = intBitsToFloat(floatBitsToInt(s) + (left > 0.0f ? 1 : -1));
-    float middle = abs(next - s) * s;  // less the square of half a step, which is finer than residuals are
+    float middle = abs(next - s) * s;  // omits the square of half a step, which is smaller than any residual
     if (left > 0.0f ? left > middle : -left >= middle) s = next;
     return s * intBitsToFloat((even / 2 + 127) << 23);
 }

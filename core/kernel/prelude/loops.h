@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude: the words of the kernel text as C++ on numbers that nobody knows, to count loops: every lane is always on,
-// so that a loop goes on to its bound. What is the same for all lanes is known, in double. Define MM_LOOPS, an
-// expression for the counter, and MM_REAL_IS_FLOAT 0, and include it inside a namespace, before the text; undefine.h
-// takes the words away again.
+// Prelude in C++ for counting loop iterations: real numbers are opaque values and all lanes stay active, so every loop
+// runs to its limit. Uniform values are computed, in double. Define MM_LOOPS, an expression for the counter, and
+// MM_REAL_IS_FLOAT as 0. Include it inside a namespace, before the kernel source; undefine.h removes its macros.
 #include "core/kernel/prelude/counted_loops.h"
 
 #define FN inline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude: the words of the kernel text in OpenCL C 1.2. The compiler is told MM_REAL_IS_FLOAT (1 or 0), MM_LANES
-// (pixels at once: 1, or the length of a vector type), MM_EXACT (1 or 0) and MM_IN_DOUBLE (1: quotients and roots of
-// floats are computed in double, for devices whose own are not correctly rounded).
+// Prelude in OpenCL C 1.2. Compiler options define MM_REAL_IS_FLOAT (1 or 0), MM_LANES (pixels at once: 1, or the
+// length of a vector type), MM_EXACT (1 or 0) and MM_IN_DOUBLE (1: computes divisions and square roots of floats in
+// double, for devices on which they are not correctly rounded).
 
 #if MM_EXACT
 #pragma OPENCL FP_CONTRACT OFF
@@ -15,7 +15,7 @@
 #define MM_PASTE_(a, b) a##b
 #define MM_PASTE(a, b) MM_PASTE_(a, b)
 
-// MM_INT: as wide as a real, so that comparisons of reals and of whole numbers give the same masks.
+// MM_INT has the width of a real, so that comparisons of reals and of integers give the same type of mask.
 #if MM_REAL_IS_FLOAT
 #define MM_SCALAR float
 #define MM_INT int
@@ -38,7 +38,7 @@ typedef double4 triple;
 
 typedef MM_SCALAR scalar;
 #if MM_LANES > 16
-// Clang's vectors, which may be longer than OpenCL's; both halves are OpenCL's.
+// Vectors of Clang, which may be longer than those of OpenCL; each half is an OpenCL vector.
 typedef MM_SCALAR real __attribute__((ext_vector_type(MM_LANES)));
 typedef MM_INT Int __attribute__((ext_vector_type(MM_LANES)));
 #define MM_AS_INT(x) __builtin_astype(x, Int)
@@ -66,13 +66,13 @@ typedef MM_VECTOR(double) Double;
 #define FN static inline __attribute__((always_inline))
 #define FN_CALLED FN
 
-// A mask is bool, or a vector of 0 and -1.
+// A mask is a bool, or a vector of 0 and -1.
 #if MM_LANES == 1
 typedef int whole;
 typedef int effort;
 typedef int scalar_whole;
 typedef bool mask;
-#undef any  // drivers have one
+#undef any  // some drivers define one
 #define any(on) (on)
 #define pick(on, a, b) ((on) ? (a) : (b))
 #define count(on) ((on) ? 1 : 0)
@@ -86,7 +86,7 @@ FN real pick(mask on, real a, real b) { return on ? a : b; }
 
 FN whole count(mask on) { return on & 1; }
 
-// Folded by halves: drivers ask the lanes of their own one by one.
+// By halves, because drivers test the lanes of their own any() one by one.
 #undef any
 #define any(on) any_lane(on)
 
@@ -132,7 +132,7 @@ FN vec3 make_vec3(real x, real y, real z)
 }
 #define vec3(a, b, c) make_vec3(a, b, c)
 
-// A function of OpenCL's vectors.
+// Applies an OpenCL vector function.
 #if MM_LANES > 16
 #define MM_BY_HALVES(type, function, a) ((type)(function((a).lo), function((a).hi)))
 #else
@@ -159,14 +159,14 @@ FN real quick_root(real a) { return root(a); }
 
 FN real magnitude(real a) { return MM_BY_HALVES(real, fabs, a); }
 
-// The nearest whole number, ties to even.
+// Nearest integer, ties to even.
 FN real nearest(real a) { return MM_BY_HALVES(real, rint, a); }
 
-// floor(log2 |a|) of a normal number.
+// floor(log2 |a|) of a normal number
 FN real exponent_of(real a)
 {
     return MM_TO_REAL(((MM_AS_INT(a) >> MM_MANTISSA_BITS) & MM_EXPONENT_MASK) - MM_EXPONENT_BIAS);
 }
 
-// 2^n of a whole number n of the normal range.
+// 2^n of an integer n, if it is a normal number
 FN real two_to(real n) { return MM_AS_REAL((MM_TO_INT(n) + MM_EXPONENT_BIAS) << MM_MANTISSA_BITS); }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude: the words of the kernel text as packs of MM_REGISTERS native SIMD registers, on Google Highway. Registers of
-// one pack do not depend on each other and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS,
-// MM_COUNTED (1 or 0: whether work is counted) and include it inside a namespace in HWY_NAMESPACE, before the text.
+// Prelude for packs of MM_REGISTERS native SIMD registers, on Google Highway. The registers of a pack are independent
+// and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and MM_COUNTED (1 or 0: count work).
+// Include it inside a namespace in HWY_NAMESPACE, before the kernel source.
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A copy of the scene for every call of an estimator is worth avoiding.
+// Avoids a copy of the scene per call of an estimator.
 #define MM_SCENE_BY_REFERENCE
-// Where nothing is inlined by force, clang simplifies functions first, and compiles in half (14) to an eighth (19) of
-// the time. cmake/KernelVariants.cmake sets the limit by which it then inlines the same calls.
+// Without forced inlining, clang simplifies functions before it inlines them, and compiles in one half (clang 14) to
+// one eighth (clang 19) of the time. cmake/KernelVariants.cmake sets the inlining threshold that inlines the same
+// calls.
 #ifdef __clang__
 #define FN static inline HWY_MAYBE_UNUSED
 #else
@@ -20,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #else
 #define FN_SAMPLED FN
 #endif
-// Written out, not a loop: with constant indices the compiler keeps every register of a pack in a register.
+// Unrolled by hand: with constant indices the compiler keeps each register of a pack in a register.
 #define MM_IN_REGISTER(number, ...) \
     {                               \
         constexpr int u = number;   \
@@ -57,7 +58,7 @@ struct mask {
     hn::Mask<Reals> of[MM_REGISTERS];
 };
 
-// One whole number per lane.
+// One integer per lane.
 struct whole {
     hn::Vec<Wholes> of[MM_REGISTERS];
 
@@ -68,7 +69,7 @@ struct whole {
 #if MM_COUNTED
 using effort = whole;
 #else
-// What nobody asked for is not counted.
+// Empty counter for builds that do not count work.
 struct effort {
     HWY_INLINE effort() = default;
     HWY_INLINE effort(Int) {}
@@ -113,8 +114,8 @@ LANEWISE_MASK(whole, operator<, Lt)
 LANEWISE(mask, mask, operator&&, And)
 LANEWISE(mask, mask, operator||, Or)
 #if MM_FAST
-// Fast mode fuses a product with the sum or difference that it stands in. It is written out here because the compiler,
-// where it may choose, can choose otherwise for another register of the same pack.
+// Fast mode fuses a multiplication with the addition or subtraction of its result. Explicitly, because a compiler free
+// to fuse may decide differently for the registers of one pack.
 struct factors {
     real a, b;
 
@@ -176,7 +177,7 @@ FN real operator-(real a)
 FN bool any(const mask& on)
 {
 #if MM_REGISTERS > 1 && HWY_TARGET <= HWY_AVX3
-    // One instruction joins two masks and tests them.
+    // One instruction combines two masks and tests them.
 #if MM_REAL_IS_FLOAT
     const auto any_of = [](__mmask16 a, __mmask16 b) HWY_ATTR { return !_kortestz_mask16_u8(a, b); };
 #else
@@ -199,7 +200,7 @@ FN real pick(const mask& on, const real& a, const real& b)
 }
 
 #if HWY_ARCH_X86
-// These instructions return their second operand where one is not a number, as the text asks.
+// These instructions return their second operand if one is NaN, as the kernel requires.
 #define MM_HAS_LARGER
 FN real larger(const real& a, const real& b)
 {
@@ -216,7 +217,7 @@ FN real smaller(const real& a, const real& b)
 }
 #endif
 
-// 1 where the lane is on, else 0.
+// 1 for active lanes, 0 for inactive ones.
 FN whole count(const mask& on)
 {
     whole c;

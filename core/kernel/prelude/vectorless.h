@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Targets of Highway for which packs are not compiled: its fallback for machines without vectors, by its name with g++
-// and with clang++, and SSE2, which newer versions of Highway have below SSE4.
+// Highway targets without pack kernels: its fallback for machines without vectors (named differently with g++ and with
+// clang++), and SSE2, which newer versions of Highway place below SSE4.
 #pragma once
 
 #ifdef HWY_SSE2

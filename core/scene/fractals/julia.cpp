@@ -15,7 +15,7 @@ constexpr std::string_view official =
 
 constexpr Meaning::Slider part{-1, 1, 0.005};
 
-// Far outside the estimate is better the larger the radius; this one keeps r^2 in float's range.
+// Far outside, the estimate improves with the radius; this one keeps r^2 within float's range.
 constexpr double escape_radius = 1000;
 
 // c = shape + escape k.
@@ -34,7 +34,7 @@ double hull(const Scene& scene, const Sight& view)
     return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
 }
 
-// z^2 doubles where |z| is 1, as it is about the surface.
+// z^2 doubles lengths at |z| = 1, which is typical of the surface.
 double growth(const Scene&) { return 2; }
 
 void random_shape(Scene& scene, Chance& chance, bool)

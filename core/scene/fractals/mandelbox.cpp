@@ -13,10 +13,10 @@ constexpr std::string_view official =
 #include "official/paramsBox.dat"
     ;
 constexpr double huge = 1e6;
-constexpr double farthest_point = 1e4;  // of a sample's coordinates, with room
-constexpr double slow_growth = 1.8;     // more of its orbits need a fifth iteration below
+constexpr double farthest_point = 1e4;  // of a sample's coordinates, with a margin
+constexpr double slow_growth = 1.8;     // below this, more orbits need a fifth iteration
 
-// Of the kernel text: the length at which the sphere fold's factor is 1.
+// As in the kernel source: the length at which the sphere fold's factor is 1.
 double unit_of(const Scene& scene) { return std::sqrt(std::abs(scene.shape[0])) * scene.shape[2]; }
 
 std::string_view objection(const Scene& scene)
@@ -32,10 +32,11 @@ std::string_view objection(const Scene& scene)
     return {};
 }
 
-// Where tails of three or four iterations begin; 0 where none is used. Outside, an iteration takes the folded radius r
-// to |s| r less what the box fold turns, at most 2 |s| sqrt 3, and plus p. The factor is tried: nearly all
-// orbits escape in the third or fourth iteration from there. They hardly come back to the spheres if r is about twice
-// the fractal's extent, which no coordinate of p exceeds by much. tests/unit/tail_test.cpp counts those that do not.
+// Returns the radius at which tails of three or four iterations begin; 0: no tails. Outside, an iteration maps the
+// folded radius r to |s| r, minus the effect of the box fold, at most 2 |s| sqrt 3, plus p. The factor was found by
+// experiment: nearly all orbits escape in the third or fourth iteration from there. They rarely return to the spheres
+// if r is about twice the fractal's extent, which no coordinate of p exceeds by much. tests/unit/tail_test.cpp counts
+// the exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
@@ -46,7 +47,7 @@ double tail_radius(const Scene& scene)
     return radius > std::max({1.9 * edge, 2 * inner, 2 * fixed}) ? radius : 0;
 }
 
-constexpr std::size_t tail2 = 7;  // the constant of the kernel text
+constexpr std::size_t tail2 = 7;  // index of the kernel's constant
 
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
@@ -93,7 +94,7 @@ std::optional<Hull> body(const Scene& scene)
     return {};
 }
 
-// The cube's 48 symmetries.
+// Uses the 48 symmetries of the cube.
 Vector representative(const Scene&, Vector p)
 {
     std::array<double, 3> c{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
@@ -103,7 +104,7 @@ Vector representative(const Scene&, Vector p)
 
 bool worth_searching(const Scene&, const Hull& body, Vector p) { return std::min({p.x, p.y, p.z}) > -0.1 * body.size; }
 
-// The axis that is nearest to up: floors, walls and ceilings are parallel to the cube's sides.
+// The axis closest to up: floors, walls and ceilings are parallel to the cube's sides.
 Vector upward(Vector, Vector up)
 {
     const std::array<double, 3> c{std::abs(up.x), std::abs(up.y), std::abs(up.z)};
@@ -132,12 +133,12 @@ void extreme_shape(Scene& scene, Chance& chance)
 
 constexpr std::array iterations{4, 8, 12, 18, 30, 60};
 
-// Chosen by hand by the iterations of fast mode at 270 x 270: of 600 random places right before the surface the dearest
-// in which float and double agree. Why not every place will do: docs/fast-mode.md, "What fast mode misses".
+// Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 600 random places directly before
+// the surface at which float and double agree. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::Look close_up{
     {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
 
-// The estimate is about 3.5 times too small: the free space looks narrower and may be flown through faster.
+// The estimate is about 3.5 times too small, so free space appears narrower and allows faster flights.
 constexpr FlightMeasures measures{.roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24};
 constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 25};
 

@@ -15,11 +15,11 @@ constexpr std::string_view official =
 #include "official/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
-// Of the envelope of how the power map stretches (core/kernel/fractals/mandelbulb.h), in the conservative estimate:
+// Fraction c of the power map's envelope (core/kernel/fractals/mandelbulb.h), for the conservative estimate:
 // docs/notes/experiments.md.
 constexpr double envelope_share = 0.7;
 
-// The bailout radius is cut so that r^3P stays finite: gradients have products of r^P and its slope.
+// The bailout radius is limited so that r^3P stays finite: gradients contain products of r^P and its slope.
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
@@ -33,13 +33,13 @@ double hull(const Scene& scene, const Sight& view)
     const double escape = scene.shape[1];
     const double power = scene.shape[2];
     if (power <= 1) return 0;
-    // The estimator leaves out the last radius, so that the escape must come before.
+    // The estimator omits the last radius, so the orbit must escape one iteration earlier.
     const double stretch = scene.conservative ? std::max(1.0, envelope_share * power) : 1;
     const auto bound = [&](double r) { return least_estimate(r, power, stretch, r, 1, escape, scene.iterations - 1); };
     return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
 }
 
-// At low powers longer steps miss more of what is thin: docs/notes/experiments.md.
+// Shorter steps at low powers, where longer ones miss thin features: docs/notes/experiments.md.
 template <class Number>
 Number stride(const FractalInputs<Number>& of)
 {
@@ -57,11 +57,11 @@ bool has_whole_power(const Scene& scene)
 // A sphere of radius 2^(1/(P - 1)).
 std::optional<Hull> body(const Scene& scene)
 {
-    if (!(scene.shape[2] > 1.2F)) return {};  // shapes are in single precision
+    if (!(scene.shape[2] > 1.2F)) return {};  // shapes have single precision
     return Hull{Hull::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
 }
 
-// Mirrored in y; whole P: (P - 1)-fold about z, odd P: also mirrored in z.
+// Mirrored in y; integer P: (P - 1)-fold about z; odd P: also mirrored in z.
 Vector representative(const Scene& scene, Vector p)
 {
     const double power = scene.shape[2];
@@ -83,7 +83,7 @@ bool worth_searching(const Scene& scene, const Hull&, Vector p)
     return std::abs(std::atan2(p.y, p.x)) < wedge;
 }
 
-// Whole powers and any.
+// Integer and other powers.
 void random_shape(Scene& scene, Chance& chance, bool even)
 {
     scene.shape[1] = chance.single_between(2, 6);
@@ -97,11 +97,11 @@ void extreme_shape(Scene& scene, Chance& chance)
     scene.shape[2] = chance.one_in(3) ? 8 : chance.one_in(2) ? std::max(1.0, std::floor(power)) : power;
 }
 
-// Chosen by hand by the iterations of fast mode at 270 x 270: of 300 random places right before the surface and away
-// from the poles the dearest. Why not every place will do: docs/fast-mode.md, "What fast mode misses".
+// Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 300 random places directly before
+// the surface and away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::Look close_up{{-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
 
-// A power that is not whole is raised through angles; the picture is all but the official one.
+// A power that is not an integer is raised through angles; the picture is nearly the official one.
 constexpr FractalStudy::Variant angles{"angles", {0, 0, 1e-5}};
 
 }  // namespace
@@ -126,7 +126,7 @@ constexpr Fractal rows::mandelbulb{
                .representative = representative,
                .worth_searching = worth_searching},
     .random = {.extent = 1.2, .nearest = 1.1, .farthest = 2.5, .shape = random_shape, .extreme_shape = extreme_shape},
-    // Single pixels depend on the last bit of its trigonometry.
+    // Some pixels depend on the last bit of the trigonometry.
     .study = {.close_up = close_up, .variant = angles, .off_in_double = 0.01, .off_in_float = 0.1},
 };
 

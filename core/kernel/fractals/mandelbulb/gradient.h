@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Mandelbulb's normals: the gradient of its DE. Included by mandelbulb.h.
+// The gradient of the Mandelbulb's DE, for normals. Included by mandelbulb.h.
 
-// d/dv of z and dr along one axis v of p.
+// Derivatives of z and dr along one axis v of p.
 struct BulbTangent {
     vec3 z;
     real dr;
@@ -15,7 +15,7 @@ FN BulbTangent bulb_tangent(vec3 axis)
     return v;
 }
 
-// What an iteration is to every tangent.
+// Terms of an iteration that all tangents share.
 struct BulbStep {
     mask off_axis;
     real cosine;  // of the azimuth
@@ -47,8 +47,8 @@ FN BulbStep bulb_step(Scene scene, vec3 z, real r2, real dr, BulbPower power)
     return step;
 }
 
-// One iteration of a tangent: the chain rule through (r, 0, 1), each slope taken from z and dz; on the axis the azimuth
-// stands still.
+// One iteration of a tangent: the chain rule through (r, 0, 1), with each slope computed from z and dz. On the axis the
+// azimuth is constant.
 FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
 {
     real d_rho = pick(step.off_axis, step.cosine * v.z.x + step.sine * v.z.y, v.z.x);
@@ -65,14 +65,14 @@ FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
     return next;
 }
 
-// The derivative of DE, times dr > 0.
+// Returns the derivative of DE, times dr > 0.
 FN real bulb_slope(vec3 z, real r, real dr, real ln_r, BulbTangent v)
 {
     real d_r = quick_quotient(inner(z, v.z), r);
     return quick_quotient((ln_r + 1) * d_r, dr) - quick_quotient(ln_r * r, dr) * quick_quotient(v.dr, dr);
 }
 
-// The gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
@@ -95,7 +95,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         w.dr = pick(on, next_w.dr, w.dr);
         dr = pick(on, dr * step.growth + 1, dr);
         i = i + 1;
-        // The point after the last iteration, like its radius, is not taken.
+        // As in estimate(), the last iteration does not update the point and its radius.
         if (i < scene.max_iterations) {
             x.z = pick3(on, next_x.z, x.z);
             y.z = pick3(on, next_y.z, y.z);
