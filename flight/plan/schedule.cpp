@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t longest_value = 80;  // bytes of a value that a message shows
-constexpr int looks = 256;                 // values between two knots at which there must be something to fly through
+constexpr std::size_t longest_value = 80;  // bytes of a value in a message
+constexpr int looks = 256;                 // values checked between two keyframes
 
 class Parser {
 public:
@@ -45,7 +45,7 @@ public:
             }
         }
         if (knots.back().frame > last) {
-            // The last frame ends the film's last second.
+            // The film's end in seconds means its last frame.
             if (knots.back().frame > frames_) {
                 fail(fmt::format("{:.6g} s lies behind the end of the film, expected at most {:.6g} s",
                                  knots.back().frame / frames_per_second,
@@ -87,7 +87,7 @@ private:
         return all;
     }
 
-    // Rounded to single precision, as from a parameter file.
+    // Parses a value and rounds it to single precision, as the reader of parameter files does.
     double value(std::string_view text) const
     {
         const Meaning& meaning = scene_.fractal->shape[number_];
@@ -103,7 +103,7 @@ private:
         return value;
     }
 
-    // "60s=5"
+    // Parses a keyframe such as "60s=5".
     Knot knot(std::string_view part) const
     {
         const auto equals = part.find('=');
