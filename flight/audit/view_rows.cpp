@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double same_view = 0.95;  // correlation
-constexpr double moved_on = 0.5;    // correlation of a different view, required between two views that count as a repeat
+constexpr double moved_on = 0.5;    // correlation below which a view differs; a repeat needs one in between
 constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // fraction of hits below which a view mostly shows the background
 constexpr double shown = 0.05;      // fraction of hits in the centre below which the subject is only at the edge

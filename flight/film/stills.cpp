@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Still frames, for those who stitch by hand.
+// Still frames as picture files.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -101,7 +101,7 @@ void check_stills(const StillOptions& options, std::size_t frames)
 {
     check_picture(options.picture);
     static_cast<void>(frames_of(options, frames));
-    // The nearest folder that is there must take the next one, or the pictures.
+    // The nearest existing parent must be a folder in which this user can create files.
     std::error_code error;
     fs::path folder = fs::absolute(options.folder);
     while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();
