@@ -104,7 +104,7 @@ Range range_option(const std::string& name, const std::string& text, const std::
     return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
 }
 
-// Reads the number of frames to plan, or the range of the path's frames to draw.
+// Reads the number of frames to plan, or the range of the path's frames to render.
 void take_frames(const Texts& texts, Flythrough& options)
 {
     if (options.command == Command::plan || options.command == Command::film) {
@@ -210,7 +210,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
 int threads_for(int local)
 {
     const Cores mine = cores();
-    // Cores that affinity or OMP_NUM_THREADS gave to this rank alone are not shared with other ranks.
+    // A limit by affinity or OMP_NUM_THREADS applies to each rank, so it is not divided.
     if (mine.asked || mine.given < mine.machine) return mine.threads();
     return std::max(1, mine.threads() / std::max(1, local));
 }

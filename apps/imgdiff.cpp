@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// imgdiff A B: how much two pictures differ. Exit code 0: same, 1: different.
+// imgdiff A B: compares two pictures. Exit code 0: same, 1: different.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,8 @@ namespace {
 
 using namespace mandelmarch;
 
-// The command that shows how the first differing pixel comes about. Pictures do not say what they were drawn from.
+// Returns the command that traces the first differing pixel. FRACTAL and PARAMS stand for what a picture does not
+// record.
 std::string trace_command(const Image& image, const Comparison& c)
 {
     return fmt::format("bin/render --fractal FRACTAL PARAMS.dat --size {}x{} --pixel {},{} --trace", image.width(),

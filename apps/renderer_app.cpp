@@ -35,12 +35,12 @@
 namespace mandelmarch {
 namespace {
 
-// Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
+// Memory apart from the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is made in memory: nine channels of four bytes, held twice while they are handed over.
-constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
-constexpr int most_samples = 8;                  // per pixel and side
-constexpr int largest_whole = 1'000'000;         // pixels of a side of a picture that is drawn in regions
+// An EXR for a pipe is built in memory: nine channels of four bytes, in two copies.
+constexpr std::uint64_t exr_stream_memory = 72;  // bytes per pixel
+constexpr int most_samples = 8;                  // per pixel side
+constexpr int largest_whole = 1'000'000;         // largest side of a picture rendered in regions, pixels
 
 struct Options {
     std::string parameters;
@@ -55,14 +55,14 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
-    int samples = 1;  // per pixel and side
+    int samples = 1;  // per pixel side
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
     bool json = false;
     bool print_scene = false;
 
-    // It draws nothing and needs no scene.
+    // True if the program only lists devices or fractals.
     bool lists() const { return list_devices || list_fractals; }
 };
 
@@ -168,14 +168,14 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     return options;
 }
 
-// WIDTHxHEIGHT, over the scene's own.
+// Applies --size to the scene.
 void apply_size(const Options& options, Scene& scene)
 {
     if (options.size.empty()) return;
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// `commented`: the name comes from a line of a parameter file that ends in a comment.
+// Returns the format for a file name. `commented`: the name comes from a line of a parameter file with a comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
@@ -185,7 +185,7 @@ ImageFormat format_of(const std::string& path, bool commented)
                     commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
 }
 
-// The scene and the region to draw; sizes are in samples, not pixels.
+// The scene and the region to render; sizes are in samples, not pixels.
 struct Drawing {
     Scene scene;
     Region region;
@@ -212,7 +212,7 @@ Drawing drawing_of(const Options& options, const Scene& scene)
     return drawing;
 }
 
-// `stream`: the picture goes into a pipe or device.
+// Throws InputError if the picture needs more than the available memory. `stream`: the output is a pipe or device.
 void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
 {
     const std::uint64_t pixels = pixels_in_memory(drawing.scene, drawing.region);
@@ -235,7 +235,7 @@ std::pair<Image, RenderReport> draw(Renderer& renderer, const Drawing& drawing, 
     return {std::move(image), std::move(report)};
 }
 
-// Lists every backend; false where a driver failed.
+// Lists every backend and its devices; returns false if a driver failed.
 bool list_devices(const Registry& registry)
 {
     bool fine = true;
@@ -252,14 +252,14 @@ bool list_devices(const Registry& registry)
     return fine;
 }
 
-// `off`: what a trial could not settle, as a share of the picture.
+// `off`: the fraction of a trial's pixels that shorter steps still change.
 void warn_unsettled(const char* program, double off, Precision precision)
 {
     say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
-// In fast mode with the stride that the backend's trial chooses.
+// Prints the trace of a pixel's ray; in fast mode, with the step factor chosen by a trial on the backend.
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
 {
     const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",

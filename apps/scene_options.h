@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene is told beside its parameter file: --estimate, --projection, --eyes.
+// Options that complete a parameter file's scene: --estimate and --projection.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace mandelmarch {
 
-// `name` is the default, too.
+// `name`: holds the default, and receives the value.
 inline void add_estimate_option(CLI::App& app, std::string& name)
 {
     app.add_option(
@@ -29,12 +29,12 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
                    "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
         ->transform(CLI::Transformer(std::map<std::string, Projection>{
             {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
-        // Of what was given, before: Transformer lets other words through.
+        // Runs before the Transformer, which accepts other words.
         ->transform(CLI::IsMember({"perspective", "equirectangular"}))
         ->default_str("perspective");
 }
 
-// Throws InputError for a picture of all directions that is not 360 by 180 degrees.
+// Throws InputError if an equirectangular picture is not twice as wide as high.
 inline void check_panorama(Projection projection, int width, int height)
 {
     if (projection != Projection::equirectangular || width == 2 * height) return;

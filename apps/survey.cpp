@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double many_out_of_steps = 0.02;  // of the rays
-constexpr double much_lost = 0.1;           // of the pixels
+constexpr double many_out_of_steps = 0.02;  // fraction of the rays
+constexpr double much_lost = 0.1;           // fraction of the pixels
 
 Image drawn_by(Renderer& renderer, const Scene& scene)
 {
@@ -27,7 +27,8 @@ Image drawn_by(Renderer& renderer, const Scene& scene)
     return image;
 }
 
-// Traces one pixel's ray in double and exact mode: its first sample lies at the eye.
+// True if the eye is inside the solid, from the first sample of a ray traced in double and exact mode, which lies at
+// the eye.
 bool stands_in_solid(Scene scene)
 {
     scene.limits = {};

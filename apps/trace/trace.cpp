@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// The shortest decimal number that stands for the same bits.
+// Returns the shortest decimal number with the same bits.
 std::string number(const Trace& trace, double value)
 {
     return trace.precision == Precision::f32 ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value);
@@ -35,7 +35,7 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
                    number(trace, sample.tolerance), decided);
 }
 
-// In words; `from` is the sample that a step goes on from.
+// Returns the decision in words. `from`: the sample from which the step is taken.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
     std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);
