@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// flythrough: plans a flight through a fractal, audits it and makes a film of it.
+// flythrough: plans a flight through a fractal, audits it and renders it as a film.
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -17,7 +17,7 @@ int whole_option(const std::string& name, const std::string& text, int low, int 
 // Parses an integer from 0 to `high` that may not fit into an int.
 std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high);
 
-// A number from `low` to `high`.
+// Parses a number from `low` to `high`.
 double real_option(const std::string& name, const std::string& text, double low, double high);
 
 // Parses two integers from `low` to `high`, separated by the character `between`. `expected`: for the error message.

@@ -19,7 +19,8 @@ void set(Explorer& explorer, const Setup& setup)
     explorer.say(name_of(setup));
 }
 
-// The next device, of the next backend after its last one; those that are not there are left out once that is known.
+// Selects the next device of the backend, or the first one of the next backend. Backends without devices are skipped
+// once the devices have been listed.
 void next_backend(Explorer& explorer)
 {
     const auto& backends = explorer.registry.backends();
@@ -71,7 +72,7 @@ void next_colouring(Explorer& explorer)
     explorer.changed();
 }
 
-// One pane more, who draws something else than the one before; after four of them one again.
+// Adds a pane with another precision or mode; after four panes, goes back to one.
 void more_panes(Explorer& explorer)
 {
     explorer.remember();
@@ -198,7 +199,7 @@ bool take_command(Explorer& explorer, const SDL_Event& event)
     for (const Command& command : table) {
         if (command.key != event.key.keysym.sym || command.control != control) continue;
         if (command.typed && (io.WantCaptureKeyboard || io.WantTextInput)) return false;
-        // A text field has its own Ctrl+C and Ctrl+V.
+        // Text fields handle Ctrl+C and Ctrl+V themselves.
         if (command.control && io.WantTextInput) return false;
         const bool steps = command.key == SDLK_COMMA || command.key == SDLK_PERIOD;
         if (event.key.repeat == 0 || steps) command.act(explorer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the explorer opens, saves and hands out.
+// Opening, saving and exporting.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

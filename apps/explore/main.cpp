@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// explore: flies through the fractals in a window, on any backend.
+// explore: flies through fractals in a window, on any backend.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -69,7 +69,7 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
 
 Settings settings_of(const Options& options, const std::string& file, std::string& said)
 {
-    // A script is the same whatever was done before.
+    // A script does not depend on settings of earlier runs.
     Settings settings = options.script.empty() ? read_settings(file, said) : Settings();
     if (!options.backend.empty()) settings.setup = {options.backend, 0, settings.setup.precision, settings.setup.mode};
     if (!options.device.empty()) settings.setup.device = whole_option("device", options.device, 0, 1'000'000);
@@ -80,7 +80,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
     return settings;
 }
 
-// Ends the process without tidying up: a driver may never come back.
+// Ends the process without cleanup, as a driver may hang.
 [[noreturn]] void leave(int code)
 {
     std::fflush(nullptr);
@@ -89,7 +89,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
 
 int body(int argc, char** argv)
 {
-    // Backends come first: their drivers' processes are made of this one, while it has no threads and no window.
+    // Backends come first: they fork processes for drivers, which must happen before there are threads or a window.
     static const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);
