@@ -166,13 +166,13 @@ void draw_all(Demo& demo, const Registry& registry, int side)
 
 int body(int argc, char** argv)
 {
-    CLI::App app("demo: draws both official scenes on every backend, compares the pictures and prints the times.");
+    CLI::App app("demo: renders official scenes on every backend, compares the pictures and prints the times.");
     app.set_version_flag("--version", version_line("demo"));
     std::string side_text = "540";
     std::string folder;
-    app.add_option("--side", side_text, "pixels of a picture's side")->capture_default_str();
-    app.add_option("--folder", folder, "where the pictures go, with demo.json: the table");
-    app.footer("Exit codes: 0 fine, 1 a picture or a device failed, 2 bad input.");
+    app.add_option("--side", side_text, "side of the square pictures, in pixels")->capture_default_str();
+    app.add_option("--folder", folder, "write the pictures and the table (demo.json) to this folder");
+    app.footer("Exit codes: 0 success, 1 a picture or a device failed, 2 bad input.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {  // --help, --version

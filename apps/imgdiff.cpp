@@ -81,12 +81,13 @@ int body(int argc, char** argv)
     std::string second;
     std::string map;
     bool json = false;
-    app.add_option("A", first, "a picture, - for standard input")->required();
-    app.add_option("B", second, "another")->required();
-    app.add_option("--map", map, "write a map of the differences, white where equal; .png, .bmp, .ppm or .jpg");
-    app.add_flag("--json", json, "print JSON");
+    app.add_option("A", first, "first picture; -: standard input")->required();
+    app.add_option("B", second, "second picture")->required();
+    app.add_option("--map", map, "write a map of differences (white: equal) to this .png, .bmp, .ppm or .jpg");
+    app.add_flag("--json", json, "print the result as JSON");
     app.footer(
-        "Two EXR pictures are compared in every bit of colour and, where both have it, depth; others in their bytes.\n"
+        "Two EXR pictures are compared in every bit of colour and, if both have it, depth; other pictures in their "
+        "bytes.\n"
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     try {
         app.parse(argc, argv);

@@ -69,7 +69,7 @@ struct Options {
 Options parse_options(const char* program, const char* fractal, const Registry& registry, int argc, char** argv,
                       std::optional<int>& done)
 {
-    CLI::App app(fmt::format("{}: draws a ray-marched {} from a parameter file.", program,
+    CLI::App app(fmt::format("{}: renders a {} from a parameter file by ray marching.", program,
                              fractal != nullptr ? fractal : "fractal"));
     app.set_version_flag("--version", version_line(program));
     Options options;
@@ -82,59 +82,55 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string without;
     std::string eyes;
     std::string samples = "1";
-    app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
+    app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
     if (fractal == nullptr) {
         std::string names;
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
         app.add_option("--fractal", options.fractal, names);
     }
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", device, "which of the backend's devices, from 0 (see --list-devices)");
-    app.add_option("--precision", precision, "double or float")
+    app.add_option("--device", device, "device of that backend, from 0 (default 0; see --list-devices)");
+    app.add_option("--precision", precision, "floating-point precision")
         ->check(CLI::IsMember({"double", "float"}))
         ->capture_default_str();
-    app.add_option("--mode", mode, "exact: the plain schedule; fast: the canonical hit, contraction allowed")
+    app.add_option("--mode", mode, "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed")
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
     add_estimate_option(app, estimate);
     add_projection_option(app, options.projection);
-    app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
-    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
+    app.add_option("--eyes", eyes, "render side-by-side stereo with this eye distance, in scene units");
+    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k (default: from PARAMS)");
     app.add_option("--region", options.region,
-                   "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
-                   "with the bits of the whole one, whose sides may then have a million pixels");
-    app.add_option("--samples", samples, "per pixel and side, 1 to 8, against jagged edges: 2 means 4 a pixel")
-        ->capture_default_str();
-    app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
-    app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
+                   "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
+    app.add_option("--samples", samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")->capture_default_str();
+    app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use");
+    app.add_option("--pack", pack, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
     app.add_option(
         "--without", without,
-        "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal,"
-        "surroundings");
-    app.add_option(
-        "--output", options.output,
-        "the picture's file; its ending chooses BMP, PNG, PNM (.ppm), JPEG or EXR; - for standard output, as BMP");
-    app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
-    auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");
-    auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray and draw no picture");
+        "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,root,tail,normal,surroundings");
+    app.add_option("--output", options.output,
+                   "picture: .bmp, .png, .ppm, .jpg or .exr (default: from PARAMS; -: standard output, as BMP)");
+    app.add_option("--stats", options.stats, "write times and work counts to this file, as JSON");
+    auto* pixel = app.add_option("--pixel", options.pixel, "pixel for --trace: X,Y from the bottom left");
+    auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray instead of rendering");
     trace->needs(pixel);
     pixel->needs(trace);
-    app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
-    auto* list = app.add_flag("--list-fractals", options.list_fractals, "list fractals and their parameters, then end");
-    app.add_flag("--json", options.json, "--list-fractals as JSON, with the formulas of their constants")->needs(list);
+    app.add_flag("--list-devices", options.list_devices, "list backends and devices instead of rendering");
+    auto* list = app.add_flag("--list-fractals", options.list_fractals,
+                              "list fractals and their parameters instead of rendering");
+    app.add_flag("--json", options.json, "print --list-fractals as JSON, with the formulas of constants")->needs(list);
     app.add_flag("--print-scene", options.print_scene,
-                 "print the scene as kernels take it, as JSON and without a trial, and draw no picture");
+                 "print the scene as passed to kernels, before any trial, as JSON instead of rendering");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for all but EXR, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
-        "16384 pixels take {} "
-        "MiB "
-        "as BMP or PNG; with --samples N each sample takes as much.\nAn EXR has the channels R, G, B (light, Rec. "
-        "709), "
-        "displayed.R, displayed.G, displayed.B (as shown), Z (the "
-        "ray's length), steps and iterations.\n"
-        "The field of view of a parameter file is in units of 65 degrees, from the picture's bottom to its top.\n"
-        "A file that is there is replaced when the new one is whole.\n"
-        "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
+        "Memory: {} bytes per pixel, for EXR {} ({} more into a pipe), plus about {} MiB; 16384 x 16384 pixels take {} "
+        "MiB as BMP or PNG. With --samples N, each sample takes as much as a pixel.\n"
+        "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as in "
+        "the whole picture.\n"
+        "Channels of an EXR: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown), Z "
+        "(length of the ray), steps and iterations.\n"
+        "The field of view of a parameter file is vertical, in units of 65 degrees.\n"
+        "An existing file is replaced only after the new one is complete.\n"
+        "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
         fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
     try {
@@ -196,7 +192,7 @@ Drawing drawing_of(const Options& options, const Scene& scene)
     Drawing drawing{scene, {0, 0, scene.width, scene.height}};
     if (!options.region.empty()) drawing.region = region_option(options.region, scene.width, scene.height);
     if (!options.region.empty() && options.eyes > 0)
-        throw InputError("--region: --eyes draws whole pictures, expected none");
+        throw InputError("--region: cannot be combined with --eyes, which renders whole pictures");
     Region& region = drawing.region;
     const int n = options.samples;
     const int most = (options.region.empty() ? max_side : largest_whole) / n;

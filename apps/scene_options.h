@@ -16,17 +16,15 @@ namespace mandelmarch {
 // `name`: holds the default, and receives the value.
 inline void add_estimate_option(CLI::App& app, std::string& name)
 {
-    app.add_option(
-           "--estimate", name,
-           "counted: the original's distance estimate; conservative: one that is seldom larger than the distance")
+    app.add_option("--estimate", name,
+                   "distance estimate; counted: the original's, conservative: rarely above the distance")
         ->check(CLI::IsMember({std::string(counted_estimate), std::string(conservative_estimate)}))
         ->capture_default_str();
 }
 
 inline void add_projection_option(CLI::App& app, Projection& projection)
 {
-    app.add_option("--projection", projection,
-                   "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
+    app.add_option("--projection", projection, "perspective, or equirectangular (all directions, 360 x 180 degrees)")
         ->transform(CLI::Transformer(std::map<std::string, Projection>{
             {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
         // Runs before the Transformer, which accepts other words.
@@ -40,7 +38,7 @@ inline void check_panorama(Projection projection, int width, int height)
     if (projection != Projection::equirectangular || width == 2 * height) return;
     throw InputError(
         fmt::format("--projection equirectangular: {} x {} pixels given, expected twice as wide as high (360 "
-                    "by 180 degrees), --size 2160x1080, say",
+                    "by 180 degrees), such as --size 2160x1080",
                     width, height));
 }
 

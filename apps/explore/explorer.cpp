@@ -224,7 +224,7 @@ void Explorer::undo()
 
 void Explorer::redo()
 {
-    if (future_.empty()) return say("there is nothing to do again");
+    if (future_.empty()) return say("there is nothing to redo");
     past_.push_back(state());
     set_state(future_.back());
     future_.pop_back();

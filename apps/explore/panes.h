@@ -21,10 +21,10 @@ struct Pane {
     Setup setup;
     Pace pace;
     Sheet sheet;
-    std::uint64_t view = 0;  // version of the view shown
-    int samples = 0;         // per pixel side; 0: rendered while moving
-    double share = 0;        // the picture's pixels, as a fraction of the pane's
-    Image whole;             // the last picture at rest with one sample per pixel, for comparison
+    std::uint64_t view = 0;              // version of the view shown
+    int samples = 0;                     // per pixel side; 0: rendered while moving
+    double share = 0;                    // the picture's pixels, as a fraction of the pane's
+    Image whole;                         // the last picture at rest with one sample per pixel, for comparison
     std::uint64_t whole_view = 0;        // version of its view
     std::optional<Comparison> compared;  // with the first pane's picture
     RenderReport report;

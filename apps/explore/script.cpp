@@ -96,7 +96,7 @@ Script::Script(const std::string& file) : file_(file)
         if (verb == verbs.end()) {
             std::string known;
             for (const auto& [name, count] : verbs) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-            fail(line, fmt::format("'{}' is no command, expected one of {}", line.verb, known));
+            fail(line, fmt::format("'{}' is not a command, expected one of {}", line.verb, known));
         }
         const auto [least, most] = verb->second;
         if (line.words.size() < least || line.words.size() > most) {
@@ -138,7 +138,7 @@ bool Script::carry_out(Explorer& explorer, const Line& line)
     const std::string& verb = line.verb;
     const auto key = [&] {
         const Key named = key_named(line.words[0]);
-        if (named.code == SDLK_UNKNOWN) fail(line, fmt::format("'{}' is no key's name", line.words[0]));
+        if (named.code == SDLK_UNKNOWN) fail(line, fmt::format("'{}' is not the name of a key", line.words[0]));
         return named;
     };
     if (verb == "size") {

@@ -13,7 +13,7 @@ std::string word_on(const Scene& scene, double clearance, Precision precision, b
     if (one_colour) {
         // Inside the solid, the estimate is smaller than the tolerance of a hit at the distance of the fractal's
         // centre.
-        if (clearance <= tolerance * farthest) return "the camera stands in the solid";
+        if (clearance <= tolerance * farthest) return "the camera is inside the solid";
         return "nothing is in view: the picture has one colour";
     }
     // Rounding moves the eye by up to half a unit in the last place, which must not exceed the nearest hit's tolerance.

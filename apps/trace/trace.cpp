@@ -71,7 +71,7 @@ std::string head(const Trace& trace)
     text += fmt::format("stride {} DE", number(trace, trace.stride));
     if (trace.relaxation > trace.stride) text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
     text += fmt::format("\ndirection {}\n", three(trace, trace.direction));
-    if (trace.end < trace.begin) return text + "no sample: the ray passes by all that there is\n";
+    if (trace.end < trace.begin) return text + "no sample: the ray misses the scene\n";
     text += fmt::format("samples from t {} to t {} at most\n", number(trace, trace.begin), number(trace, trace.end));
     return text + line_of(trace, "sample", "t", "DE", "tolerance", "decided");
 }

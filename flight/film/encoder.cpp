@@ -168,7 +168,7 @@ void Encoder::wait()
     if (!broken_) return;
     const auto result = pipe_->process.finish();
     throw Error(
-        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it took no more frames" : result.cause));
+        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it stopped reading frames" : result.cause));
 }
 
 void Encoder::add(std::vector<std::uint8_t> frame)

@@ -147,7 +147,7 @@ private:
     bool is_finished(const std::string& file) const
     {
         const Standing found = work_.standing(file);
-        if (found == Standing::damaged) say("film: {}/{} is damaged and is made again\n", work_.folder(), file);
+        if (found == Standing::damaged) say("film: {}/{} is damaged and is rendered again\n", work_.folder(), file);
         return found == Standing::whole;
     }
 
@@ -177,7 +177,7 @@ private:
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
         if (!is_whole(temporary.path(), container)) {
-            throw Error(fmt::format("{}: ffmpeg left half a file, is there room on the disk?", temporary.path()));
+            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", temporary.path()));
         }
         take(part);
     }
@@ -235,8 +235,8 @@ void check_ranks(const std::string& description, Ranks& ranks)
     const std::string first = ranks.share(description);
     if (description == first) return;
     throw Error(
-        fmt::format("rank {} would draw other pictures than rank 0: {}; expected machines, drivers and instruction "
-                    "sets that are alike (MANDELMARCH_INSTRUCTIONS names one that all have)",
+        fmt::format("rank {} would render other pictures than rank 0: {}; expected the same machines, drivers and "
+                    "instruction sets (MANDELMARCH_INSTRUCTIONS can set one that all have)",
                     ranks.rank(), differences(first, description)));
 }
 
@@ -244,7 +244,7 @@ void check_ranks(const std::string& description, Ranks& ranks)
 void name_leftovers(const Workshop& work, const std::string& description)
 {
     for (const auto& [folder, other] : work.others()) {
-        say("film: {} has {} segments of another film, which this one leaves there: {}\n", folder, other.segments,
+        say("film: {} has {} segments of another film, which are kept: {}\n", folder, other.segments,
             differences(other.description, description));
     }
 }
@@ -267,8 +267,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     if (!OutputFile::is_stream(options.output)) {
         OutputFile::check(note_of(end_of_links(options.output)));
     } else if (options.segments) {
-        throw InputError(
-            fmt::format("--segments: {} is no file beside which segments gather, expected a file", options.output));
+        throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }
     // Throws if the folder for the film's parts is invalid.
     static_cast<void>(parts_folder(options.output, ""));

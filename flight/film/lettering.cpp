@@ -78,7 +78,7 @@ Font::Font(const std::string& file) : face_(std::make_unique<Face>()), file_(fil
     const bool read =
         FT_Init_FreeType(&face_->library) == 0 && FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
     if (!read || !FT_IS_SCALABLE(face_->face)) {
-        throw Error(fmt::format("{}: it cannot be read as a font whose letters have any size", file));
+        throw Error(fmt::format("{}: not a font file with scalable letters", file));
     }
 }
 
@@ -90,7 +90,7 @@ void Font::check(const std::string& option, std::string_view text) const
     while (!text.empty()) {
         const std::string_view before = text;
         const auto letter = take_letter(text);
-        if (!letter) throw InputError(fmt::format("{}: its text is no UTF-8, expected UTF-8", option));
+        if (!letter) throw InputError(fmt::format("{}: the text is not valid UTF-8", option));
         const std::string_view bytes = before.substr(0, before.size() - text.size());
         if (*letter == '\t' || line_ends.find(bytes) != std::string_view::npos) continue;
         if (FT_Get_Char_Index(face_->face, *letter) != 0) continue;

@@ -31,7 +31,7 @@ FilmProgress::FilmProgress(std::size_t frames, std::size_t finished)
       start_(std::chrono::steady_clock::now()),
       last_(start_)
 {
-    if (finished > 0) say("film: {} of {} frames are there already\n", finished, frames);
+    if (finished > 0) say("film: {} of {} frames are already rendered\n", finished, frames);
 }
 
 FilmProgress::~FilmProgress()

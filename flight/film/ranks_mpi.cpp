@@ -41,7 +41,7 @@ public:
         MPI_Comm_size(here, &local_size_);
         MPI_Comm_free(&here);
         if (provided < MPI_THREAD_SERIALIZED)
-            throw Unavailable("this MPI gives threads no access, expected another one");
+            throw Unavailable("this MPI does not support threads (MPI_THREAD_SERIALIZED), expected another one");
     }
     ~MpiRanks() override { MPI_Finalize(); }
 

@@ -82,7 +82,7 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
     for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
         const std::size_t at = box_in(data, begin, end, type);
         const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();
-        if (at == end || last) throw Error(fmt::format("{}: it is no MP4 file whose movie box is its last", from));
+        if (at == end || last) throw Error(fmt::format("{}: not an MP4 file whose last box is the movie box", from));
         around.push_back(at);
         begin = at + box_head + (type == "stsd" ? entries_head : 0);
         end = at + size_at(data, at);

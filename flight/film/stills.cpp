@@ -106,7 +106,7 @@ void check_stills(const StillOptions& options, std::size_t frames)
     fs::path folder = fs::absolute(options.folder);
     while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();
     if (!fs::is_directory(folder, error)) {
-        throw InputError(fmt::format("--stills: {} is no folder, expected a folder for pictures", folder.string()));
+        throw InputError(fmt::format("--stills: {} is not a folder, expected a folder for pictures", folder.string()));
     }
     if (access(folder.c_str(), W_OK | X_OK) != 0) {
         throw InputError(fmt::format("--stills: folder {}: {}", folder.string(), std::strerror(errno)));

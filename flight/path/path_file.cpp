@@ -70,7 +70,7 @@ public:
     Reader(const Json& object, std::string place, const Fractal& fractal)
         : object_(object), place_(std::move(place)), fractal_(fractal)
     {
-        if (!object.is_object()) fail("it is no object, expected {...}");
+        if (!object.is_object()) fail("not an object, expected {...}");
     }
 
     [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place_, why)); }
@@ -82,7 +82,7 @@ public:
     {
         for (const auto& [key, value] : object_.items()) {
             if (std::ranges::find(keys, key) != keys.end()) continue;
-            fail(fmt::format("\"{}\" means nothing here, expected some of {}", printable(key, longest_value),
+            fail(fmt::format("unknown key \"{}\", expected some of {}", printable(key, longest_value),
                              fmt::join(keys, ", ")));
         }
     }

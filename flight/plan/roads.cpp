@@ -16,7 +16,7 @@ constexpr Roads::Effort one_shape{Balls::usual_coarse, 300'000};
 // Where the shape changes in flight:
 constexpr Roads::Effort first_of_many{48, 100'000};
 constexpr Roads::Effort one_of_many{48, 20'000};  // few tries, as the neighbour's gates are tried, too
-constexpr int roads_iterations = 30;  // points that need more are too close to the surface for a roadmap
+constexpr int roads_iterations = 30;              // points that need more are too close to the surface for a roadmap
 constexpr double moved = 0.5;  // motion of walls from one value to the next, in smallest clearances of a roadmap
 constexpr int most_values = 32;
 
