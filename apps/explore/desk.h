@@ -55,8 +55,8 @@ public:
     // Starts an audit in the background if the path has changed. Returns a message for the user about a finished plan
     // or film, or "".
     std::string take_news();
-    // Returns the next frame after the position at which a promise is broken or a threshold missed, starting again from
-    // the beginning at the end; nullopt if there is none.
+    // Returns the next frame after the position at which a promise is broken or a threshold missed, or else the first
+    // such frame of the path; nullopt if there is none.
     std::optional<std::size_t> next_broken() const;
     // Requests an audit of all items, not only promises; this takes seconds.
     void audit_all()

@@ -36,7 +36,7 @@ std::string of(const Pane& pane)
     if (pane.samples == 0) {
         text += fmt::format(", {:.0f} % of the pixels", 100 * pane.share);
     } else {
-        text += fmt::format(", {} sample{} a pixel", pane.samples * pane.samples, pane.samples > 1 ? "s" : "");
+        text += fmt::format(", {} sample{} per pixel", pane.samples * pane.samples, pane.samples > 1 ? "s" : "");
     }
     if (!pane.report.instruction_set.empty()) text += fmt::format(", {}", pane.report.instruction_set);
     if (pane.compared) {
@@ -83,7 +83,7 @@ void show_statistics(Explorer& explorer)
     };
     if (explorer.settings.statistics) {
         const float rate = ImGui::GetIO().Framerate;
-        above(fmt::format("DE {:.3g} at the eye, {:.0f} frames a second, F1 help", explorer.clearance(),
+        above(fmt::format("DE {:.3g} at the eye, {:.0f} frames per second, F1 help", explorer.clearance(),
                           static_cast<double>(rate)),
               letters);
     }

@@ -103,14 +103,14 @@ void view(Explorer& explorer)
         explorer.motion.speed = std::exp2(power);
     }
     ImGui::Checkbox("walls stop the flight", &explorer.motion.collides);
-    if (ImGui::Button("begin again")) {
+    if (ImGui::Button("reset view")) {
         explorer.remember();
         explorer.set_scene(official);
     }
     ImGui::SameLine();
     if (ImGui::Button("undo")) explorer.undo();
     ImGui::SameLine();
-    if (ImGui::Button("do again")) explorer.redo();
+    if (ImGui::Button("redo")) explorer.redo();
 }
 
 void choose_setup(Explorer& explorer, const Setup& setup)
@@ -205,7 +205,8 @@ void graph(const Explorer& explorer)
             return 1000 * (*static_cast<const std::deque<float>*>(data))[static_cast<std::size_t>(at)];
         },
         const_cast<std::deque<float>*>(&last), static_cast<int>(last.size()), 0,
-        fmt::format("{:.0f} frames a second, the last ten seconds; top 50 ms", static_cast<double>(last.size()) / total)
+        fmt::format("{:.0f} frames per second over the last ten seconds; top 50 ms",
+                    static_cast<double>(last.size()) / total)
             .c_str(),
         0, 50, ImVec2(-1, graph_height));
 }
@@ -238,15 +239,15 @@ void show_panel(Explorer& explorer)
                  (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(ImGui::GetWindowWidth() * 0.55F);
     ImGui::TextDisabled("F1 help, F2 hides this, Esc in and out");
-    if (ImGui::CollapsingHeader("drawn by", ImGuiTreeNodeFlags_DefaultOpen)) drawn_by(explorer);
+    if (ImGui::CollapsingHeader("backend and mode", ImGuiTreeNodeFlags_DefaultOpen)) drawn_by(explorer);
     if (ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) view(explorer);
-    if (ImGui::CollapsingHeader("hand out", ImGuiTreeNodeFlags_DefaultOpen)) hand_out(explorer);
+    if (ImGui::CollapsingHeader("save and export", ImGuiTreeNodeFlags_DefaultOpen)) hand_out(explorer);
     if (ImGui::Checkbox("paths", &explorer.paths)) {
     }
     ImGui::SameLine();
     ImGui::Checkbox("statistics", &explorer.settings.statistics);
     float scale = static_cast<float>(explorer.settings.scale);
-    if (ImGui::SliderFloat("size of texts", &scale, 0.5F, 4.0F, "%.1f")) {
+    if (ImGui::SliderFloat("text size", &scale, 0.5F, 4.0F, "%.1f")) {
         explorer.settings.scale = static_cast<double>(scale);
         ImGui::GetIO().FontGlobalScale = scale;
     }

@@ -85,7 +85,7 @@ void push_mouse(const Explorer& explorer, Uint32 type, double dx, double dy)
 Script::Script(const std::string& file) : file_(file)
 {
     std::ifstream in(file);
-    if (!in) throw InputError(fmt::format("{}:1: it cannot be opened, expected a script", file));
+    if (!in) throw InputError(fmt::format("{}:1: cannot be opened, expected a script", file));
     int number = 0;
     for (std::string text; std::getline(in, text);) {
         Line line{++number, {}, {}};

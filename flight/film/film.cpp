@@ -164,7 +164,7 @@ private:
             hash.add(bytes.data(), count);
             film.write(bytes.data(), count);
         } while (joined);
-        if (!joined.eof()) throw Error(fmt::format("{}/{}: it cannot be read", work_.folder(), part));
+        if (!joined.eof()) throw Error(fmt::format("{}/{}: cannot be read", work_.folder(), part));
         film.commit();
         if (OutputFile::is_stream(options_.output)) return;
         write_note(end_of_links(options_.output), work_.made_of(), hash.text());

@@ -52,7 +52,7 @@ std::string digest_of_file(const std::string& file)
         stream.read(part.data(), static_cast<std::streamsize>(part.size()));
         made.add(part.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream);
-    if (!stream.eof()) throw Error(fmt::format("{}: it cannot be read", file));
+    if (!stream.eof()) throw Error(fmt::format("{}: cannot be read", file));
     return made.text();
 }
 

@@ -72,7 +72,7 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
 {
     std::ostringstream text;
     const std::ifstream stream(from, std::ios::binary);
-    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": it cannot be read");
+    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": cannot be read");
     std::string data = text.str();
     const std::string boxes = boxes_of(tags);
     std::vector<std::size_t> around;  // offsets of the boxes that contain the new ones

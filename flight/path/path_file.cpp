@@ -281,7 +281,7 @@ Path read_path(const std::string& file)
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (!stream || !(text << stream.rdbuf())) {
-        throw InputError(fmt::format("{}: it cannot be read, expected a path file", file));
+        throw InputError(fmt::format("{}: cannot be read, expected a path file", file));
     }
     return path_from_text(text.str(), file);
 }
