@@ -11,7 +11,7 @@ namespace {
 
 constexpr double turning = 0.8;      // radians per second, as in the report's viewer
 constexpr double inertia = 0.12;     // time constant of velocities, seconds
-constexpr double nearest = 1e-5;     // hull sizes: minimum clearance for the speed, also inside solid
+constexpr double nearest = 1e-5;     // fractal sizes: minimum clearance for the speed, also inside solid
 constexpr double most_of_way = 0.5;  // largest step, as a fraction of the free distance
 constexpr double still = 1e-3;       // velocity below which the camera stops
 

@@ -66,8 +66,8 @@ std::string_view words(Refined refined)
 std::string head(const Trace& trace)
 {
     std::string text =
-        fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; by the scalar kernel\n", trace.x,
-                    trace.y, trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
+        fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; by the scalar kernel\n", trace.x, trace.y,
+                    trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
     text += fmt::format("stride {} DE", number(trace, trace.stride));
     if (trace.relaxation > trace.stride) text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
     text += fmt::format("\ndirection {}\n", three(trace, trace.direction));

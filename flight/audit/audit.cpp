@@ -17,7 +17,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double in_solid = 1e-5;         // hull sizes: points with a smaller estimate count as solid
+constexpr double in_solid = 1e-5;         // fractal sizes: points with a smaller estimate count as solid
 constexpr double most_wall_step = 0.25;   // largest motion of the nearest wall by a change of shape, in clearances
 constexpr double turn_cap = 1.2;          // degrees per frame
 constexpr double aside = 60;              // degrees off the motion

@@ -14,8 +14,8 @@ struct Row {
     std::string name;
     double value = 0;
     double bar = 0;
-    bool at_most = true;   // the bar is an upper limit; false: a lower limit
-    bool promise = false;  // a path that misses the bar is rendered only with --force
+    bool at_most = true;   // `bar` is an upper limit; false: a lower limit
+    bool promise = false;  // a path that misses `bar` is rendered only with --force
     std::string unit;
     std::string worst;  // the place of the worst value, for people; may be empty
 

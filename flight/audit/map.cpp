@@ -21,7 +21,7 @@ constexpr const char* format_name = "mandelmarch flight map 1";
 // Limits that keep the file small; a drawing does not show more.
 constexpr std::size_t most_balls = 2500;
 constexpr std::size_t most_gates = 1000;
-constexpr double beside = 0.12;        // hull sizes
+constexpr double beside = 0.12;        // fractal sizes
 constexpr std::size_t path_every = 4;  // frames
 
 // Formats a number with five digits, enough for a drawing.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double narrowing = 2;        // factor
 constexpr double same_clearances = 2;  // passages closer to each other than this count as one, clearances
-constexpr double same_size = 0.02;     // the same in hull sizes; the larger one applies
+constexpr double same_size = 0.02;     // the same in fractal sizes; the larger one applies
 
 }  // namespace
 

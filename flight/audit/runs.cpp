@@ -9,7 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;  // hull sizes: points with a smaller estimate count as solid
+constexpr double solid = 1e-5;  // fractal sizes: points with a smaller estimate count as solid
 constexpr int deepest = 7;      // halvings of the time between two frames
 constexpr double even = 0.25;   // accepted deviation from linear change, in smaller clearances of the two ends
 

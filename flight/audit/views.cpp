@@ -14,7 +14,7 @@ constexpr double least_hits = 0.15;
 constexpr double one_depth = 1.25;  // ratio of the depths that bound 95 % of the picture
 constexpr double near_wall = 2;     // clearances
 constexpr double filling = 0.9;     // fraction of the picture
-constexpr double far = 12;          // length of rays, hull sizes
+constexpr double far = 12;          // length of rays, fractal sizes
 constexpr double coarse = 0.008;    // hit tolerance, as a fraction of t
 
 Camera camera_at(const Frame& frame)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounds of a fractal: a body that contains it.
+// The bounds of a fractal: a body that contains it. Many lengths are in units of its size, "fractal sizes".
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double margin = 1.2;        // half the cube's edge, in hull sizes
+constexpr double margin = 1.2;        // half the cube's edge, in fractal sizes
 constexpr double cover_share = 0.95;  // of a ball's radius: the smallest distance of another ball's centre
 constexpr double overlap = 0.95;      // of the sum of two radii: the largest distance of linked balls
 

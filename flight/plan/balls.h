@@ -23,7 +23,7 @@ struct Link {
 class Balls {
 public:
     // Fills the free space that is connected with the outside with balls of at least `least` clearance, within a cube
-    // whose half edge is 1.2 hull sizes. Free points inside the hull of at least `narrow` clearance are kept as
+    // whose half edge is 1.2 fractal sizes. Free points inside the bounds of at least `narrow` clearance are kept as
     // narrows(). `coarse`: cells of the coarse grid along an edge.
     Balls(const Field& field, double least, double narrow, int coarse = usual_coarse);
 
@@ -37,7 +37,7 @@ public:
     // Returns a ball that contains p, or -1 if none is known.
     int holding(Vector p) const;
 
-    // Free points inside the hull, including those near the surface, at which a search for gates can start.
+    // Free points inside the bounds, including those near the surface, at which a search for gates can start.
     const std::vector<Ball>& narrows() const { return narrows_; }
     void forget_narrows() { narrows_ = {}; }
 

@@ -12,7 +12,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double spacing = 0.35;      // between points, in clearances
-constexpr double densest = 0.0005;    // hull sizes: lower limit of a clearance, for the spacing
+constexpr double densest = 0.0005;    // fractal sizes: lower limit of a clearance, for the spacing
 constexpr double freedom = 0.45;      // largest move of a point in one round, in safe clearances
 constexpr double pin_freedom = 0.08;  // the same for a pin
 constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances

@@ -22,7 +22,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double least_clearance = 0.0034;  // hull sizes: the elastic band's smallest clearance
+constexpr double least_clearance = 0.0034;  // fractal sizes: the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
 constexpr double wanted_turn = 0.95;    // degrees per frame: where the gaze turns faster, the camera slows down
 constexpr double turn_limit = 1.17;     // degrees per frame; the promise is 1.2

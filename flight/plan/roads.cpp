@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double narrow = 0.0022;  // hull sizes: smallest clearance of the points of Balls::narrows()
+constexpr double narrow = 0.0022;  // fractal sizes: smallest clearance of the points of Balls::narrows()
 constexpr Roads::Effort one_shape{Balls::usual_coarse, 300'000};
 // Where the shape changes in flight:
 constexpr Roads::Effort first_of_many{48, 100'000};

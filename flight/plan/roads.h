@@ -13,8 +13,8 @@
 
 namespace mandelmarch {
 
-// Returns the clearance above which the camera flies no faster: 0.1 hull sizes. Costs are distances in clearances, the
-// integral of ds / min(clearance, this), because the camera's speed is proportional to min(clearance, this).
+// Returns the clearance above which the camera flies no faster: 0.1 fractal sizes. Costs are distances in clearances,
+// the integral of ds / min(clearance, this), because the camera's speed is proportional to min(clearance, this).
 double fastest_clearance(const Hull& hull);
 
 // The roadmap of one shape.

@@ -19,7 +19,7 @@ constexpr double whim = 1.0;           // largest random increase of a gate's co
 // Where the shape changes in flight:
 constexpr double changing_reach = 70;  // clearances, without penalties: gates farther away will have moved
 constexpr double stroll_reach = 40;    // clearances within which a fallback is sought
-constexpr double same_gate = 0.03;     // hull sizes: gates of two shapes closer to each other count as one
+constexpr double same_gate = 0.03;     // fractal sizes: gates of two shapes closer to each other count as one
 // A point may be attached to a ball that does not contain it if
 constexpr double over = 4;          // it is closer than this to the centre, in the ball's clearances,
 constexpr std::size_t tried = 24;   // the ball is one of this many closest ones,

@@ -9,7 +9,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 2.5;  // of the eye from the centre, in hull sizes
+constexpr double start_distance = 2.5;  // of the eye from the centre, in fractal sizes
 constexpr int most_refused = 60;        // discarded parts in a tour; the fallback counts five times
 constexpr double dear_gate = 130;       // clearances, with penalties: a gate farther away loses to the fallback
 
