@@ -19,7 +19,7 @@ constexpr double push = 0.15;         // move of a point away from the walls in 
 constexpr int rounds = 7;
 constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
 constexpr int sweeps = 12;  // at each stride
-// Where the shape changes in flight:
+// For shapes that change in flight:
 constexpr double parts_a_step = 10;  // stages of following the walls, per step of the shape parameter
 constexpr int most_parts = 60;
 constexpr int pushes = 2;             // in each stage

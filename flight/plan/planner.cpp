@@ -29,7 +29,7 @@ constexpr double turn_limit = 1.17;     // degrees per frame; the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // target of the picture's median motion, picture heights per frame
 constexpr int retimings = 7;
-// Where the shape changes in flight:
+// For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
 constexpr double usual_slow = 0.7;   // the mean speed factor that tours are planned for
 constexpr double most_off = 1;       // largest time error at a keyframe, frames

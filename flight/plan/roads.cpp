@@ -13,7 +13,7 @@ namespace {
 
 constexpr double narrow = 0.0022;  // fractal sizes: smallest clearance of the points of Balls::narrows()
 constexpr Roads::Effort one_shape{Balls::usual_coarse, 300'000};
-// Where the shape changes in flight:
+// For shapes that change in flight:
 constexpr Roads::Effort first_of_many{48, 100'000};
 constexpr Roads::Effort one_of_many{48, 20'000};  // few tries, as the neighbour's gates are tried, too
 constexpr int roads_iterations = 30;              // points that need more are too close to the surface for a roadmap

@@ -55,7 +55,7 @@ public:
 
     // True if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
     bool has_space() const;
-    // Those of all roadmaps; a gate as the ball around its narrowest point.
+    // Return the balls and gates of all roadmaps; a gate as the ball around its narrowest point.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;
 

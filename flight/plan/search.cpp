@@ -16,7 +16,7 @@ constexpr double whole_turn = 30;      // cost of a turn by 180 degrees, clearan
 constexpr double gate_reach = 400;     // clearances, with penalties, within which the next gate is sought
 constexpr int choices = 10;            // gate entries compared before choosing
 constexpr double whim = 1.0;           // largest random increase of a gate's cost, relative
-// Where the shape changes in flight:
+// For shapes that change in flight:
 constexpr double changing_reach = 70;  // clearances, without penalties: gates farther away will have moved
 constexpr double stroll_reach = 40;    // clearances within which a fallback is sought
 constexpr double same_gate = 0.03;     // fractal sizes: gates of two shapes closer to each other count as one
