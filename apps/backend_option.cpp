@@ -13,7 +13,7 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 {
     std::vector<std::string> names = registry.names();
     names.insert(names.begin(), "auto");
-    app.add_option("--backend", name, fmt::format("{}", fmt::join(names, ", ")))
+    app.add_option("--backend", name, "rendering backend; auto: on a GPU if one is present, else openmp")
         ->check(CLI::IsMember(names))
         ->capture_default_str();
     add_isolation_option(app);
@@ -42,7 +42,7 @@ void refuse_unheeded(const Registry& registry, const Backend& backend, const Ren
                 .empty())
             heeding.push_back(other->name());
     }
-    throw InputError(fmt::format("{}: backend {} cannot heed it, expected one of {}", option, backend.name(),
+    throw InputError(fmt::format("{}: not supported by backend {}, expected one of {}", option, backend.name(),
                                  fmt::join(heeding, ", ")));
 }
 

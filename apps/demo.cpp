@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// demo: draws the official scenes that reference draws on every backend, in both precisions and modes, proves that the
-// pictures agree and prints a table of times. Exit code 1 where a picture fails.
+// demo: renders official scenes on every backend, in both precisions and modes, verifies that the pictures agree and
+// prints a table of times. Scenes that the backend `reference` does not support are left out. Exit code 1 if a picture
+// or a device fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,11 +25,10 @@ namespace {
 using namespace mandelmarch;
 
 constexpr int repetitions = 5;  // the table shows the fastest
-// Seconds of one row, after which only a second picture is begun: drivers compile for the first one.
+// Seconds for one row. A second picture is rendered in any case, as drivers compile during the first one.
 constexpr double enough = 1.0;
 
-// Most pixels, in a hundred, that may be visibly off the reference picture of the same mode. Exact double is the
-// reference's own schedule.
+// Returns the percentage of pixels that may differ visibly from the reference's picture in the same mode.
 double allowed_percent(const Scene& scene, const RendererOptions& options)
 {
     if (options.mode == Mode::fast) return 2;
@@ -40,7 +40,7 @@ class Demo {
 public:
     Demo(int side, const std::string& folder) : side_(side), folder_(folder) {}
 
-    // Draws, compares and prints one row.
+    // Renders a picture, compares it and prints the row.
     void row(const Backend& backend, const Scene& scene, const RendererOptions& options)
     {
         DemoRow row;
@@ -64,7 +64,7 @@ public:
         flush_stdout();
     }
 
-    // A backend without a device.
+    // Prints the row of a backend without a device.
     void absent(const Backend& backend, const Scene& scene, const Listing& listing)
     {
         DemoRow row;
@@ -76,7 +76,7 @@ public:
         print("{:<11} {:<10} {}: {}\n", row.fractal, row.backend, row.fine ? "unavailable" : "FAILED", row.said);
     }
 
-    // Writes the table; true where no row failed.
+    // Writes the table; returns true if no row failed.
     bool finish() const
     {
         folder_.table(rows_, side_, repetitions);
@@ -126,7 +126,7 @@ private:
         row.fine = percent <= allowed_percent(scene, options);
         row.said = fmt::format("{:.3f} % off the reference", percent);
         if (options.mode != Mode::exact) return;
-        // All backends draw the same bits in exact mode; the first one to draw sets them.
+        // All backends must produce the same bits in exact mode; the first picture sets them.
         const auto [first, is_first] = exact_.try_emplace({row.fractal, options.precision}, image);
         const bool same = compare(first->second, image).same();
         row.fine = row.fine && same;
@@ -166,13 +166,13 @@ void draw_all(Demo& demo, const Registry& registry, int side)
 
 int body(int argc, char** argv)
 {
-    CLI::App app("demo: draws both official scenes on every backend, compares the pictures and prints the times.");
+    CLI::App app("demo: renders official scenes on every backend, compares the pictures and prints the times.");
     app.set_version_flag("--version", version_line("demo"));
     std::string side_text = "540";
     std::string folder;
-    app.add_option("--side", side_text, "pixels of a picture's side")->capture_default_str();
-    app.add_option("--folder", folder, "where the pictures go, with demo.json: the table");
-    app.footer("Exit codes: 0 fine, 1 a picture or a device failed, 2 bad input.");
+    app.add_option("--side", side_text, "side of the square pictures, in pixels")->capture_default_str();
+    app.add_option("--folder", folder, "write the pictures and the table (demo.json) to this folder");
+    app.footer("Exit codes: 0 success, 1 a picture or a device failed, 2 bad input.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {  // --help, --version

@@ -59,7 +59,7 @@ void DemoFolder::table(const std::vector<DemoRow>& rows, int side, int repetitio
             {"picture", row.picture},
         });
     }
-    // A driver's name may be no UTF-8.
+    // A driver's name is not always valid UTF-8.
     write_file(path_ + "/demo.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 

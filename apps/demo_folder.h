@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What demo leaves in a folder: its pictures as PNG, and its table as demo.json, from which its page is made.
+// The output folder of demo: pictures as PNG, and the table as demo.json, from which the report's page is made.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,23 +20,22 @@ struct DemoRow {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     bool drawn = false;   // false: unavailable, or the device failed
-    bool fine = true;     // false: the picture, or the device, failed
-    std::string said;     // the proof, or why nothing was drawn
-    std::string device;   // that drew it
+    bool fine = true;     // false: the picture is wrong, or the device failed
+    std::string said;     // the result of the comparison, or the reason why there is no picture
+    std::string device;   // name of the device used
     double seconds = 0;   // wall time of the fastest picture
-    double speed_up = 0;  // over the reference, exact
-    std::string picture;  // file in the folder, empty without one
+    double speed_up = 0;  // relative to the reference in exact mode
+    std::string picture;  // file name in the folder; empty: none
 };
 
 class DemoFolder {
 public:
-    // Makes the folder where it is missing. An empty path: nothing is ever written. Throws Error.
+    // Creates the folder if it is missing. With an empty path, nothing is written. Throws Error.
     explicit DemoFolder(std::string path);
 
-    // Writes the row's picture and names it there.
+    // Writes the row's picture and sets row.picture.
     void picture(DemoRow& row, const Image& image) const;
-    // Writes demo.json. side: pixels of a picture's side; repetitions: pictures at most of which a row shows the
-    // fastest.
+    // Writes demo.json. `side`: of a picture, pixels; `repetitions`: the largest number of pictures per row.
     void table(const std::vector<DemoRow>& rows, int side, int repetitions) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// flythrough: plans a flight through a fractal, audits it and makes a film of it.
+// flythrough: plans a flight through a fractal, audits it and renders it as a film.
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -33,9 +33,9 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr std::size_t long_flight = 20'000;  // frames whose audit takes so long that it is told
+constexpr std::size_t long_flight = 20'000;  // frames from which an audit is announced, as it takes long
 
-// The scene whose fractal is flown through: a parameter file's, or the official one. Each frame has its own camera.
+// Returns the scene to fly through: a parameter file's, or the official one. Its camera is not used.
 // `warns`: print the warnings about the file.
 Scene scene_of(const Flythrough& options, bool warns = false)
 {
@@ -61,16 +61,16 @@ void check_shape(const Flythrough& options, const Scene& scene)
     throw InputError(options.parameters.empty() ? objection : fmt::format("{}: {}", options.parameters, objection));
 }
 
-// Tells stderr what planning does, one line for each step; tables of tours that were not taken are left out.
+// Prints the first line of a planner's message to stderr, without the tables of tours.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
-// The number of frames to plan: every flight is planned at one rate, and resampled to its own rate afterwards.
+// Returns the number of frames to plan. Every flight is planned at frames_per_second and then resampled.
 int planned_frames(const Flythrough& options)
 {
     return std::max(2, frames_at_rate(options.frames, frames_per_second, options.rate));
 }
 
-// How the fractal changes in flight.
+// Returns the changes of the fractal in flight. Throws InputError if its shape cannot be flown through.
 Schedule schedule_of(const Flythrough& options)
 {
     if (!options.power.empty() && !options.scale.empty()) {
@@ -97,7 +97,7 @@ void tell_audit(const Path& path)
     if (path.frames.size() >= long_flight) say("audit: {} frames\n", path.frames.size());
 }
 
-// True where a file that is written is what stdout leads to (/dev/stdout, say), unless that takes anything.
+// True if the file is the one that stdout is connected to, and not a terminal or other character device.
 bool goes_to_stdout(const std::string& file)
 {
     struct stat named {};
@@ -106,8 +106,8 @@ bool goes_to_stdout(const std::string& file)
            named.st_dev == standard.st_dev && named.st_ino == standard.st_ino;
 }
 
-// Prints the audit on stdout, or stderr where stdout takes a file, and, if asked for, as JSON into a file; true if
-// every promise is kept.
+// Prints the audit on stdout, or on stderr if an output file goes to stdout, and writes it to the JSON file, if any.
+// Returns true if every promise is kept.
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
                 const RendererOptions& renderer)
 {
@@ -131,8 +131,8 @@ void write_map(const Flythrough& options, const Plan& made)
     if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
 }
 
-// Before any work: every file that will be written can be, and none of them is another one; the shape's changes are
-// such as can be flown.
+// Checks, before any work, that every output file can be written and is not the same as another file, and that the
+// shape's changes can be flown through. Throws InputError.
 void check_outputs(const Flythrough& options)
 {
     const std::vector<NamedFile> written = options.written();
@@ -153,7 +153,7 @@ int plan_command(const Flythrough& options, const Backend& backend, const Render
     return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_fine : exit_failure;
 }
 
-// Each rank takes its own GPU where there are some, and its share of the machine's cores.
+// Returns the renderer's options for this rank, with its own GPU, if any, and its part of the machine's cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
     RendererOptions renderer = options.renderer;
@@ -190,7 +190,7 @@ FilmOptions film_options(const Flythrough& options, const RendererOptions& rende
             renderer,       options.segments, options.chosen};
 }
 
-// Before any work: the film or the stills of so many frames can be made.
+// Checks, before any work, that the film or the stills can be made.
 void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames, int rate)
 {
     if (options.stills.empty()) {
@@ -200,7 +200,7 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
     }
 }
 
-// The path that is planned or read, as text; for rank 0.
+// Plans or reads the path and returns it as text; on rank 0 only.
 std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_film_tools(options.output);
@@ -253,14 +253,14 @@ int run(const Registry& registry, const Flythrough& options)
         if (ranks->rank() == 0) check_outputs(options);
         const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0);
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
-        // A device that is not there is known before the work.
+        // Fails early if the device is missing.
         static_cast<void>(backend.create(renderer));
         const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, backend, renderer) : "");
         const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
         return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
-        // One rank's failure ends them all; its message comes first.
+        // Prints this rank's error, then ends all ranks.
         const int code = run_program(
             "flythrough", [](int, char**) -> int { std::rethrow_exception(std::current_exception()); }, 0, nullptr);
         ranks->abort(code);
@@ -270,7 +270,7 @@ int run(const Registry& registry, const Flythrough& options)
 
 int body(int argc, char** argv)
 {
-    // Backends come first: their drivers' processes are made of this one, while it has no threads and no MPI.
+    // Backends come first: they fork processes for drivers, which must happen before threads and MPI start.
     const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Flythrough options = parse_flythrough(registry, argc, argv, done);

@@ -30,64 +30,60 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
 {
     std::string names;
     for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    app.add_option("COMMAND", texts.command, "plan, render, film or audit")
+    app.add_option("COMMAND", texts.command, "what to do (explained below)")
         ->required()
         ->check(CLI::IsMember({"plan", "render", "film", "audit"}));
-    app.add_option("PATH", options.path, "a path file: render and audit read it, film writes it if given");
+    app.add_option("PATH", options.path, "path file: read by render and audit, written by film if given");
     app.add_option("--fractal", options.fractal, names)->capture_default_str();
     app.add_option("--params", options.parameters,
-                   "a parameter file (.dat): its fractal, not its camera, is flown through");
-    app.add_option("--seed", texts.seed, "chooses the tour")->capture_default_str();
-    const std::string changing =
-        "in flight: A, A:B from the first frame to the last, or at named seconds, 0s=A,60s=B,120s=C";
-    app.add_option("--power", options.power, "plan, film: the Mandelbulb's power " + changing);
-    app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale " + changing);
+                   "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
+    app.add_option("--seed", texts.seed, "choose the tour")->capture_default_str();
+    const std::string changing = " in flight: A, A:B (first to last frame) or 0s=A,60s=B (at seconds)";
+    app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
+    app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
     add_estimate_option(app, texts.estimate);
     app.add_option("--frames", texts.frames,
-                   "plan, film: how many the flight has, 4 minutes of them without it; render: A-B, the path's frames "
-                   "from A to B alone, counted from 0; the title comes before them");
-    app.add_option("--fps", texts.rate,
-                   "plan, film: frames a second, 24, 25, 50 or 60, say; 30 without it; the path file keeps it");
+                   "plan, film: length without the title (default: 4 minutes); render: only frames A-B, from 0");
+    app.add_option("--fps", texts.rate, "plan, film: frames per second, recorded in the path file (default 30)");
     app.add_option("--size", texts.size,
-                   "of the film: WxH, even; 720p, 1080p or 4k (1920x1080; equirectangular: 2160x1080)");
+                   "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080)");
     add_projection_option(app, options.projection);
-    app.add_flag("--stereo", options.stereo, "film, render: two eyes side by side, the left one's picture on the left");
-    app.add_option("--samples", texts.samples, "per pixel and side, 1 to 8: 2 means 4 a pixel")->capture_default_str();
+    app.add_flag("--stereo", options.stereo, "film, render: side-by-side stereo, the left eye on the left");
+    app.add_option("--samples", texts.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
+        ->capture_default_str();
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", texts.device, "which of the backend's devices; without it each MPI rank takes its own");
-    app.add_option("--precision", texts.precision, "double or float")
+    app.add_option("--device", texts.device, "device of that backend, from 0 (default: each MPI rank its own GPU)");
+    app.add_option("--precision", texts.precision, "floating-point precision")
         ->check(CLI::IsMember({"double", "float"}))
         ->capture_default_str();
-    app.add_option("--mode", texts.mode, "exact or fast")
+    app.add_option("--mode", texts.mode,
+                   "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed")
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
-    app.add_option("--threads", texts.threads, "threads on the host, 0: one for each core that the process may use");
-    app.add_option("--look", texts.look, "colouring type instead of the film's own");
-    app.add_option(
-        "--output", options.output,
-        "plan: the path file (path.json); film and render: the film (video.mp4), whose ending chooses MP4, Matroska "
-        "(.mkv), WebM or GIF");
+    app.add_option("--threads", texts.threads, "host threads; 0 (default): one per core that the process may use");
+    app.add_option("--look", texts.look, "look, a colouring type from 0 to 4 (default: 3, or the path file's)");
+    app.add_option("--output", options.output,
+                   "path file (default path.json) or film: .mp4, .mkv, .webm or .gif (default video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
-    app.add_option(
-        "--map", options.map,
-        "plan, film: write the free balls, the gates and what was measured on the path to this file, as JSON");
-    app.add_option("--summary", options.summary, "film, render: write device, frames and seconds a frame, as JSON");
-    app.add_option("--title", options.title, "first line of the title; without title and authors there is none");
+    app.add_option("--map", options.map,
+                   "plan, film: write balls, gates and per-frame clearance to this file, as JSON");
+    app.add_option("--summary", options.summary,
+                   "film, render: write device, frames and seconds per frame to this file, as JSON");
+    app.add_option("--title", options.title, "first line of the title; no title without --title and --authors");
     app.add_option("--authors", options.authors, "second line of the title");
-    app.add_option("--stills", options.stills, "write still frames into this folder instead of a film");
-    app.add_option("--still-format", texts.kind, "png or jpeg")
+    app.add_option("--stills", options.stills, "write still frames to this folder instead of a film");
+    app.add_option("--still-format", texts.kind, "format of stills")
         ->check(CLI::IsMember({"png", "jpeg"}))
         ->capture_default_str();
-    app.add_option("--every", texts.every, "stills: every N-th frame only");
-    app.add_option("--segments", texts.segments,
-                   "A-B: only these segments of 60 frames, from 0, as far as there are such; the film is not joined");
-    app.add_flag("--force", options.force, "render a path that breaks a promise");
+    app.add_option("--every", texts.every, "with --stills: only every N-th frame (default 1)");
+    app.add_option("--segments", texts.segments, "render only segments A-B (60 frames each, from 0); do not join");
+    app.add_flag("--force", options.force, "render although the path breaks a promise");
     app.footer(
-        "plan makes a path file and prints its audit; audit prints one again; render makes a film of a path file; film "
-        "does all.\n"
-        "An interrupted film goes on where it stopped: run the same command again. mpirun shares the work among its "
-        "ranks.\n"
-        "Exit codes: 0 fine, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not available.");
+        "Commands: plan writes a path file and prints its audit; audit prints the audit of a path file; render makes a "
+        "film from a path file; film plans, prints the audit and renders.\n"
+        "To continue an interrupted film, run the same command again. mpirun distributes the work among its ranks.\n"
+        "Exit codes: 0 success, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not "
+        "available.");
 }
 
 void take_size(const std::string& size, Flythrough& options)
@@ -105,7 +101,7 @@ Range range_option(const std::string& name, const std::string& text, const std::
     return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
 }
 
-// Reads the number of frames to plan, or the range of the path's frames to draw.
+// Reads the number of frames to plan, or the range of the path's frames to render.
 void take_frames(const Texts& texts, Flythrough& options)
 {
     if (options.command == Command::plan || options.command == Command::film) {
@@ -120,8 +116,8 @@ void take_frames(const Texts& texts, Flythrough& options)
             fmt::format("--fps: {} takes the rate from the path file, expected plan or film", texts.command));
     }
     if (texts.frames.empty()) return;
-    if (options.command == Command::audit) throw InputError("--frames: an audit is of the whole path, expected none");
-    options.chosen = range_option("frames", texts.frames, "A-B, frames of the path, 100-160, say");
+    if (options.command == Command::audit) throw InputError("--frames: not supported by audit, which uses all frames");
+    options.chosen = range_option("frames", texts.frames, "A-B, frames of the path, such as 100-160");
 }
 
 }  // namespace
@@ -146,7 +142,7 @@ std::vector<NamedFile> Flythrough::read() const
 
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)
 {
-    CLI::App app("flythrough: plans a flight through a fractal, audits it and makes a film of it.");
+    CLI::App app("flythrough: plans a flight through a fractal, audits it and renders it as a film.");
     Flythrough options;
     Texts texts;
     app.set_version_flag("--version", version_line("flythrough"));
@@ -169,6 +165,12 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     take_size(texts.size, options);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
+<<<<<<< HEAD
+=======
+    if (options.stereo && options.projection != Projection::perspective) {
+        throw InputError("--stereo: cannot be combined with --projection equirectangular");
+    }
+>>>>>>> p2
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
     }
@@ -179,7 +181,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     options.renderer.mode = texts.mode == "fast" ? Mode::fast : Mode::exact;
     if (!texts.look.empty()) options.look = whole_option("look", texts.look, 0, colouring_types - 1);
     if (!texts.segments.empty()) {
-        options.segments = range_option("segments", texts.segments, "A-B, 0-9, say");
+        options.segments = range_option("segments", texts.segments, "A-B, such as 0-9");
     }
     options.every = static_cast<std::size_t>(whole_option("every", texts.every, 1, most_frames));
     options.jpeg = texts.kind == "jpeg";
@@ -192,7 +194,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
                                      options.power.empty() ? "scale" : "power", texts.command));
     }
     if (!options.stills.empty() && !options.summary.empty()) {
-        throw InputError("--summary: it tells of a film, and --stills makes none");
+        throw InputError("--summary: cannot be combined with --stills (it describes a film)");
     }
     options.path = reads ? input_name(options.path) : output_name(options.path);
     options.parameters = input_name(options.parameters);
@@ -208,7 +210,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
 int threads_for(int local)
 {
     const Cores mine = cores();
-    // Cores that affinity or OMP_NUM_THREADS gave to this rank alone are not shared with other ranks.
+    // A limit by affinity or OMP_NUM_THREADS applies to each rank, so it is not divided.
     if (mine.asked || mine.given < mine.machine) return mine.threads();
     return std::max(1, mine.threads() / std::max(1, local));
 }

@@ -15,7 +15,7 @@
 
 namespace mandelmarch {
 
-// The look that a film has unless --look chooses another.
+// The default look of a film.
 inline constexpr int film_look = 3;
 
 enum class Command { plan, render, film, audit };
@@ -23,23 +23,23 @@ enum class Command { plan, render, film, audit };
 struct Flythrough {
     Command command = Command::film;
     std::string path;        // a path file: read by render and audit, written by film
-    std::string parameters;  // a parameter file whose fractal is flown through
+    std::string parameters;  // a parameter file with the fractal
     std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
-    int frames = 7200;             // of the flight that is planned
-    int rate = frames_per_second;  // frames a second of the flight that is planned
+    int frames = 7200;             // plan, film: of the flight
+    int rate = frames_per_second;  // plan, film: frames per second
     std::optional<Range> chosen;   // render: only these frames of the path
     int width = 1920, height = 1080;
     double samples = 1;
     Projection projection = Projection::perspective;
     bool stereo = false;
-    bool conservative = true;  // the estimate of what is planned; a path file says its own
+    bool conservative = true;  // plan, film: the kind of estimate; path files have their own
     std::string backend = "auto";
     RendererOptions renderer;
     bool device_given = false;
     int threads = 0;
     std::optional<int> look;
-    std::string power, scale;  // how that number of the shape changes in flight (flight/plan/schedule.h)
+    std::string power, scale;  // changes of that shape parameter in flight (flight/plan/schedule.h)
     std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;
     std::size_t every = 1;
@@ -47,19 +47,20 @@ struct Flythrough {
     bool force = false;
 
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
-    // The files that the command writes and reads, with their options; a name is empty where none is given.
+    // Return the files that the command writes or reads, with their options; a name is empty if it is not given.
     std::vector<NamedFile> written() const;
     std::vector<NamedFile> read() const;
 };
 
-// `done`: the exit code where there is nothing to do but that (help). Throws InputError.
+// Parses the command line. Sets `done` to an exit code if the program should end at once (--help, --version). Throws
+// InputError.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
-// The number of threads for one of `local` processes on this machine: that of core/base/cores.h, divided
-// among the processes if this one may run on all cores and OMP_NUM_THREADS is not set.
+// Returns the number of threads for one of `local` processes on this machine: that of core/base/cores.h, divided by
+// `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
 int threads_for(int local);
 
-// Throws Error, in one line, before anything is drawn, where films cannot be made on this machine.
+// Throws Error, in one line, if this machine lacks a tool for films.
 void check_film_tools(const std::string& film);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// imgdiff A B: how much two pictures differ. Exit code 0: same, 1: different.
+// imgdiff A B: compares two pictures. Exit code 0: same, 1: different.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,8 @@ namespace {
 
 using namespace mandelmarch;
 
-// The command that shows how the first differing pixel comes about. Pictures do not say what they were drawn from.
+// Returns the command that traces the first differing pixel. FRACTAL and PARAMS stand for what a picture does not
+// record.
 std::string trace_command(const Image& image, const Comparison& c)
 {
     return fmt::format("bin/render --fractal FRACTAL PARAMS.dat --size {}x{} --pixel {},{} --trace", image.width(),
@@ -80,12 +81,13 @@ int body(int argc, char** argv)
     std::string second;
     std::string map;
     bool json = false;
-    app.add_option("A", first, "a picture, - for standard input")->required();
-    app.add_option("B", second, "another")->required();
-    app.add_option("--map", map, "write a map of the differences, white where equal; .png, .bmp, .ppm or .jpg");
-    app.add_flag("--json", json, "print JSON");
+    app.add_option("A", first, "first picture; -: standard input")->required();
+    app.add_option("B", second, "second picture")->required();
+    app.add_option("--map", map, "write a map of differences (white: equal) to this .png, .bmp, .ppm or .jpg");
+    app.add_flag("--json", json, "print the result as JSON");
     app.footer(
-        "Two EXR pictures are compared in every bit of colour and, where both have it, depth; others in their bytes.\n"
+        "Two EXR pictures are compared in every bit of colour and, if both have it, depth; other pictures in their "
+        "bytes.\n"
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     try {
         app.parse(argc, argv);

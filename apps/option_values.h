@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of command line options. Each throws InputError, which names the option, what was given and what is expected.
+// Parsers for values of command line options. Each throws InputError with the option, the given and the expected value.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace mandelmarch {
 
-// A whole number from `low` to `high`; `name` without the dashes.
+// Parses an integer from `low` to `high`. `name`: the option's, without dashes.
 int whole_option(const std::string& name, const std::string& text, int low, int high);
 
-// A whole number from 0 to `high`, for what an int does not hold.
+// Parses an integer from 0 to `high` that may not fit into an int.
 std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high);
 
-// A number from `low` to `high`.
+// Parses a number from `low` to `high`.
 double real_option(const std::string& name, const std::string& text, double low, double high);
 
-// Two whole numbers from `low` to `high` with a character between them; `expected` says so in words.
+// Parses two integers from `low` to `high`, separated by the character `between`. `expected`: for the error message.
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected);
 
-// `-` means standard input or output, as usual on Unix; all other names are unchanged. A file named `-` is `./-`.
+// Return standard input or output for `-`, and all other names unchanged. A file named `-` can be given as `./-`.
 std::string input_name(const std::string& name);
 std::string output_name(const std::string& name);
 
-// WIDTHxHEIGHT of a picture, in pixels; no side may exceed `most_side`.
+// Parses a picture's size, WIDTHxHEIGHT in pixels or a name such as 1080p. No side may exceed `most_side`.
 std::pair<int, int> size_option(const std::string& text, int most_side = max_side);
 
-// X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT: a part of a `width` x `height` picture, in pixels from the bottom left.
+// Parses X,Y,WIDTHxHEIGHT or X,Y,WIDTH,HEIGHT, a part of a `width` x `height` picture in pixels from the bottom left.
 Region region_option(const std::string& text, int width, int height);
 
 }  // namespace mandelmarch

@@ -9,7 +9,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr int bar_width = 40;                              // characters
-constexpr auto interval = std::chrono::milliseconds(100);  // between two looks of the bar
+constexpr auto interval = std::chrono::milliseconds(100);  // between updates
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void ProgressBar::show(double share, const std::string& detail)
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const std::string left = share > 0 ? fmt::format(", {:.0f} s left", elapsed / share - elapsed) : "";
-    // A line of 80 columns holds both.
+    // With a detail, the bar is shorter so that the line fits into 80 columns.
     const int width = detail.empty() ? bar_width : bar_width / 2;
     const int full = static_cast<int>(share * width);
     say("\r{} [{:#<{}}{:.<{}}] {:3.0f} %{}{}{} \033[K", title_, "", full, "", width - full, 100 * share,

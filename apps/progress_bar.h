@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A progress bar on stderr, on a terminal only.
+// A progress bar on stderr. Shows nothing if stderr is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -17,9 +17,9 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     bool on_terminal() const { return terminal_; }
-    // share: 0 to 1. `detail` follows it on the line, e.g. "round 3 of 40".
+    // `share`: finished fraction, 0 to 1. `detail`: text after the bar, such as "round 3 of 40".
     void show(double share, const std::string& detail = "");
-    // Wipes the bar.
+    // Erases the bar.
     void finish();
 
 private:

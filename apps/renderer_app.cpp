@@ -35,12 +35,12 @@
 namespace mandelmarch {
 namespace {
 
-// Beside the picture: the program, its libraries, the threads' stacks, one row of a file.
+// Memory apart from the picture: the program, its libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is made in memory: nine channels of four bytes, held twice while they are handed over.
-constexpr std::uint64_t exr_stream_memory = 72;  // bytes a pixel
-constexpr int most_samples = 8;                  // per pixel and side
-constexpr int largest_whole = 1'000'000;         // pixels of a side of a picture that is drawn in regions
+// An EXR for a pipe is built in memory: nine channels of four bytes, in two copies.
+constexpr std::uint64_t exr_stream_memory = 72;  // bytes per pixel
+constexpr int most_samples = 8;                  // per pixel side
+constexpr int largest_whole = 1'000'000;         // largest side of a picture rendered in regions, pixels
 
 struct Options {
     std::string parameters;
@@ -55,21 +55,25 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
+<<<<<<< HEAD
     int samples = 0;  // per pixel and side; 0: as the parameter file says
+=======
+    int samples = 1;  // per pixel side
+>>>>>>> p2
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
     bool json = false;
     bool print_scene = false;
 
-    // It draws nothing and needs no scene.
+    // True if the program only lists devices or fractals.
     bool lists() const { return list_devices || list_fractals; }
 };
 
 Options parse_options(const char* program, const char* fractal, const Registry& registry, int argc, char** argv,
                       std::optional<int>& done)
 {
-    CLI::App app(fmt::format("{}: draws a ray-marched {} from a parameter file.", program,
+    CLI::App app(fmt::format("{}: renders a {} from a parameter file by ray marching.", program,
                              fractal != nullptr ? fractal : "fractal"));
     app.set_version_flag("--version", version_line(program));
     Options options;
@@ -81,26 +85,32 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string estimate{counted_estimate};
     std::string without;
     std::string eyes;
+<<<<<<< HEAD
     std::string samples;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
+=======
+    std::string samples = "1";
+    app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
+>>>>>>> p2
     if (fractal == nullptr) {
         std::string names;
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
         app.add_option("--fractal", options.fractal, names);
     }
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", device, "which of the backend's devices, from 0 (see --list-devices)");
-    app.add_option("--precision", precision, "double or float")
+    app.add_option("--device", device, "device of that backend, from 0 (default 0; see --list-devices)");
+    app.add_option("--precision", precision, "floating-point precision")
         ->check(CLI::IsMember({"double", "float"}))
         ->capture_default_str();
-    app.add_option("--mode", mode, "exact: the plain schedule; fast: the canonical hit, contraction allowed")
+    app.add_option("--mode", mode, "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed")
         ->check(CLI::IsMember({"exact", "fast"}))
         ->capture_default_str();
     add_estimate_option(app, estimate);
     add_projection_option(app, options.projection);
-    app.add_option("--eyes", eyes, "draw a picture for two eyes, side by side: their distance, in the scene's units");
-    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k, instead of the file's");
+    app.add_option("--eyes", eyes, "render side-by-side stereo with this eye distance, in scene units");
+    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k (default: from PARAMS)");
     app.add_option("--region", options.region,
+<<<<<<< HEAD
                    "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
                    "with the bits of the whole one, whose sides may then have a million pixels");
     app.add_option("--samples", samples,
@@ -108,34 +118,38 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
                    "super-sampling of an older format)");
     app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
     app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
+=======
+                   "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
+    app.add_option("--samples", samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")->capture_default_str();
+    app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use");
+    app.add_option("--pack", pack, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
+>>>>>>> p2
     app.add_option(
         "--without", without,
-        "switch techniques off, to see what they are worth: hull,relaxation,cones,neighbours,trial,root,tail,normal,"
-        "surroundings");
-    app.add_option(
-        "--output", options.output,
-        "the picture's file; its ending chooses BMP, PNG, PNM (.ppm), JPEG or EXR; - for standard output, as BMP");
-    app.add_option("--stats", options.stats, "write times and work done to this file, as JSON");
-    auto* pixel = app.add_option("--pixel", options.pixel, "X,Y, from the bottom left: the pixel for --trace");
-    auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray and draw no picture");
+        "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,root,tail,normal,surroundings");
+    app.add_option("--output", options.output,
+                   "picture: .bmp, .png, .ppm, .jpg or .exr (default: from PARAMS; -: standard output, as BMP)");
+    app.add_option("--stats", options.stats, "write times and work counts to this file, as JSON");
+    auto* pixel = app.add_option("--pixel", options.pixel, "pixel for --trace: X,Y from the bottom left");
+    auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray instead of rendering");
     trace->needs(pixel);
     pixel->needs(trace);
-    app.add_flag("--list-devices", options.list_devices, "list backends and devices, then end");
-    auto* list = app.add_flag("--list-fractals", options.list_fractals, "list fractals and their parameters, then end");
-    app.add_flag("--json", options.json, "--list-fractals as JSON, with the formulas of their constants")->needs(list);
+    app.add_flag("--list-devices", options.list_devices, "list backends and devices instead of rendering");
+    auto* list = app.add_flag("--list-fractals", options.list_fractals,
+                              "list fractals and their parameters instead of rendering");
+    app.add_flag("--json", options.json, "print --list-fractals as JSON, with the formulas of constants")->needs(list);
     app.add_flag("--print-scene", options.print_scene,
-                 "print the scene as kernels take it, as JSON and without a trial, and draw no picture");
+                 "print the scene as passed to kernels, before any trial, as JSON instead of rendering");
     app.footer(fmt::format(
-        "Memory: {} bytes a pixel for all but EXR, {} for EXR ({} more into a pipe), and about {} MiB beside; 16384 x "
-        "16384 pixels take {} "
-        "MiB "
-        "as BMP or PNG; with --samples N each sample takes as much.\nAn EXR has the channels R, G, B (light, Rec. "
-        "709), "
-        "displayed.R, displayed.G, displayed.B (as shown), Z (the "
-        "ray's length), steps and iterations.\n"
-        "The field of view of a parameter file is in units of 65 degrees, from the picture's bottom to its top.\n"
-        "A file that is there is replaced when the new one is whole.\n"
-        "Exit codes: 0 fine, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
+        "Memory: {} bytes per pixel, for EXR {} ({} more into a pipe), plus about {} MiB; 16384 x 16384 pixels take {} "
+        "MiB as BMP or PNG. With --samples N, each sample takes as much as a pixel.\n"
+        "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as in "
+        "the whole picture.\n"
+        "Channels of an EXR: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown), Z "
+        "(length of the ray), steps and iterations.\n"
+        "The field of view of a parameter file is vertical, in units of 65 degrees.\n"
+        "An existing file is replaced only after the new one is complete.\n"
+        "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
         fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
     try {
@@ -169,14 +183,14 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     return options;
 }
 
-// WIDTHxHEIGHT, over the scene's own.
+// Applies --size to the scene.
 void apply_size(const Options& options, Scene& scene)
 {
     if (options.size.empty()) return;
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// `commented`: the name comes from a line of a parameter file that ends in a comment.
+// Returns the format for a file name. `commented`: the name comes from a line of a parameter file with a comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
@@ -186,7 +200,7 @@ ImageFormat format_of(const std::string& path, bool commented)
                     commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
 }
 
-// The scene and the region to draw; sizes are in samples, not pixels.
+// The scene and the region to render; sizes are in samples, not pixels.
 struct Drawing {
     Scene scene;
     Region region;
@@ -197,7 +211,7 @@ Drawing drawing_of(const Options& options, const Scene& scene)
     Drawing drawing{scene, {0, 0, scene.width, scene.height}};
     if (!options.region.empty()) drawing.region = region_option(options.region, scene.width, scene.height);
     if (!options.region.empty() && options.eyes > 0)
-        throw InputError("--region: --eyes draws whole pictures, expected none");
+        throw InputError("--region: cannot be combined with --eyes, which renders whole pictures");
     Region& region = drawing.region;
     const int n = options.samples;
     const int most = (options.region.empty() ? max_side : largest_whole) / n;
@@ -213,7 +227,7 @@ Drawing drawing_of(const Options& options, const Scene& scene)
     return drawing;
 }
 
-// `stream`: the picture goes into a pipe or device.
+// Throws InputError if the picture needs more than the available memory. `stream`: the output is a pipe or device.
 void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
 {
     const std::uint64_t pixels = pixels_in_memory(drawing.scene, drawing.region);
@@ -236,7 +250,7 @@ std::pair<Image, RenderReport> draw(Renderer& renderer, const Drawing& drawing, 
     return {std::move(image), std::move(report)};
 }
 
-// Lists every backend; false where a driver failed.
+// Lists every backend and its devices; returns false if a driver failed.
 bool list_devices(const Registry& registry)
 {
     bool fine = true;
@@ -253,14 +267,14 @@ bool list_devices(const Registry& registry)
     return fine;
 }
 
-// `off`: what a trial could not settle, as a share of the picture.
+// `off`: the fraction of a trial's pixels that shorter steps still change.
 void warn_unsettled(const char* program, double off, Precision precision)
 {
     say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
-// In fast mode with the stride that the backend's trial chooses.
+// Prints the trace of a pixel's ray; in fast mode, with the step factor chosen by a trial on the backend.
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
 {
     const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",

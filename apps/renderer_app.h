@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mandelbulb, mandelbox and render share: options, parameter file, picture, statistics.
+// The program behind mandelbulb, mandelbox and render.
 #pragma once
 
 #include "core/render/registry.h"
 
 namespace mandelmarch {
 
-// The whole program, on whatever backends it is given. `fractal` is the fractal's name, or nullptr where --fractal
-// chooses it. Returns an exit code or throws what core/base/error.h turns into one.
+// Runs the program with the registry's backends. `fractal`: the fractal's name; nullptr: --fractal sets it. Returns an
+// exit code or throws an exception that core/base/error.h converts to one.
 int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -27,7 +27,8 @@ FractalInputs<Formula> named_inputs()
             .conservative = Formula::input("conservative")};
 }
 
-// A number that is ignored has no slider; one whose row says nothing has one around its official value.
+// The slider is null if the parameter is unused. If the fractal's descriptor does not set one, it covers values around
+// the official one.
 Json of(const Meaning& meaning, double official)
 {
     Json slider;
@@ -79,7 +80,7 @@ Json of(const Fractal& fractal)
 template <class Layout>
 Json json_of(const Layout& k)
 {
-    // JSON has no infinity.
+    // JSON cannot represent infinity.
     const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json("Infinity"); };
     return {{"width", k.width},
             {"height", k.height},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be drawn, and what is drawn, as JSON: the fractals with their formulas, and a scene as the kernel text takes
-// it. The report's viewer computes with the one and is checked against the other (docs/report.md).
+// JSON of all fractals with their formulas, and of a scene as passed to kernels. The report's viewer uses the former
+// and is tested against the latter (docs/report.md).
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace mandelmarch {
 
-// {"scene": what holds of every scene, "fractals": [a row each, in their order]}. Formulas are texts, as
-// core/scene/formula.h writes them, of shape[0] to shape[2], escape, iterations and largest.
+// Returns {"scene": constants of all scenes, "fractals": [one object per fractal]}. Formulas are strings, as
+// core/scene/formula.h writes them, in shape[0] to shape[2], escape, iterations and largest.
 std::string fractals_json();
 
-// A line for each fractal and each of its numbers.
+// Returns a list of the fractals and their parameters, for people.
 std::string fractals_text();
 
-// The kernel text's Scene by field, without tails, which packs alone make. Throws InputError as kernel_scene() does.
+// Returns the fields of the kernel's Scene. The technique `tail` is off, as only packs support it. Throws InputError as
+// kernel_scene() does.
 std::string scene_json(const Scene& scene, const RendererOptions& options);
 
 }  // namespace mandelmarch

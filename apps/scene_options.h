@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene is told beside its parameter file: --estimate, --projection, --eyes.
+// Options that complete a parameter file's scene: --estimate and --projection.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,36 +13,45 @@
 
 namespace mandelmarch {
 
-// `name` is the default, too.
+// `name`: holds the default, and receives the value.
 inline void add_estimate_option(CLI::App& app, std::string& name)
 {
-    app.add_option(
-           "--estimate", name,
-           "counted: the original's distance estimate; conservative: one that is seldom larger than the distance")
+    app.add_option("--estimate", name,
+                   "distance estimate; counted: the original's, conservative: rarely above the distance")
         ->check(CLI::IsMember({std::string(counted_estimate), std::string(conservative_estimate)}))
         ->capture_default_str();
 }
 
 inline void add_projection_option(CLI::App& app, Projection& projection)
 {
-    app.add_option("--projection", projection,
-                   "perspective; equirectangular: all directions, 360 degrees wide and 180 high")
+    app.add_option("--projection", projection, "perspective, or equirectangular (all directions, 360 x 180 degrees)")
         ->transform(CLI::Transformer(std::map<std::string, Projection>{
             {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
-        // Of what was given, before: Transformer lets other words through.
+        // Runs before the Transformer, which accepts other words.
         ->transform(CLI::IsMember({"perspective", "equirectangular"}))
         ->default_str("perspective");
 }
 
+<<<<<<< HEAD
 // Throws InputError for a picture of all directions that is not 360 by 180 degrees. `pictures`: 2 for two eyes, whose
 // pictures stand side by side.
 inline void check_panorama(Projection projection, int width, int height, int pictures = 1)
+=======
+// Throws InputError if an equirectangular picture is not twice as wide as high.
+inline void check_panorama(Projection projection, int width, int height)
+>>>>>>> p2
 {
     if (projection != Projection::equirectangular || width == 2 * pictures * height) return;
     throw InputError(
+<<<<<<< HEAD
         fmt::format("--projection equirectangular: {} x {} pixels given, expected {} times as wide as high (360 by 180 "
                     "degrees{}), --size {}x1080, say",
                     width, height, 2 * pictures, pictures == 2 ? " for each eye" : "", 2160 * pictures));
+=======
+        fmt::format("--projection equirectangular: {} x {} pixels given, expected twice as wide as high (360 "
+                    "by 180 degrees), such as --size 2160x1080",
+                    width, height));
+>>>>>>> p2
 }
 
 }  // namespace mandelmarch

@@ -53,7 +53,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
          {{"steps", report.work.steps}, {"de_calls", report.work.estimates}, {"iterations", report.work.iterations}}},
         {"kernels", kernels},
     };
-    // A driver's name may be no UTF-8.
+    // A driver's name is not always valid UTF-8.
     write_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

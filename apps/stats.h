@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --stats: what really ran, how long it took and what work it did, as JSON.
+// The output of --stats: configuration, times and work counts as JSON.
 #pragma once
 
 #include <string>

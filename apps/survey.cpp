@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double many_out_of_steps = 0.02;  // of the rays
-constexpr double much_lost = 0.1;           // of the pixels
+constexpr double many_out_of_steps = 0.02;  // fraction of the rays
+constexpr double much_lost = 0.1;           // fraction of the pixels
 
 Image drawn_by(Renderer& renderer, const Scene& scene)
 {
@@ -27,7 +27,8 @@ Image drawn_by(Renderer& renderer, const Scene& scene)
     return image;
 }
 
-// Traces one pixel's ray in double and exact mode: its first sample lies at the eye.
+// True if the eye is inside the solid, from the first sample of a ray traced in double and exact mode, which lies at
+// the eye.
 bool stands_in_solid(Scene scene)
 {
     scene.limits = {};
@@ -80,7 +81,7 @@ void refuse_solid(const Survey& survey, bool one_colour, const std::string& wher
 {
     if (!survey.inside || !one_colour) return;
     throw InputError(fmt::format(
-        "{}: the camera stands in the solid, so that no ray sees anything, expected a place outside", where));
+        "{}: the camera is inside the solid, so the picture shows nothing, expected a place outside", where));
 }
 
 std::vector<std::string> words_of(const Survey& survey, const Scene& scene, bool one_colour)
@@ -91,7 +92,7 @@ std::vector<std::string> words_of(const Survey& survey, const Scene& scene, bool
             "float's digits are too few for this view: {:.0f} % of the picture is off, expected --precision double",
             100 * survey.lost));
     }
-    if (survey.inside && survey.hit > 0.99) words.emplace_back("the camera stands in the solid");
+    if (survey.inside && survey.hit > 0.99) words.emplace_back("the camera is inside the solid");
     if (survey.out_of_steps > many_out_of_steps) {
         words.push_back(fmt::format(
             "{:.0f} % of the rays ran out of their {} steps and show the background: the detail level {:.6g} "

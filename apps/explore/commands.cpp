@@ -19,7 +19,8 @@ void set(Explorer& explorer, const Setup& setup)
     explorer.say(name_of(setup));
 }
 
-// The next device, of the next backend after its last one; those that are not there are left out once that is known.
+// Selects the next device of the backend, or the first one of the next backend. Backends without devices are skipped
+// once the devices have been listed.
 void next_backend(Explorer& explorer)
 {
     const auto& backends = explorer.registry.backends();
@@ -71,7 +72,7 @@ void next_colouring(Explorer& explorer)
     explorer.changed();
 }
 
-// One pane more, who draws something else than the one before; after four of them one again.
+// Adds a pane with another precision or mode; after four panes, goes back to one.
 void more_panes(Explorer& explorer)
 {
     explorer.remember();
@@ -136,7 +137,7 @@ void focus(Explorer& explorer)
 constexpr std::array table{
     Command{SDLK_F1, false, "this help", [](Explorer& e) { e.help = !e.help; }},
     Command{SDLK_F2, false, "panel", [](Explorer& e) { e.settings.panel = !e.settings.panel; }},
-    Command{SDLK_ESCAPE, false, "into the panel and back: arrow keys and Enter work there", focus},
+    Command{SDLK_ESCAPE, false, "go to the panel or back; arrow keys and Enter work there", focus},
     Command{SDLK_F3, false, "statistics", [](Explorer& e) { e.settings.statistics = !e.settings.statistics; }},
     Command{SDLK_F4, false, "next backend or device", next_backend},
     Command{SDLK_F5, false, "float or double", next_precision},
@@ -152,32 +153,32 @@ constexpr std::array table{
             },
             true},
     Command{SDLK_F11, false, "full screen", full_screen},
-    Command{SDLK_HOME, false, "begin again: the official scene", begin_again, true},
-    Command{SDLK_c, false, "through walls or not",
+    Command{SDLK_HOME, false, "reset the view to the official scene", begin_again, true},
+    Command{SDLK_c, false, "fly through walls or stop at them",
             [](Explorer& e) {
                 e.motion.collides = !e.motion.collides;
                 e.say(e.motion.collides ? "walls stop the flight" : "the flight goes through walls");
             },
             true},
     Command{SDLK_z, true, "undo", [](Explorer& e) { e.undo(); }},
-    Command{SDLK_y, true, "do again", [](Explorer& e) { e.redo(); }},
+    Command{SDLK_y, true, "redo", [](Explorer& e) { e.redo(); }},
     Command{SDLK_s, true, "save the view as a parameter file", [](Explorer& e) { e.save_view(); }},
     Command{SDLK_c, true, "copy the view's parameter file", [](Explorer& e) { e.copy_view(); }},
-    Command{SDLK_v, true, "fly to the clipboard's parameter file", [](Explorer& e) { e.paste_view(); }},
-    Command{SDLK_p, true, "save a picture of the size that the panel has", [](Explorer& e) { e.save_picture(); }},
+    Command{SDLK_v, true, "show the view of the clipboard's parameter file", [](Explorer& e) { e.paste_view(); }},
+    Command{SDLK_p, true, "save a picture, in the size set in the panel", [](Explorer& e) { e.save_picture(); }},
     Command{SDLK_r, true, "record a path, or end the recording", [](Explorer& e) { e.toggle_recording(); }},
     Command{SDLK_l, true, "smooth the path", [](Explorer& e) { e.guarded([&] { e.desk.smooth(); }); }},
     Command{SDLK_d, true, "save the path", [](Explorer& e) { e.save_path(); }},
-    Command{SDLK_m, true, "make a film of the path", [](Explorer& e) { e.film_path(); }},
-    Command{SDLK_t, true, "a tour by seed", plan_tour},
+    Command{SDLK_m, true, "render a film of the path", [](Explorer& e) { e.film_path(); }},
+    Command{SDLK_t, true, "plan a tour from the seed", plan_tour},
     Command{SDLK_F12, false, "paths panel", [](Explorer& e) { e.paths = !e.paths; }},
     Command{SDLK_SPACE, false, "play the path, or stop", play, true},
-    Command{SDLK_COMMA, false, "a frame back", [](Explorer& e) { step_path(e, -1); }, true},
-    Command{SDLK_PERIOD, false, "a frame on", [](Explorer& e) { step_path(e, 1); }, true},
-    Command{SDLK_PAGEUP, false, "a second back", [](Explorer& e) { step_path(e, -30); }, true},
-    Command{SDLK_PAGEDOWN, false, "a second on", [](Explorer& e) { step_path(e, 30); }, true},
-    Command{SDLK_n, false, "to the next broken promise or missed bar", [](Explorer& e) { e.go_to_broken(); }, true},
-    Command{SDLK_k, false, "put the path's camera here", [](Explorer& e) { e.desk.put_camera(e.scene); }, true},
+    Command{SDLK_COMMA, false, "one frame back", [](Explorer& e) { step_path(e, -1); }, true},
+    Command{SDLK_PERIOD, false, "one frame forwards", [](Explorer& e) { step_path(e, 1); }, true},
+    Command{SDLK_PAGEUP, false, "one second back", [](Explorer& e) { step_path(e, -30); }, true},
+    Command{SDLK_PAGEDOWN, false, "one second forwards", [](Explorer& e) { step_path(e, 30); }, true},
+    Command{SDLK_n, false, "go to the next broken promise or missed bar", [](Explorer& e) { e.go_to_broken(); }, true},
+    Command{SDLK_k, false, "move the path's camera here", [](Explorer& e) { e.desk.put_camera(e.scene); }, true},
     Command{SDLK_q, true, "quit", [](Explorer& e) { e.quit = true; }},
 };
 
@@ -198,7 +199,7 @@ bool take_command(Explorer& explorer, const SDL_Event& event)
     for (const Command& command : table) {
         if (command.key != event.key.keysym.sym || command.control != control) continue;
         if (command.typed && (io.WantCaptureKeyboard || io.WantTextInput)) return false;
-        // A text field has its own Ctrl+C and Ctrl+V.
+        // Text fields handle Ctrl+C and Ctrl+V themselves.
         if (command.control && io.WantTextInput) return false;
         const bool steps = command.key == SDLK_COMMA || command.key == SDLK_PERIOD;
         if (event.key.repeat == 0 || steps) command.act(explorer);

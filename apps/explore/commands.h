@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a key does, once a press: one table, which the help shows, too.
+// The table of keyboard commands, which the help shows, too.
 #pragma once
 
 #include <SDL.h>
@@ -16,15 +16,15 @@ struct Command {
     bool control;
     const char* what;
     void (*act)(Explorer& explorer);
-    bool typed = false;  // a letter: it goes to a panel that has the keyboard
+    bool typed = false;  // a character: ignored while a panel has the keyboard
 };
 
 std::span<const Command> commands();
 
-// "Ctrl+S"
+// Returns the key's name, such as "Ctrl+S".
 std::string key_of(const Command& command);
 
-// True where the event was one of them, and has been carried out.
+// Executes the command of a key event. Returns false if the event is not a command.
 bool take_command(Explorer& explorer, const SDL_Event& event);
 
 }  // namespace mandelmarch::explore

@@ -76,7 +76,7 @@ void Desk::begin_recording(const Scene& scene)
 {
     path_ = Path{};
     path_.scene = scene;
-    path_.scene.conservative = true;  // what films are drawn and audited by
+    path_.scene.conservative = true;  // the default estimate of films
     as_file(path_.scene);
     path_.frames = {frame_of(path_, scene)};
     at_ = owed_ = 0;
@@ -209,7 +209,7 @@ std::optional<std::size_t> Desk::next_broken() const
     std::optional<std::size_t> next;
     for (const Row& row : rows_) {
         if (row.kept()) continue;
-        // at_frame() of the audit writes it: "frame 12 (0.4 s)".
+        // Parses the text of at_frame(), "frame 12".
         const std::size_t place = row.worst.find("frame ");
         if (place == std::string::npos) continue;
         const auto frame = static_cast<std::size_t>(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path that is recorded, opened or planned: where it is played, its audit, and what is done with it.
+// The path editor: records, opens, plans, plays, edits and audits a path, and renders it as a film.
 #pragma once
 
 #include <optional>
@@ -22,11 +22,11 @@ public:
     bool has_path() const { return path_.frames.size() > 1; }
     const Path& path() const { return path_; }
     std::size_t frames() const { return path_.frames.size(); }
-    double at() const { return at_; }  // frames
+    double at() const { return at_; }  // position, frames
     void go_to(double frame);
-    // Plays on; at the end it stops.
+    // Moves the position forwards; stops playing at the end.
     void advance(double seconds);
-    // The picture there, for a window of this size.
+    // Returns the scene at the position, for a window of this size.
     Scene scene(int width, int height) const;
 
     void open(const std::string& file);  // throws InputError
@@ -34,7 +34,7 @@ public:
     void take(Path path);
 
     void begin_recording(const Scene& scene);
-    // The camera after so many seconds more.
+    // Records the camera, `seconds` after the previous call.
     void record(const Scene& scene, double seconds);
     void end_recording();
 
@@ -43,20 +43,22 @@ public:
     void cut_after();
     void put_camera(const Scene& scene);
 
-    // A tour of the scene's fractal; take_news() tells when it is there.
+    // Plans a tour of the scene's fractal in the background; take_news() reports the end.
     void plan(const Scene& scene, std::uint64_t seed, int frames);
     void film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height);
     bool planning() const { return planning_.running(); }
     bool filming() const { return filming_.running(); }
 
-    // Rows of the path as it is; `stale`: of an earlier state of it.
+    // The last audit's items. If stale(), they belong to an earlier version of the path.
     const std::vector<Row>& rows() const { return rows_; }
     bool stale() const { return audited_ != version_; }
-    // Audits what has changed, by and by; what has come of plans and films, in words for the user, or "".
+    // Starts an audit in the background if the path has changed. Returns a message for the user about a finished plan
+    // or film, or "".
     std::string take_news();
-    // The frame at which the next broken promise or missed bar is worst, after where the path is; nullopt: none is.
+    // Returns the next frame after the position at which a promise is broken or a threshold missed, or else the first
+    // such frame of the path; nullopt if there is none.
     std::optional<std::size_t> next_broken() const;
-    // All rows, those of quality too: seconds of work.
+    // Requests an audit of all items, not only promises; this takes seconds.
     void audit_all()
     {
         whole_audit_ = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The backends' devices, listed beside the window, as a driver may take its time.
+// The list of all backends' devices, made in the background because drivers can be slow.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ public:
 
     const Registry& registry() const { return registry_; }
 
-    // In the registry's order; empty until all drivers have answered.
+    // One listing per backend, in the registry's order; empty until all drivers have answered.
     const std::vector<Listing>& listings()
     {
         std::string failure;

@@ -16,11 +16,11 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double spare = 0.0012;      // seconds of a frame that nothing is planned for
-constexpr double patience = 1.5;      // frames that a picture is waited for, while moving
-constexpr double longest_step = 0.1;  // seconds of one motion
+constexpr double spare = 0.0012;      // seconds of a frame kept free
+constexpr double patience = 1.5;      // frames to wait for a picture while moving
+constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
 constexpr int idle_wait = 100;        // milliseconds
-constexpr double notch = 1.2;         // of speed, a notch of the wheel
+constexpr double notch = 1.2;         // factor on the speed per notch of the wheel
 constexpr double least_speed = 1.0 / 16, most_speed = 16;
 
 Clock::duration duration(double seconds)
@@ -100,7 +100,7 @@ void Explorer::move(double seconds)
     }
     moving_ = false;
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
-    // A .dat has none of what a film asks of a scene's rays.
+    // A flight continues with settings that a parameter file can hold, without those of films.
     if (moving_) {
         as_file(scene);
     }
@@ -117,8 +117,8 @@ void Explorer::move(double seconds)
     panes.look(scene, view_, area_);
 }
 
-// Of a moving picture: what a frame of the screen leaves, or two frames where one has room for less than 3/8 of each
-// side.
+// Returns the seconds for rendering while moving: the rest of one screen frame, or of two if pictures would otherwise
+// have less than 3/8 of the width.
 double Explorer::budget() const
 {
     const double period = 1 / window.rate();
@@ -147,7 +147,7 @@ void Explorer::tick(Script* script)
     const Moment build = Clock::now();
     window.begin();
     show_panels(*this);
-    // The keyboard flies until a panel is asked for.
+    // Initially no panel has the keyboard, so that keys move the camera.
     if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);
     const double building = seconds_since(build);
     const double wait = moving_ ? std::max(given + building, patience * period - showing_) : period - showing_ - spare;
@@ -164,7 +164,7 @@ void Explorer::tick(Script* script)
                   first.share});
     presented_ = end;
     if (window.waits()) return wait_if_idle();
-    // The screen's rate, kept by the clock.
+    // present() does not wait, so the screen's rate is kept with a timer.
     due_ = std::max(due_ + duration(period), end);
     std::this_thread::sleep_until(due_);
     wait_if_idle();
@@ -224,7 +224,7 @@ void Explorer::undo()
 
 void Explorer::redo()
 {
-    if (future_.empty()) return say("there is nothing to do again");
+    if (future_.empty()) return say("there is nothing to redo");
     past_.push_back(state());
     set_state(future_.back());
     future_.pop_back();

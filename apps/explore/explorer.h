@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's state and its loop: events, camera, pictures, panels, frame after frame.
+// The program's state and its main loop.
 #pragma once
 
 #include <memory>
@@ -28,29 +28,29 @@ public:
 
     void run(Script* script);
 
-    // What panels and commands work with.
+    // State that panels and commands use.
     const Registry& registry;
     Window& window;
     Settings settings;
-    std::string folder;  // where files go that have no name of their own
+    std::string folder;  // for files that explore names itself
     Panes panes;
     Motion motion;
     Desk desk;
     PictureTask picture;
     Devices devices;
     Measure measure;
-    Scene scene;  // the view; its size means nothing
+    Scene scene;  // the view; its size is unused
     bool help = false;
     bool paths = false;
     bool quit = false;
     int picture_width = 1920, picture_height = 1080;
     int tour_seed = 1, tour_frames = 1800;
 
-    // A line for the user, until the next one.
+    // Shows a message to the user until the next one.
     void say(const std::string& text);
     const std::string& said() const { return said_; }
 
-    // Calls `work`; what it throws is said.
+    // Calls `work` and shows the message of an exception.
     template <class Work>
     void guarded(const Work& work)
     {
@@ -61,19 +61,19 @@ public:
         }
     }
 
-    // The view has been changed, but by a flight.
+    // Must be called after changes of the view other than by flying.
     void changed() { dirty_ = true; }
     void set_scene(const Scene& scene);
     void set_setup(const Setup& setup);
-    // What is there now can be come back to.
+    // Saves the current state for undo().
     void remember();
     void undo();
     void redo();
 
-    // The path's picture where it is.
+    // Sets the view to the path's current frame.
     void show_path();
 
-    // A .dat or a path; what is wrong with it is said.
+    // Opens a parameter file or a path. Shows errors as messages.
     void open(const std::string& file);
     void save_view();
     void copy_view();
@@ -91,9 +91,9 @@ public:
     std::uint64_t view() const { return view_; }
     double clearance() const { return clearance_; }
     bool wants_panel_focus() { return std::exchange(focus_, false); }
-    // Where the script wants the window's picture to be written after this frame.
+    // Writes a screenshot to `file` at the end of this frame.
     void shoot(const std::string& file) { shot_ = file; }
-    std::string told() const;  // the state as a line of JSON
+    std::string told() const;  // the state as one line of JSON
 
 private:
     struct State {
@@ -122,7 +122,7 @@ private:
     std::uint64_t frame_ = 0;
     SDL_Rect area_{0, 0, 1, 1};  // of the pictures
     double clearance_ = 0;
-    double showing_ = 0.004;  // seconds that a frame takes beside its picture
+    double showing_ = 0.004;  // seconds per frame apart from rendering, averaged
     Moment last_{}, presented_{}, due_{};
 };
 

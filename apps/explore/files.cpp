@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the explorer opens, saves and hands out.
+// Opening, saving and exporting.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -113,7 +113,7 @@ void Explorer::film_path()
 void Explorer::go_to_broken()
 {
     const auto frame = desk.next_broken();
-    if (!frame) return say("no promise is broken, and no bar missed, that has a place");
+    if (!frame) return say("no broken promise or missed bar has a frame number");
     desk.go_to(static_cast<double>(*frame));
     show_path();
     say(fmt::format("frame {}", *frame));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is handed out: the view as a parameter file, and pictures of any size, as bin/render draws them of that file.
+// Export: the view as a parameter file, and pictures of any size, identical to those that bin/render makes of that
+// file.
 #pragma once
 
 #include <atomic>
@@ -13,32 +14,32 @@
 
 namespace mandelmarch::explore {
 
-// Leaves a scene what a parameter file has, and its estimate: nothing that films ask for beside.
+// Resets everything that a parameter file does not contain, such as settings of films, except the kind of estimate.
 void as_file(Scene& scene);
 
-// The text of the view's parameter file. A conservative estimate is said in a comment.
+// Returns the content of the view's parameter file. A conservative estimate is recorded in a comment.
 std::string view_text(const Scene& scene);
 
-// The command by which bin/render draws the same.
+// Returns the bin/render command that makes the same picture.
 std::string command_of(const Scene& scene, const Setup& setup, const std::string& file);
 
-// The first name FOLDER/STEM-NNN that has no file with any of the usual endings yet.
+// Returns the first name FOLDER/STEM-NNN for which no .dat, .png, .json or .mp4 exists.
 std::string free_name(const std::string& folder, const std::string& stem);
 
-// The scene of a parameter file, of the fractal that it, or its name, seems to be about; `hint` where nothing tells.
-// Throws InputError, which begins with the file's line.
+// Return the scene of a parameter file. Its fractal is guessed from the file's comments or name; `hint` if that fails.
+// Throw InputError with a message that begins with the file's line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
 
-// A picture in the making, in a thread of its own.
+// Renders a picture file in its own thread.
 class PictureTask {
 public:
-    // Writes NAME.dat, draws the scene that this reads as, and writes NAME.png. Throws where it cannot begin.
+    // Writes NAME.dat, renders the scene as read from it, and writes NAME.png. Throws if it cannot start.
     void start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name);
     bool running() const { return task_.running(); }
     double progress() const { return share_ != nullptr ? share_->load() : 0; }
     void cancel() { stop_.request_stop(); }
-    // What became of it, for the user, once; else "".
+    // Returns a message about the end of the task, once; else "".
     std::string take_news();
 
 private:

@@ -16,7 +16,7 @@ struct Held {
     Vector way, turn;
 };
 
-// The report's viewer has the same.
+// The same keys as in the report's viewer.
 constexpr std::array keys{
     Held{SDLK_w, {0, 0, 1}, {}},     Held{SDLK_s, {0, 0, -1}, {}},    Held{SDLK_a, {-1, 0, 0}, {}},
     Held{SDLK_d, {1, 0, 0}, {}},     Held{SDLK_r, {0, 1, 0}, {}},     Held{SDLK_f, {0, -1, 0}, {}},

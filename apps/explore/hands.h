@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys held down, the mouse and a game pad, as wishes of motion.
+// Input: converts keys held down, the mouse and a game pad to motion.
 #pragma once
 
 #include <SDL.h>
@@ -17,10 +17,11 @@ public:
     Hands(const Hands&) = delete;
     Hands& operator=(const Hands&) = delete;
 
-    // `over_panel`, `in_panel`: the mouse, or the keyboard, belongs to a panel. `radians`: of a pixel.
+    // `over_panel`, `in_panel`: a panel has the mouse or the keyboard. `radians`: angle of a pixel.
     void take(const SDL_Event& event, bool over_panel, bool in_panel, double radians);
-    // Since the last one. A wheel's notches come by `notches`.
+    // Returns the motion since the last call, without the wheel.
     Wish wish();
+    // Returns the notches of the wheel since the last call.
     double take_notches();
     bool dragging() const { return dragging_; }
     void let_go();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws Dear ImGui's triangles through SDL, whichever version of it is installed.
+// Draws Dear ImGui's triangles with SDL. Works with every packaged version of Dear ImGui.
 #pragma once
 
 #include <SDL.h>
@@ -9,7 +9,7 @@ namespace mandelmarch::explore {
 
 class Ink {
 public:
-    // The letters. Throws Error where there is no memory for them.
+    // Creates the texture of the letters. Throws Error if that fails.
     void make(SDL_Renderer* renderer);
     void clear();
     static void draw(SDL_Renderer* renderer, const ImDrawData& data);

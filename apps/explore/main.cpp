@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// explore: flies through the fractals in a window, on any backend.
+// explore: flies through fractals in a window, on any backend.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -40,23 +40,26 @@ struct Options {
 
 Options parse_options(const Registry& registry, int argc, char** argv, std::optional<int>& done)
 {
-    CLI::App app("explore: flies through the fractals in a window, on any backend; F1 there lists the keys.");
+    CLI::App app("explore: flies through fractals in a window, on any backend; F1 lists the keys.");
     app.set_version_flag("--version", version_line("explore"));
     Options options;
-    app.add_option("FILE", options.file, "a parameter file (.dat) or a path (.json)");
-    app.add_option("--fractal", options.fractal, "the first one; of a parameter file that does not tell its own");
+    app.add_option("FILE", options.file, "parameter file (.dat) or path (.json) to open");
+    app.add_option("--fractal", options.fractal, "fractal to open, or fractal of a .dat that does not name one");
     std::vector<std::string> names = registry.names();
-    app.add_option("--backend", options.backend, "who draws; else as the last time")->check(CLI::IsMember(names));
-    app.add_option("--device", options.device, "which of the backend's devices, from 0");
-    app.add_option("--precision", options.precision, "float or double")->check(CLI::IsMember({"double", "float"}));
-    app.add_option("--mode", options.mode, "fast or exact")->check(CLI::IsMember({"exact", "fast"}));
-    app.add_option("--size", options.size, "WxH of the window, in pixels");
-    app.add_option("--folder", options.folder, "where views, pictures, paths and films go; else the current folder");
-    app.add_option("--script", options.script, "a script that plays the user (docs/explore.md)");
-    app.add_option("--stats", options.stats, "frame times of the script's measured parts go into this file, as JSON");
+    app.add_option("--backend", options.backend, "rendering backend (default: last used)")->check(CLI::IsMember(names));
+    app.add_option("--device", options.device, "device of that backend, from 0");
+    app.add_option("--precision", options.precision, "floating-point precision (default: last used)")
+        ->check(CLI::IsMember({"double", "float"}));
+    app.add_option("--mode", options.mode, "rendering mode (default: last used)")
+        ->check(CLI::IsMember({"exact", "fast"}));
+    app.add_option("--size", options.size, "size of the window, WxH in pixels (default: last used)");
+    app.add_option("--folder", options.folder,
+                   "where to save views, pictures, paths and films (default: current folder)");
+    app.add_option("--script", options.script, "run a script that simulates the user (see docs/explore.md)");
+    app.add_option("--stats", options.stats, "write frame times of the script's measured parts to this file, as JSON");
     app.footer(
-        "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, but not by scripts.\n"
-        "Exit codes: 0 fine, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
+        "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, except with --script.\n"
+        "Exit codes: 0 success, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
@@ -69,7 +72,7 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
 
 Settings settings_of(const Options& options, const std::string& file, std::string& said)
 {
-    // A script is the same whatever was done before.
+    // A script does not depend on settings of earlier runs.
     Settings settings = options.script.empty() ? read_settings(file, said) : Settings();
     if (!options.backend.empty()) settings.setup = {options.backend, 0, settings.setup.precision, settings.setup.mode};
     if (!options.device.empty()) settings.setup.device = whole_option("device", options.device, 0, 1'000'000);
@@ -80,7 +83,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
     return settings;
 }
 
-// Ends the process without tidying up: a driver may never come back.
+// Ends the process without cleanup, as a driver may hang.
 [[noreturn]] void leave(int code)
 {
     std::fflush(nullptr);
@@ -89,7 +92,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
 
 int body(int argc, char** argv)
 {
-    // Backends come first: their drivers' processes are made of this one, while it has no threads and no window.
+    // Backends come first: they fork processes for drivers, which must happen before there are threads or a window.
     static const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);
@@ -99,7 +102,7 @@ int body(int argc, char** argv)
     if (!options.script.empty()) script.emplace(options.script);
     if (!options.stats.empty()) OutputFile::check(options.stats);
     if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {
-        throw InputError(fmt::format("--folder: '{}' is no folder", options.folder));
+        throw InputError(fmt::format("--folder: '{}' is not a folder", options.folder));
     }
     const std::string file = settings_file();
     std::string said;

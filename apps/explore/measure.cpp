@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr double graph = 10;         // seconds
 constexpr double screen = 1.0 / 60;  // seconds of a frame at 60 Hz
 
-// Nearest rank; 0 of nothing.
+// Returns the percentile by the nearest rank; 0 without values.
 double percentile(std::vector<double> values, double percent)
 {
     if (values.empty()) return 0;

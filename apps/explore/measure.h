@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frame times of scripted flights, for --stats.
+// Frame statistics of scripted flights, for --stats.
 #pragma once
 
 #include <deque>
@@ -10,13 +10,13 @@
 
 namespace mandelmarch::explore {
 
-// What one frame of the window was.
+// Timing of one frame of the window; times in seconds.
 struct FrameNote {
     double seconds;   // from its events to its presentation
     double interval;  // since the last frame's presentation
-    double drawing;   // of the picture that came in it; 0: none came
+    double drawing;   // render time of its new picture; 0: no new picture
     double showing;   // uploading, scaling, panels, presentation
-    double share;     // of the window's pixels that its picture has
+    double share;     // pixels of its picture, as a fraction of the window's
 };
 
 class Measure {
@@ -25,16 +25,16 @@ public:
     void end();
     bool on() const { return on_; }
 
-    // A view was made by an event of frame `frame`.
+    // Records that an event in frame `frame` created a view.
     void asked(std::uint64_t view, std::uint64_t frame);
-    // A picture of the view was presented at the end of frame `frame`.
+    // Records that a picture of the view was presented at the end of frame `frame`.
     void shown(std::uint64_t view, std::uint64_t frame);
     void note(const FrameNote& frame);
 
-    // The statistics as JSON; `window`: its size, `how` it is shown.
+    // Returns the statistics as JSON. `window`: its size; `how`: Window::how().
     std::string json(std::pair<int, int> window, const std::string& how, double rate, const Pane& pane) const;
 
-    // The last ten seconds' frames, for the graph: seconds each.
+    // The intervals of the last ten seconds' frames, seconds.
     const std::deque<float>& last() const { return last_; }
 
 private:

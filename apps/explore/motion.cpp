@@ -9,11 +9,11 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double turning = 0.8;      // radians a second; the viewer's of the report
-constexpr double inertia = 0.12;     // seconds in which all but 1/e of a wish is taken up
-constexpr double nearest = 1e-5;     // hull sizes: as if it were the clearance inside solid
-constexpr double most_of_way = 0.5;  // of what is free, in one step
-constexpr double still = 1e-3;       // of a wish: what is left counts as nothing
+constexpr double turning = 0.8;      // radians per second, as in the report's viewer
+constexpr double inertia = 0.12;     // time constant of velocities, seconds
+constexpr double nearest = 1e-5;     // fractal sizes: minimum clearance for the speed, also inside solid
+constexpr double most_of_way = 0.5;  // largest step, as a fraction of the free distance
+constexpr double still = 1e-3;       // velocity below which the camera stops
 
 Vector towards(Vector now, Vector wish, double share)
 {
@@ -21,7 +21,7 @@ Vector towards(Vector now, Vector wish, double share)
     return length(next) < still && length(wish) == 0 ? Vector{} : next;
 }
 
-// About a unit axis.
+// Returns v turned about a unit axis by an angle in radians.
 Vector turned(Vector v, Vector axis, double angle)
 {
     const double c = std::cos(angle);
@@ -78,12 +78,12 @@ bool Motion::move(Scene& scene, const Wish& wish, double seconds)
         if (collides) {
             const double most = most_of_way * known.safety() * clearance;
             if (clearance > least && length(step) > most) step = (most / length(step)) * step;
-            // At a wall only ways that lead from it are free.
+            // At a wall, only steps away from it are allowed.
             if (clearance <= least && known.distance(scene.eye + step) <= clearance) step = {};
         }
         scene.eye = scene.eye + step;
     }
-    // As far as it was, so that what it turned around stays in its middle.
+    // The target keeps its distance.
     scene.target = scene.eye + std::max(length(scene.target - scene.eye), 1e-6) * forward;
     return true;
 }

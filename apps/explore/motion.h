@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera in flight: where keys, mouse and game pad lead it, and how far it may go.
+// The motion of the camera by keys, mouse and game pad, with collision.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace mandelmarch::explore {
 
-// What the hands ask for: each -1 to 1, but for the angles of a drag.
+// Requested motion.
 struct Wish {
-    Vector way;        // to the right, up and forward
-    Vector turn;       // right, up and roll
-    double yaw = 0;    // radians, at once
-    double pitch = 0;  // radians, at once
+    Vector way;        // velocity to the right, up and forward: -1 to 1
+    Vector turn;       // rate of turning right, up and roll: -1 to 1
+    double yaw = 0;    // immediate turn by dragging, radians
+    double pitch = 0;  // immediate turn by dragging, radians
     bool any() const
     {
         return way.x != 0 || way.y != 0 || way.z != 0 || turn.x != 0 || turn.y != 0 || turn.z != 0 || yaw != 0 ||
@@ -24,25 +24,25 @@ struct Wish {
 
 class Motion {
 public:
-    double speed = 1;      // distance estimates a second
-    bool collides = true;  // flies through no wall
+    double speed = 1;      // distance estimates per second
+    bool collides = true;  // stops at walls
 
-    // Moves the scene's camera for `seconds`; false where it stayed where it was. Keys take a moment to take effect and
-    // to wear off, so that flights are smooth.
+    // Moves the scene's camera for `seconds`; returns false if it does not move. Velocities follow the requested ones
+    // with a delay, so that flights are smooth.
     bool move(Scene& scene, const Wish& wish, double seconds);
-    // What is left of a movement goes.
+    // Stops immediately.
     void stop() { way_ = turn_ = {}; }
 
-    // The distance estimate at the scene's eye, the conservative one; 0 inside solid.
+    // Returns the conservative distance estimate at the scene's eye; 0 inside solid.
     double clearance(const Scene& scene) const;
-    // The size of what holds the fractal.
+    // Returns the size of the fractal's bounds.
     double size(const Scene& scene) const { return field(scene).hull().size; }
 
 private:
     const Field& field(const Scene& scene) const;
 
     mutable std::unique_ptr<Field> field_;
-    Vector way_, turn_;  // as it is taken up
+    Vector way_, turn_;  // current velocities
 };
 
 }  // namespace mandelmarch::explore

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines over the pictures, and the help.
+// Text over the pictures, and the help.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr ImU32 ground = IM_COL32(0, 0, 0, 170);
 constexpr ImU32 edge = IM_COL32(90, 160, 255, 255);
 constexpr float margin = 4;  // pixels
 
-// Wrapped to the width that there is; returns the y below it.
+// Draws text wrapped to the width; returns the y below it.
 float line(const std::string& text, float x, float y, float width, ImU32 colour)
 {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -37,7 +37,7 @@ std::string of(const Pane& pane)
     if (pane.samples == 0) {
         text += fmt::format(", {:.0f} % of the pixels", 100 * pane.share);
     } else {
-        text += fmt::format(", {} sample{} a pixel", pane.samples * pane.samples, pane.samples > 1 ? "s" : "");
+        text += fmt::format(", {} sample{} per pixel", pane.samples * pane.samples, pane.samples > 1 ? "s" : "");
     }
     if (!pane.report.instruction_set.empty()) text += fmt::format(", {}", pane.report.instruction_set);
     if (pane.compared) {
@@ -84,7 +84,7 @@ void show_statistics(Explorer& explorer)
     };
     if (explorer.settings.statistics) {
         const float rate = ImGui::GetIO().Framerate;
-        above(fmt::format("DE {:.3g} at the eye, {:.0f} frames a second, F1 help", explorer.clearance(),
+        above(fmt::format("DE {:.3g} at the eye, {:.0f} frames per second, F1 help", explorer.clearance(),
                           static_cast<double>(rate)),
               letters);
     }

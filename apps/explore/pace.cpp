@@ -7,10 +7,10 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr int parts = 24;       // of a side
-constexpr int least_parts = 2;  // a picture that shows something
+constexpr int parts = 24;  // of a side
+constexpr int least_parts = 2;
 constexpr int first_parts = 6;
-constexpr double fixed = 0.0003;  // seconds that any picture takes: threads, hand-over
+constexpr double fixed = 0.0003;  // seconds of overhead per picture: threads, communication
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How large a picture may be that is there in time.
+// Resolution control: the largest picture that can be rendered in a given time.
 #pragma once
 
 #include <array>
@@ -10,21 +10,21 @@ namespace mandelmarch::explore {
 
 class Pace {
 public:
-    // A picture of so many pixels took so long.
+    // Records the render time of a picture.
     void took(double pixels, double seconds);
-    // What took() was told is of something else.
+    // Discards all recorded times.
     void forget() { known_ = 0; }
 
-    // The largest size of this shape, at most width x height, that takes `seconds` or less: a whole number of
-    // twenty-fourths of each side. At first a quarter of each.
+    // Returns the largest size that takes `seconds` or less: a multiple of 1/24 of width and height, at least 2/24.
+    // Without recorded times, a quarter of each.
     std::pair<int, int> size(int width, int height, double seconds) const;
 
-    // Seconds that a picture of so many pixels takes; 0: not known.
+    // Returns the expected seconds for a picture; 0: unknown.
     double expected(double pixels) const;
 
 private:
-    // The dearest of the last pictures counts: views change faster than averages.
-    std::array<double, 6> costs_{};  // seconds a pixel
+    // Costs of the last pictures, seconds per pixel. The largest one counts, as views change too fast for an average.
+    std::array<double, 6> costs_{};
     std::size_t known_ = 0;
 };
 

@@ -37,7 +37,7 @@ namespace {
 
 constexpr auto parting = std::chrono::milliseconds(50);
 
-// Renderers and pictures that are kept from order to order.
+// Renderers and pictures that are reused by later requests.
 class Easel {
 public:
     explicit Easel(const Registry& registry) : registry_(registry) {}
@@ -63,7 +63,7 @@ public:
         drawn.seconds = seconds_since(start);
     }
 
-    // After a failure the next order begins anew.
+    // Discards the renderers of a setup after a failure.
     void forget(const Setup& setup)
     {
         std::erase_if(renderers_, [&](const auto& known) { return known.first.first == setup; });
@@ -88,7 +88,7 @@ private:
         if (renderer != nullptr) return *renderer;
         const Backend* backend = registry_.find(order.setup.backend);
         if (backend == nullptr) throw Unavailable("there is no backend " + order.setup.backend);
-        // A driver that fails while it lists its devices says so here.
+        // Throws the driver's error if it failed while listing its devices.
         if (const auto why = backend->unavailable()) throw Unavailable(order.setup.backend + ": " + *why);
         const RendererOptions options = options_of(order.setup);
         renderer = backend->create(order.moving ? without_trial(options) : options);
@@ -164,7 +164,7 @@ void Painter::draw(Order order)
 {
     if (shared_ == nullptr) {
         shared_ = std::make_shared<Shared>();
-        // By itself, as it may never come back from a driver.
+        // Detached, as it may hang in a driver.
         std::thread([shared = shared_, &registry = registry_] { work(shared, registry); }).detach();
     }
     const std::scoped_lock lock(shared_->mutex);

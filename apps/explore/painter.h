@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws in a thread of its own: one order at a time, which can be cancelled. A device that does not come back is left
-// behind with its thread.
+// The render thread: renders one request at a time, which can be cancelled. If a device does not respond, its thread is
+// abandoned.
 #pragma once
 
 #include <chrono>
@@ -19,14 +19,14 @@ using Moment = std::chrono::steady_clock::time_point;
 
 struct Order {
     int pane = 0;
-    std::uint64_t view = 0;  // number of the view that it shows
+    std::uint64_t view = 0;  // version of the view
     Setup setup;
     Scene scene;
-    int samples = 1;      // on a side of a pixel
-    bool moving = false;  // no trial chooses its steps, which only a picture at rest is worth
+    int samples = 1;      // per pixel side
+    bool moving = false;  // the camera moves: no trial
 };
 
-// Pixels as a window takes them: 0xFFRRGGBB, from the top row.
+// A picture in the window's format: 0xFFRRGGBB, from the top row.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<std::uint32_t> of;
@@ -35,36 +35,36 @@ struct Pixels {
 struct Drawn {
     Order order;
     Pixels pixels;
-    Image image;  // the whole picture itself, of one sample a pixel at rest; else empty
+    Image image;  // the original picture if it has one sample per pixel and the camera is at rest; else empty
     RenderReport report;
-    double seconds = 0;   // that the order took
-    std::string failure;  // why there are no pixels; empty also where it was cancelled
+    double seconds = 0;   // render time
+    std::string failure;  // error message; empty on success and after cancellation
     bool cancelled = false;
 };
 
-// A picture's bytes for a window.
+// Converts a picture to the window's format.
 Pixels pixels_of(const Image& image);
 
 class Painter {
 public:
-    // The registry outlives the process's last thread.
+    // The registry must outlive all threads of the process, because abandoned threads use it.
     explicit Painter(const Registry& registry);
-    ~Painter();  // cancels, and waits no longer than a moment
+    ~Painter();  // cancels, and waits briefly
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Only while nothing is being drawn.
+    // Starts a request. Must not be called while another one is in progress.
     void draw(Order order);
-    // What is being drawn; nullptr: nothing.
+    // The request in progress; nullptr: none.
     const Order* current() const { return current_ ? &*current_ : nullptr; }
     void cancel();
-    // What has been drawn; nullopt where it is not there at that moment.
+    // Waits for the result of the current request; nullopt if it is not available by `until`.
     std::optional<Drawn> wait(Moment until);
-    // The finished share of what is being drawn, 0 to 1.
+    // Returns the finished fraction of the current request, 0 to 1.
     double progress() const;
-    // Seconds since the drawing thread was last heard of; 0 where nothing is being drawn.
+    // Returns the seconds since the current request's last progress message; 0 without a request.
     double silence() const;
-    // Leaves the thread with what it draws behind; the next order has a new one.
+    // Abandons the thread with its request; the next request starts a new thread.
     void abandon();
 
 private:

@@ -16,7 +16,7 @@ constexpr float width_in_letters = 44;
 constexpr float most_of_window = 0.55F;
 constexpr float graph_height = 48;  // pixels
 
-// After an item that changes the scene: where its changes begin can be come back to.
+// Called after an item that edits the scene. Saves the state before the first change for undo().
 void follow(Explorer& explorer, bool is_new, const Scene& before)
 {
     if (ImGui::IsItemActivated()) {
@@ -31,14 +31,14 @@ void number(Explorer& explorer, const std::string& name, double& value, const Me
 {
     if (meaning.name == ignored_number.name) return;
     const Scene before = explorer.scene;
-    // As the table for the viewer has it: around the official value where the row says nothing.
+    // Same as in fractals_json(): a range around the official value if the descriptor does not set one.
     const double around = std::max(1.0, 0.5 * std::abs(official));
     const double low = meaning.slider ? meaning.slider->low : std::max(meaning.low, official - around);
     const double high = meaning.slider ? meaning.slider->high : std::min(meaning.high, official + around);
     double wanted = value;
     const bool is_new = ImGui::SliderScalar(name.c_str(), ImGuiDataType_Double, &wanted, &low, &high, "%.6g");
     const bool allowed = meaning.open_low ? wanted > meaning.low : wanted >= meaning.low;
-    // A parameter file keeps single precision.
+    // Parameter files have single precision.
     if (is_new && allowed && wanted <= meaning.high) value = static_cast<float>(wanted);
     follow(explorer, is_new, before);
 }
@@ -54,7 +54,7 @@ void whole(Explorer& explorer, const char* name, int& value, int low, int high, 
 void vector(Explorer& explorer, const char* name, Vector& value)
 {
     const Scene before = explorer.scene;
-    // Rounding's 4.4e-16 is 0: its exponent would not fit into the field.
+    // Shows rounding errors such as 4.4e-16 as 0, as the field has no room for an exponent.
     const auto shown = [](double c) { return std::abs(c) < 1e-12 ? 0 : c; };
     double numbers[3] = {shown(value.x), shown(value.y), shown(value.z)};
     const bool is_new = ImGui::InputScalarN(name, ImGuiDataType_Double, numbers, 3, nullptr, nullptr, "%.9g");
@@ -103,14 +103,14 @@ void view(Explorer& explorer)
         explorer.motion.speed = std::exp2(power);
     }
     ImGui::Checkbox("walls stop the flight", &explorer.motion.collides);
-    if (ImGui::Button("begin again")) {
+    if (ImGui::Button("reset view")) {
         explorer.remember();
         explorer.set_scene(official);
     }
     ImGui::SameLine();
     if (ImGui::Button("undo")) explorer.undo();
     ImGui::SameLine();
-    if (ImGui::Button("do again")) explorer.redo();
+    if (ImGui::Button("redo")) explorer.redo();
 }
 
 void choose_setup(Explorer& explorer, const Setup& setup)
@@ -205,7 +205,8 @@ void graph(const Explorer& explorer)
             return 1000 * (*static_cast<const std::deque<float>*>(data))[static_cast<std::size_t>(at)];
         },
         const_cast<std::deque<float>*>(&last), static_cast<int>(last.size()), 0,
-        fmt::format("{:.0f} frames a second, the last ten seconds; top 50 ms", static_cast<double>(last.size()) / total)
+        fmt::format("{:.0f} frames per second over the last ten seconds; top 50 ms",
+                    static_cast<double>(last.size()) / total)
             .c_str(),
         0, 50, ImVec2(-1, graph_height));
 }
@@ -215,7 +216,7 @@ void graph(const Explorer& explorer)
 float panel_width(const Explorer& explorer)
 {
     if (!explorer.settings.panel) return 0;
-    // Of the size that letters will have: that of ImGui is 0 before its first frame.
+    // Computed from the font's size, as ImGui's letters have size 0 before the first frame.
     const float letter = 13 * ImGui::GetIO().FontGlobalScale;
     const auto [width, height] = explorer.window.size();
     return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(width)));
@@ -238,15 +239,15 @@ void show_panel(Explorer& explorer)
                  (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(ImGui::GetWindowWidth() * 0.55F);
     ImGui::TextDisabled("F1 help, F2 hides this, Esc in and out");
-    if (ImGui::CollapsingHeader("drawn by", ImGuiTreeNodeFlags_DefaultOpen)) drawn_by(explorer);
+    if (ImGui::CollapsingHeader("backend and mode", ImGuiTreeNodeFlags_DefaultOpen)) drawn_by(explorer);
     if (ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) view(explorer);
-    if (ImGui::CollapsingHeader("hand out", ImGuiTreeNodeFlags_DefaultOpen)) hand_out(explorer);
+    if (ImGui::CollapsingHeader("save and export", ImGuiTreeNodeFlags_DefaultOpen)) hand_out(explorer);
     if (ImGui::Checkbox("paths", &explorer.paths)) {
     }
     ImGui::SameLine();
     ImGui::Checkbox("statistics", &explorer.settings.statistics);
     float scale = static_cast<float>(explorer.settings.scale);
-    if (ImGui::SliderFloat("size of texts", &scale, 0.5F, 4.0F, "%.1f")) {
+    if (ImGui::SliderFloat("text size", &scale, 0.5F, 4.0F, "%.1f")) {
         explorer.settings.scale = static_cast<double>(scale);
         ImGui::GetIO().FontGlobalScale = scale;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands over the pictures.
+// The panels over the pictures.
 #pragma once
 
 #include <SDL.h>
@@ -8,18 +8,18 @@ namespace mandelmarch::explore {
 
 class Explorer;
 
-// All that are to be seen. Between Window::begin() and Window::draw_panels().
+// Shows all visible panels. Must be called between Window::begin() and Window::draw_panels().
 void show_panels(Explorer& explorer);
 
-// The single ones.
-void show_panel(Explorer& explorer);       // view, fractal, who draws, what is handed out
+// The individual panels.
+void show_panel(Explorer& explorer);       // view, fractal, backend, export
 void show_paths(Explorer& explorer);       // the path, its audit, tours
 void show_statistics(Explorer& explorer);  // a line in each picture
 void show_help(Explorer& explorer);
 
-// The panel's width, or 0 where it is hidden.
+// Returns the panel's width in pixels, or 0 if it is hidden.
 float panel_width(const Explorer& explorer);
-// What is left of the window for pictures.
+// Returns the part of the window for pictures.
 SDL_Rect area_beside_panels(const Explorer& explorer);
 
 }  // namespace mandelmarch::explore

@@ -11,13 +11,13 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double again = 1;                          // seconds before what failed is tried again
-constexpr double long_silence = 3;                   // seconds without a sign of life that are told
-constexpr double short_silence = 1;                  // seconds after which another backend need not wait
+constexpr double again = 1;                          // seconds until a failed picture is tried again
+constexpr double long_silence = 3;                   // seconds without progress until trouble() reports that
+constexpr double short_silence = 1;                  // seconds without progress until an obsolete request is abandoned
 constexpr int gap = 2;                               // pixels between panes
-constexpr std::uint32_t mark_visible = 0xFFFF00FFU;  // by more than 2 of 255
+constexpr std::uint32_t mark_visible = 0xFFFF00FFU;  // colour of pixels that differ by more than 2 of 255
 constexpr std::uint32_t mark_any = 0xFFFFFF00U;
-constexpr int visible = 2;  // of 255: core/image/compare.h's bar
+constexpr int visible = 2;  // of 255: the threshold of core/image/compare.h
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void Panes::set_count(std::size_t count)
 void Panes::set(Pane& pane, const Setup& setup)
 {
     if (pane.setup == setup) return;
-    // Its picture stays until there is another.
+    // The old picture remains visible until the new one is complete.
     pane.setup = setup;
     pane.pace.forget();
     pane.view = pane.whole_view = 0;
@@ -58,7 +58,7 @@ SDL_Rect Panes::place(std::size_t number) const
     const int column = static_cast<int>(number) % columns;
     const int row = static_cast<int>(number) / columns;
     const auto edge = [](int side, int count, int at) { return at * (side + gap) / count; };
-    // All panes have the size of the first, so that their pictures can be compared.
+    // All panes have the size of the first, so that pictures can be compared.
     return {area_.x + edge(area_.w, columns, column), area_.y + edge(area_.h, rows, row),
             std::max(1, edge(area_.w, columns, 1) - gap), std::max(1, edge(area_.h, rows, 1) - gap)};
 }
@@ -117,7 +117,7 @@ bool Panes::missing() const
 bool Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment until)
 {
     bool came = false;
-    // What a device that does not answer was to draw, and nobody wants any longer.
+    // Abandons an obsolete request if its device does not respond.
     if (const Order* current = painter_.current(); current != nullptr && painter_.silence() > short_silence) {
         const auto pane = static_cast<std::size_t>(current->pane);
         if (pane >= panes_.size() || panes_[pane]->setup != current->setup) painter_.abandon();
@@ -181,13 +181,13 @@ void Panes::mark(SDL_Renderer* renderer)
         const std::size_t width = static_cast<std::size_t>(pixels.width);
         const std::size_t height = static_cast<std::size_t>(pixels.height);
         for (std::size_t at = 0; marks && at < pixels.of.size(); ++at) {
-            // A picture's rows go upwards, a window's down.
+            // Rows of a picture begin at the bottom, rows of a window at the top.
             const std::size_t byte = 3 * ((height - 1 - at / width) * width + at % width);
             int most = 0;
             for (std::size_t c = byte; c < byte + 3; ++c) {
                 most = std::max(most, std::abs(first.whole.bytes()[c] - pane.whole.bytes()[c]));
             }
-            // What is equal steps back.
+            // Equal pixels are darkened.
             pixels.of[at] = most > visible ? mark_visible
                             : most > 0     ? mark_any
                                            : (pixels.of[at] >> 1 & 0x7F7F7F) | 0xFF000000U;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of one view, side by side where there are several: who draws each, how far it is, and where it differs
-// from the first one.
+// Up to four pictures of one view, side by side, each with its own setup, and their differences from the first one.
 #pragma once
 
 #include <array>
@@ -16,18 +15,18 @@
 namespace mandelmarch::explore {
 
 inline constexpr int most_panes = 4;
-inline constexpr std::array samples_at_rest{1, 2, 4};  // on a side of a pixel, one after the other
+inline constexpr std::array samples_at_rest{1, 2, 4};  // per pixel side, in the order of rendering
 
 struct Pane {
     Setup setup;
     Pace pace;
     Sheet sheet;
-    std::uint64_t view = 0;  // that it shows
-    int samples = 0;         // on a side of a pixel; 0: of a moving picture
-    double share = 0;        // of the pane's pixels that the picture has
-    Image whole;             // the view's picture at rest, for comparing and keeping
-    std::uint64_t whole_view = 0;
-    std::optional<Comparison> compared;  // with the first pane's
+    std::uint64_t view = 0;              // version of the view shown
+    int samples = 0;                     // per pixel side; 0: rendered while moving
+    double share = 0;                    // the picture's pixels, as a fraction of the pane's
+    Image whole;                         // the last picture at rest with one sample per pixel, for comparison
+    std::uint64_t whole_view = 0;        // version of its view
+    std::optional<Comparison> compared;  // with the first pane's picture
     RenderReport report;
     double seconds = 0;
     std::string failure;
@@ -45,19 +44,20 @@ public:
     void set_count(std::size_t count);
     void set(Pane& pane, const Setup& setup);
 
-    bool marks = true;  // differing pixels are marked
+    bool marks = true;  // mark differing pixels
 
-    // Where pane `number` stands in the window.
+    // Returns the rectangle of pane `number` in the window.
     SDL_Rect place(std::size_t number) const;
 
-    // Another view, or another part of the window: everything is to be drawn anew. The scene's size means nothing.
+    // Sets the view and the part of the window for pictures; all panes are rendered again. The scene's size is unused.
     void look(const Scene& scene, std::uint64_t view, const SDL_Rect& area);
-    // Draws until then at the latest. `moving`: pictures that are there in `budget` seconds; else whole ones, then
-    // those of more samples, and returns at once where nothing is there. True where a picture has come.
+    // Renders the missing pictures, at most until `until`. If `moving`, their size is such that all take `budget`
+    // seconds; else they have full size and, one after the other, all of samples_at_rest. Returns true if a picture was
+    // completed.
     bool work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
-    // True while something is missing at rest.
+    // True while a picture at rest is missing.
     bool missing() const;
-    // What the drawing thread is at, for the user: "", or a line.
+    // Returns a message if a device has not responded for some time, else "".
     std::string trouble() const;
     double progress() const { return painter_.progress(); }
     bool drawing() const { return painter_.current() != nullptr; }

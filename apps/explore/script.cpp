@@ -20,7 +20,7 @@ namespace {
 
 constexpr int longest = 1'000'000;  // frames
 
-// A verb's words: the least and the most.
+// The minimum and maximum number of words after each verb.
 const std::map<std::string, std::pair<std::size_t, std::size_t>> verbs{
     {"size", {2, 2}},    {"open", {1, 1}},    {"scene", {1, 1}},   {"key", {1, 2}},  {"press", {1, 1}},
     {"release", {1, 1}}, {"drag", {3, 3}},    {"wheel", {1, 1}},   {"wait", {1, 1}}, {"rest", {0, 0}},
@@ -85,7 +85,7 @@ void push_mouse(const Explorer& explorer, Uint32 type, double dx, double dy)
 Script::Script(const std::string& file) : file_(file)
 {
     std::ifstream in(file);
-    if (!in) throw InputError(fmt::format("{}:1: it cannot be opened, expected a script", file));
+    if (!in) throw InputError(fmt::format("{}:1: cannot be opened, expected a script", file));
     int number = 0;
     for (std::string text; std::getline(in, text);) {
         Line line{++number, {}, {}};
@@ -96,7 +96,7 @@ Script::Script(const std::string& file) : file_(file)
         if (verb == verbs.end()) {
             std::string known;
             for (const auto& [name, count] : verbs) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-            fail(line, fmt::format("'{}' is no command, expected one of {}", line.verb, known));
+            fail(line, fmt::format("'{}' is not a command, expected one of {}", line.verb, known));
         }
         const auto [least, most] = verb->second;
         if (line.words.size() < least || line.words.size() > most) {
@@ -138,14 +138,14 @@ bool Script::carry_out(Explorer& explorer, const Line& line)
     const std::string& verb = line.verb;
     const auto key = [&] {
         const Key named = key_named(line.words[0]);
-        if (named.code == SDLK_UNKNOWN) fail(line, fmt::format("'{}' is no key's name", line.words[0]));
+        if (named.code == SDLK_UNKNOWN) fail(line, fmt::format("'{}' is not the name of a key", line.words[0]));
         return named;
     };
     if (verb == "size") {
         if (frames_ == 0) {
             SDL_SetWindowSize(explorer.window.handle(), whole(line, 0, 1, max_side), whole(line, 1, 1, max_side));
         }
-        return frames_ >= 3;  // until the window's manager has done so
+        return frames_ >= 3;  // gives the window manager time to resize
     }
     if (verb == "open") explorer.open(line.words[0]);
     if (verb == "scene") explorer.set_scene(official_scene(fractal_named(line.words[0])));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A script plays the user: keys, mouse, and waiting for what comes of them. docs/explore.md has its commands.
+// Scripts that simulate the user: keys, mouse, and waiting for results. docs/explore.md lists the commands.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@ class Explorer;
 
 class Script {
 public:
-    // Throws InputError, `file:line: what is wrong`.
+    // Throws InputError with a message that begins with `file:line: `.
     explicit Script(const std::string& file);
 
-    // Before each frame. At its end the explorer quits.
+    // Executes commands; called before each frame. Quits the explorer at the end of the script.
     void step(Explorer& explorer);
 
 private:
@@ -25,7 +25,7 @@ private:
         std::vector<std::string> words;
     };
 
-    // True where the line is done and the next one may follow in this frame.
+    // Executes a line for one frame. Returns true if it is done, so that the next one may follow in the same frame.
     bool carry_out(Explorer& explorer, const Line& line);
     int whole(const Line& line, std::size_t word, int low, int high) const;
     [[noreturn]] void fail(const Line& line, const std::string& why) const;
@@ -33,7 +33,7 @@ private:
     std::string file_;
     std::vector<Line> lines_;
     std::size_t at_ = 0;
-    int frames_ = 0;  // that the line has taken
+    int frames_ = 0;  // frames that the current line has taken
 };
 
 }  // namespace mandelmarch::explore

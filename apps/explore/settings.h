@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is kept from one run to the next, in $XDG_CONFIG_HOME/mandelmarch/explore.json.
+// Settings kept between runs, in $XDG_CONFIG_HOME/mandelmarch/explore.json.
 #pragma once
 
 #include <string>
@@ -12,17 +12,16 @@ struct Settings {
     int width = 960, height = 540;  // of the window, pixels
     Setup setup{"openmp", 0, Precision::f32, Mode::fast};
     double speed = 1;
-    double scale = 1;  // of texts
+    double scale = 1;  // of the text size
     bool collides = true;
     bool panel = true;
     bool statistics = true;
 };
 
-// Where they are kept; empty where there is no place, as neither XDG_CONFIG_HOME nor HOME is set.
+// Returns the file's path; empty if neither XDG_CONFIG_HOME nor HOME is set.
 std::string settings_file();
 
-// What the file says, and the usual values for what it does not. A file that cannot be understood is as good as none;
-// `said` then says so.
+// Returns the file's settings, with defaults for missing ones. An invalid file is ignored, and `said` says so.
 Settings read_settings(const std::string& file, std::string& said);
 
 // Throws Error.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who draws, and how.
+// The backend, device, precision and mode of a picture.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ inline std::string name_of(const Setup& setup)
                        mandelmarch::name_of(setup.precision), mandelmarch::name_of(setup.mode));
 }
 
-// Without counts, as bin/render draws where no statistics are asked for.
+// Work is not counted, as in bin/render without --stats.
 inline RendererOptions options_of(const Setup& setup)
 {
     RendererOptions options;

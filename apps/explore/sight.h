@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A warning about a view that shows nothing, or a wrong picture.
+// Warnings about views with an empty or wrong picture.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace mandelmarch::explore {
 
-// A warning for the user; empty if all is well. `clearance`: the distance estimate at the eye. `one_colour`: the
-// picture of the camera at rest has a single colour.
+// Returns a warning for the user, or "". `clearance`: the distance estimate at the eye. `one_colour`: the picture at
+// rest has a single colour.
 std::string word_on(const Scene& scene, double clearance, Precision precision, bool one_colour);
 
 }  // namespace mandelmarch::explore

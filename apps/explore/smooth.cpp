@@ -12,13 +12,13 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double tremor = 9;        // frames: the deviation of the Gaussian that takes it out
-constexpr double room = 0.6;        // of a place's clearance, which the smoothed place has, too
-constexpr double most_step = 0.85;  // of the bar on steps
-constexpr double most_turn = 1.0;   // degrees a frame; the promise is 1.2 (flight/audit)
-constexpr int retimings = 4;        // each brings steps and turns nearer to what is allowed
+constexpr double tremor = 9;        // standard deviation of the smoothing Gaussian, frames
+constexpr double room = 0.6;        // smallest clearance of a smoothed position, relative to the original one
+constexpr double most_step = 0.85;  // relative to the audit's threshold
+constexpr double most_turn = 1.0;   // degrees per frame; the promise is 1.2 (flight/audit)
+constexpr int retimings = 4;        // passes that reduce steps and turns
 constexpr int easing = 12;          // frames over which the flight slows down
-constexpr int bend = 45;            // frames on either side that a moved camera draws along
+constexpr int bend = 45;            // frames on either side that move with a moved camera
 
 struct Look {
     Vector eye, forward, up;
@@ -38,7 +38,7 @@ Look mean(const std::vector<Look>& looks, std::size_t at)
     Look sum{};
     double weights = 0;
     const auto last = static_cast<std::ptrdiff_t>(looks.size()) - 1;
-    // Fewer on both sides at the ends, which stay where they are.
+    // The window shrinks on both sides near the ends, which stay in place.
     const auto here = static_cast<std::ptrdiff_t>(at);
     const std::ptrdiff_t reach = std::min({static_cast<std::ptrdiff_t>(3 * tremor), here, last - here});
     for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
@@ -69,7 +69,7 @@ void take_tremor_out(Path& path)
     }
 }
 
-// How many frames the way from each frame to the next should take, 1 at least.
+// Returns the number of frames that the motion from each frame to the next should take, at least 1.
 std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);
@@ -87,7 +87,7 @@ std::vector<double> needed(const Path& path)
     return frames;
 }
 
-// Slows down before and speeds up after.
+// Smooths those numbers, so that the flight slows down early and speeds up gradually.
 std::vector<double> eased(const std::vector<double>& frames)
 {
     std::vector<double> most(frames.size());
@@ -116,7 +116,7 @@ bool slow_down(Path& path)
     if (std::ranges::max(frames) <= 1.001) return false;
     frames = eased(frames);
     std::vector<Frame> flown{path.frames.front()};
-    double at = 0;  // of the new frames, where the last one stands
+    double at = 0;  // index of the last new frame
     double begin = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         while (at + 1 <= begin + frames[i]) {
@@ -149,7 +149,7 @@ Path smoothed(const Path& path)
     if (path.frames.size() < 3) return path;
     Path smooth = path;
     take_tremor_out(smooth);
-    // Where it is slowed down it has kinks.
+    // Smooths again after each pass, as slowing down makes kinks.
     for (int round = 0; round < retimings && slow_down(smooth); ++round) take_tremor_out(smooth);
     slow_down(smooth);
     cut_digits(smooth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work beside the window, in a thread that may be left behind: its result is asked for, never waited for.
+// Work in the background, in a detached thread that may be abandoned. The result is polled.
 #pragma once
 
 #include <exception>
@@ -16,7 +16,7 @@ namespace mandelmarch::explore {
 template <class Result>
 class Task {
 public:
-    // Only while nothing runs. `work` owns all that it uses.
+    // Starts `work`, which must own everything that it uses. Must not be called while a task runs.
     void start(std::function<Result()> work)
     {
         auto shared = std::make_shared<Shared>();
@@ -38,7 +38,7 @@ public:
 
     bool running() const { return shared_ != nullptr; }
 
-    // The result, once; nullopt while it runs, and where it failed: then `failure` says why.
+    // Returns the result, once. Returns nullopt while the task runs, and if it failed; then sets `failure`.
     std::optional<Result> take(std::string& failure)
     {
         if (shared_ == nullptr) return std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/window.h"
 
-// Dear ImGui has renamed its SDL part: 1.86 of Debian 12, a later one of Debian 13.
+// Dear ImGui has renamed its SDL part since 1.86 (Debian 12).
 #if __has_include(<backends/imgui_impl_sdl2.h>)
 #include <backends/imgui_impl_sdl2.h>
 #else
@@ -20,9 +20,9 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr int least_side = 160;    // pixels of the window
-constexpr double usual_rate = 60;  // where the screen does not say
+constexpr double usual_rate = 60;  // Hz, if the screen's rate is unknown
 
-// OpenGL on the processor takes the cores that pictures are drawn with; SDL's own drawing takes less.
+// True if OpenGL is emulated on the CPU. It would take cores from rendering; SDL's software renderer needs less.
 bool emulated(SDL_Renderer* renderer)
 {
     SDL_RendererInfo info{};
@@ -39,7 +39,7 @@ bool emulated(SDL_Renderer* renderer)
     return false;
 }
 
-// 32 bits as the window has them, so that nothing is converted.
+// Returns a pixel format of 32 bits that needs no conversion, if possible.
 Uint32 format_of(SDL_Renderer* renderer)
 {
     SDL_RendererInfo info{};
@@ -79,7 +79,7 @@ void Sheet::show(SDL_Renderer* renderer, const SDL_Rect& where) const
 Window::Window(const std::string& title, int width, int height)
 {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    // Where nothing names a screen SDL takes a driver that shows nothing, and would run unseen.
+    // Without a display, SDL would use a driver that shows nothing, so that the program would run invisibly.
     const auto named = [](const char* variable) {
         const char* value = std::getenv(variable);
         return value != nullptr && *value != '\0';

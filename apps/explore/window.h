@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window: SDL's, with Dear ImGui over the pictures.
+// The window: SDL, with Dear ImGui over the pictures.
 #pragma once
 
 #include <SDL.h>
@@ -32,7 +32,7 @@ private:
 
 class Window {
 public:
-    // Throws Unavailable where there is no display.
+    // Throws Unavailable without a display.
     Window(const std::string& title, int width, int height);
     ~Window();
     Window(const Window&) = delete;
@@ -41,15 +41,15 @@ public:
     SDL_Renderer* renderer() const { return renderer_; }
     SDL_Window* handle() const { return window_; }
     std::pair<int, int> size() const;      // pixels
-    double rate() const;                   // pictures a second that the screen shows
+    double rate() const;                   // of the screen, Hz
     bool waits() const { return waits_; }  // present() waits for the screen
-    std::string how() const;               // "x11, software", say
+    std::string how() const;               // driver and renderer, such as "x11, software"
 
-    static void take(const SDL_Event& event);  // for the panels
-    void begin();                              // a frame: clears the window, and ImGui begins
-    void draw_panels();                        // what ImGui has
+    static void take(const SDL_Event& event);  // passes an event to the panels
+    void begin();                              // begins a frame: clears the window, starts ImGui's frame
+    void draw_panels();                        // ends ImGui's frame and draws it
     void present() const;
-    // What draw_panels() has completed, as a PNG file. Throws Error.
+    // Writes the window's content after draw_panels() as a PNG file. Throws Error.
     void shoot(const std::string& file) const;
 
 private:

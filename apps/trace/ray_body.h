@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces a ray with the functions of the text before it, in the order of its draw(). Included in the text's namespace;
-// no guard.
+// Traces a ray with the kernel's functions, in the order of its draw(). Included after the kernel source, in its
+// namespace; no include guard.
 
 inline std::array<double, 3> three(const vec3& v) { return {v.x, v.y, v.z}; }
 
-// What the step from `before` to `after` decided.
+// Returns the decision of the step from `before` to `after`.
 inline Decision decision(const Scene& scene, const Ray& before, const Ray& after)
 {
     if (marching(scene, after)) return after.last_t == before.t ? Decision::step : Decision::taken_back;
@@ -48,7 +48,7 @@ inline Hit traced_refine(const Scene& scene, Hit hit, Trace& trace)
     return hit;
 }
 
-// The normal that shade() takes, one tolerance before the hit.
+// Returns the normal used by shade(), one tolerance before the hit.
 inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 {
     const ShadingPoint at = shading_point(scene, hit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of what is generated from ray.cpp.in.
+// The table of functions generated from ray.cpp.in.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,11 @@
 
 namespace mandelmarch {
 
-// Fills in the trace of its pixel, of which precision and mode are known. `scene` is the text's Scene.
+// Traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`. `scene`: the kernel's Scene of that
+// precision.
 using TraceRay = void (*)(const void* scene, Trace& trace);
 
-// nullptr for a fractal without one.
+// Returns nullptr if the fractal was not built.
 TraceRay ray_of(std::string_view fractal, Precision precision, Mode mode);
 
 }  // namespace mandelmarch

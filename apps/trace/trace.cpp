@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// The shortest decimal number that stands for the same bits.
+// Returns the shortest decimal number with the same bits.
 std::string number(const Trace& trace, double value)
 {
     return trace.precision == Precision::f32 ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value);
@@ -35,7 +35,7 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
                    number(trace, sample.tolerance), decided);
 }
 
-// In words; `from` is the sample that a step goes on from.
+// Returns the decision in words. `from`: the sample from which the step is taken.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
     std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);
@@ -66,12 +66,12 @@ std::string_view words(Refined refined)
 std::string head(const Trace& trace)
 {
     std::string text =
-        fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; the kernel text as scalar C++\n", trace.x,
-                    trace.y, trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
+        fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; by the scalar kernel\n", trace.x, trace.y,
+                    trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
     text += fmt::format("stride {} DE", number(trace, trace.stride));
     if (trace.relaxation > trace.stride) text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
     text += fmt::format("\ndirection {}\n", three(trace, trace.direction));
-    if (trace.end < trace.begin) return text + "no sample: the ray passes by all that there is\n";
+    if (trace.end < trace.begin) return text + "no sample: the ray misses the scene\n";
     text += fmt::format("samples from t {} to t {} at most\n", number(trace, trace.begin), number(trace, trace.end));
     return text + line_of(trace, "sample", "t", "DE", "tolerance", "decided");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pixel's ray, step by step: the kernel text as scalar C++, one step at a time.
+// Traces one pixel's ray step by step with the scalar kernel.
 #pragma once
 
 #include <array>
@@ -11,33 +11,33 @@
 
 namespace mandelmarch {
 
-// What was decided at a sample.
+// The decision at a sample.
 enum class Decision {
-    step,          // the ray goes on
-    taken_back,    // the step to here was too long: the ray goes on from the sample before
+    step,          // the ray continues
+    taken_back,    // the step to this sample was too long: the ray continues from the previous sample
     hit,           // DE is below the tolerance
     left,          // the next sample would lie beyond the ray's end
-    out_of_steps,  // the ray has had all its samples
-    undecided,     // DE equals the tolerance, or one of the two is not a number: the ray ends without a hit
-    root_below,    // refining: DE is below the tolerance here
-    root_above
+    out_of_steps,  // the ray has used all its samples
+    undecided,     // DE equals the tolerance, or one of the two is NaN: the ray ends without a hit
+    root_below,    // refinement: DE is below the tolerance here
+    root_above     // refinement: DE is not below the tolerance here
 };
 
-// Why refining ended.
+// The reason why refinement ended.
 enum class Refined {
-    never,      // the plain schedule does not refine, or there is no hit or no sample before it
-    close,      // DE is near enough to the tolerance, or the bracket is short enough
-    no_number,  // no number is left between the bracket's ends
+    never,      // not refined: exact mode, no hit, or no sample before the hit
+    close,      // DE is close enough to the tolerance, or the bracket is short enough
+    no_number,  // the bracket's ends are adjacent floating-point numbers
     out_of_roots
 };
 
-// Lengths are in the scene's units. `tolerance` is the one that decided; where a sample is taken back, that of the
-// sample before.
+// One sample of a ray. Lengths are in the scene's units. `tolerance` is the one used for the decision; if the sample is
+// taken back, that of the previous sample.
 struct TracedSample {
     double t, distance, tolerance;
     Decision decision;
-    double next;         // t of the sample that follows while marching
-    int iterations = 0;  // of its estimate; if this is the scene's maximum, the orbit has not escaped
+    double next;         // t of the next sample, while marching
+    int iterations = 0;  // of the DE evaluation; if this is the scene's maximum, the orbit has not escaped
 };
 
 struct Trace {
@@ -45,25 +45,25 @@ struct Trace {
     Mode mode;
     int x, y;           // pixels from the bottom left
     int width, height;  // of the picture
-    double stride;      // in estimates, of a plain step
-    double relaxation;  // of the longest relaxed step; not above the stride: there are none
+    double stride;      // step factor of a plain step
+    double relaxation;  // step factor of the longest relaxed step; no relaxed steps if it does not exceed `stride`
     std::array<double, 3> direction;
-    double begin, end;  // the first sample's t, and the t beyond which there is none; a negative end: none at all
+    double begin, end;  // t of the first sample, and the largest t of a sample; no samples if `end` is less
     std::vector<TracedSample> marching, refining;
     Refined refined = Refined::never;
     bool hit = false;
-    std::optional<std::array<double, 3>> normal;  // of a hit
+    std::optional<std::array<double, 3>> normal;  // set if the ray hits
     PixelValue pixel;
     std::array<std::uint8_t, 3> bytes{};
-    int estimates = 0;  // those of refining, normal and look included
+    int estimates = 0;  // DE evaluations, including those of refinement, normal and look
 };
 
-// The ray of pixel (x, y), which lies in the picture. In exact mode the pixel has the bits that every backend draws.
-// In fast mode the ray begins alone, as openmp's scalar pictures do, and the stride is the scene's: no trial is made.
-// Throws InputError as kernel_scene does, and Unavailable for a fractal that it does not know.
+// Traces the ray of pixel (x, y), which must lie in the picture. In exact mode the pixel has the same bits as on every
+// backend. In fast mode neighbouring rays are not used, as in openmp's scalar pictures, and the step factor is the
+// scene's, without a trial. Throws InputError as kernel_scene does, and Unavailable if the fractal was not built.
 Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int y);
 
-// The trace for the user: a line a sample, then the result. Numbers have the digits that tell their bits.
+// Returns the trace as text: one line per sample, then the result. Numbers have enough digits to identify their bits.
 std::string text_of(const Trace& trace);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of a path: what docs/flight.md promises, measured on every frame and between frames.
+// The audit of a path: measures, on every frame and between frames, what docs/flight.md promises.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace mandelmarch {
 
-// One row of the table.
+// One item of the audit: a measured value with its threshold.
 struct Row {
     std::string name;
     double value = 0;
     double bar = 0;
-    bool at_most = true;   // the value may be at most the bar; else at least
-    bool promise = false;  // a path that misses it is not rendered without --force
+    bool at_most = true;   // `bar` is an upper limit; false: a lower limit
+    bool promise = false;  // a path that misses `bar` is rendered only with --force
     std::string unit;
-    std::string worst;  // where it is worst, in words; may be empty
+    std::string worst;  // the place of the worst value, for people; may be empty
 
     bool kept() const { return at_most ? value <= bar : value >= bar; }
 };
@@ -29,11 +29,11 @@ struct Audit {
     int bars_missed() const;
 };
 
-// `threads`: 0 for one a core; the result does not depend on it. `planning`: seconds that planning took, a row if > 0.
-// `stride`: the rows about views look at every N-th frame.
+// `threads`: 0 for one per core; the result does not depend on it. `planning`: planning time in seconds, an item of the
+// audit if > 0. `stride`: items about views use every N-th frame.
 Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
 
-// The promises alone, which need no views: seconds less.
+// Measures only the promises. This is faster, as promises need no views.
 Audit audit_promises(const Path& path, int threads);
 
 std::string table_of(const Path& path, const Audit& audit);

@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char* format_name = "mandelmarch flight map 1";
 
-// A picture shows no more; all of them would be megabytes.
+// Limits that keep the file small; a drawing does not show more.
 constexpr std::size_t most_balls = 2500;
 constexpr std::size_t most_gates = 1000;
-constexpr double beside = 0.12;        // hull sizes
+constexpr double beside = 0.12;        // fractal sizes
 constexpr std::size_t path_every = 4;  // frames
 
-// Five digits are more than a picture shows.
+// Formats a number with five digits, enough for a drawing.
 std::string number(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0 : value); }
 
 template <class Items, class Text>
@@ -35,7 +35,8 @@ std::string list(const Items& items, Text text_of)
     return fmt::format("[{}]", text);
 }
 
-// Centre and clearance: first the widest that hold a place of the path, then the widest beside it.
+// Returns up to `most` balls as JSON, [x, y, z, clearance]: first those that contain a point of the path, then those
+// near it, each by decreasing clearance.
 std::string places(const Hull& hull, const std::vector<Vector>& path, std::vector<Ball> balls, std::size_t most)
 {
     const auto away = [&](const Ball& ball) {

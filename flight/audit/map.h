@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a flight looks like, for people who draw it: the free balls, the gates, and the path with what was measured on
-// it.
+// The map of a flight, for drawing: balls, gates, and the path with its measurements.
 #pragma once
 
 #include <string>
@@ -11,9 +10,9 @@
 
 namespace mandelmarch {
 
-// JSON: hull, the balls and gates on and beside the path, passages (frames), and for each frame its place, clearance
-// (the distance estimate) and turn since the frame before in degrees. The hull is that of the first frame's shape;
-// `threads`: 0 for one a core.
+// Returns JSON: bounds of the first frame's shape, the balls and gates on and near the path, passages (frames), and for
+// each frame its position, clearance (the distance estimate) and turn since the previous frame in degrees.
+// `threads`: 0 for one per core.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 
 }  // namespace mandelmarch

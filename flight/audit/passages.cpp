@@ -6,9 +6,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double narrowing = 2;        // times
-constexpr double same_clearances = 2;  // passages nearer to each other than this many of their clearances are one
-constexpr double same_size = 0.02;     // or than this share of the hull's size
+constexpr double narrowing = 2;        // factor
+constexpr double same_clearances = 2;  // passages closer to each other than this count as one, clearances
+constexpr double same_size = 0.02;     // the same in fractal sizes; the larger one applies
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
 {
     std::vector<Passage> passages;
     std::vector<Vector> known;
-    // One pass: a narrowest point since the last wide place counts once the path has widened to twice its clearance.
+    // The narrowest point since the last wide place becomes a passage once the clearance has doubled.
     double widest = 0;  // since the last passage
     bool narrowed = false;
     Passage least{0, 0};

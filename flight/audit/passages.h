@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passages: where a path's clearance narrows at least two times and widens again.
+// Passages: places where a path's clearance falls to at most half and then doubles again.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@
 namespace mandelmarch {
 
 struct Passage {
-    std::size_t frame;  // the narrowest
+    std::size_t frame;  // with the smallest clearance
     double clearance;
 };
 
-// The field of a frame.
+// Returns the distance field of a frame.
 using FieldOf = std::function<const Field&(std::size_t frame)>;
 
-// The passages of a path inside the hull, by the places and clearances of its frames, those that the fractal's symmetry
-// maps onto an earlier one left out.
+// Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage that the
+// fractal's symmetry maps onto an earlier one is left out.
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
                                        std::span<const double> clearances);
 

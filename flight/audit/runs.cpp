@@ -9,9 +9,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;  // hull sizes: an estimate under it is inside solid
+constexpr double solid = 1e-5;  // fractal sizes: points with a smaller estimate count as solid
 constexpr int deepest = 7;      // halvings of the time between two frames
-constexpr double even = 0.25;   // of the lesser clearance: an estimate so near to the mean of two changes evenly
+constexpr double even = 0.25;   // accepted deviation from linear change, in smaller clearances of the two ends
 
 Scene halfway(const Scene& from, const Scene& to)
 {
@@ -58,7 +58,7 @@ bool Runs::free_before(std::size_t frame, std::span<const double> clearances) co
     const Vector from = path_.frames[frame - 1].eye;
     const Vector to = path_.frames[frame].eye;
     const double way = length(to - from);
-    // Each sample's safe ball must reach the next sample.
+    // True if the safe balls along the segment overlap.
     const auto straight = [&](const Field& shape, Vector a, Vector b, double clearance) {
         const double floor = solid * shape.hull().size;
         return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes that a path's frames have, one after another.
+// The successive shapes of a path's frames.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,7 @@
 
 namespace mandelmarch {
 
-// Frames that have the same fractal constants one after another, with their field. Where the fractal changes in flight
-// a run is a frame.
+// Consecutive frames with the same fractal constants, with their distance field.
 struct Run {
     std::size_t first, last;  // [first, last)
     std::unique_ptr<Field> field;
@@ -20,25 +19,25 @@ struct Run {
 
 class Runs {
 public:
-    // `threads`: 0 for one a core.
+    // `threads`: 0 for one per core.
     Runs(const Path& path, int threads);
 
     std::span<const Run> all() const { return runs_; }
     bool changes() const { return runs_.size() > 1; }
     const Field& field(std::size_t frame) const { return *runs_[of_[frame]].field; }
-    // True where the frame's shape is not that of the frame before.
+    // True if the frame's shape differs from that of the previous frame.
     bool changed(std::size_t frame) const { return frame > 0 && of_[frame] != of_[frame - 1]; }
     int threads() const { return runs_.front().field->threads(); }
 
-    // The estimate at each frame's eye.
+    // Returns the estimate at each frame's eye.
     std::vector<double> clearances() const;
 
-    // True where nothing solid is met on the way from the frame before: straight, in the shapes of both, and while
-    // place and shape go from one to the other together.
+    // True if the motion from the previous frame meets no solid: on the segment in the shape of each of the two frames,
+    // and while position and shape are interpolated together.
     bool free_before(std::size_t frame, std::span<const double> clearances) const;
 
-    // By how much the change of shape alone changes the estimate at the frame's eye since the frame before, over the
-    // lesser of the two.
+    // Returns the change of the estimate at the frame's eye between the shapes of the previous frame and this one,
+    // divided by the smaller of the two estimates.
     double wall_step(std::size_t frame, std::span<const double> clearances) const;
 
 private:
@@ -50,7 +49,7 @@ private:
 
     const Path& path_;
     std::vector<Run> runs_;
-    std::vector<std::size_t> of_;  // of each frame: its run
+    std::vector<std::size_t> of_;  // for each frame: its run's index
 };
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a camera stands still longest.
+// The longest time for which a camera stands still.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace mandelmarch {
 
 struct Stand {
     std::size_t first = 0;      // the frame
-    std::size_t steps = 0;      // frames on end behind it that lie within its radius
-    std::size_t distances = 0;  // that were measured: the work
+    std::size_t steps = 0;      // consecutive frames after it that lie within its radius
+    std::size_t distances = 0;  // number of distances computed
 };
 
-// The first of the longest stands: places[first + 1] to places[first + steps] are within radii[first] of places[first].
-// Where a camera stands still or goes on, the work grows with the number of places.
+// Returns the longest stand, the first of several: places[first + 1] to places[first + steps] are within radii[first]
+// of places[first]. Takes time proportional to the number of places for a camera that stands still or moves steadily.
 Stand longest_stand(std::span<const Vector> places, std::span<const double> radii);
 
 }  // namespace mandelmarch

@@ -13,12 +13,13 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double most_jerk = 0.3;         // of the cube of the pace in clearances a second
-constexpr double most_angular_jerk = 30;  // degrees a second^3
-constexpr double some_horizon = 0.25;     // of Tilt::horizon: the gaze is 30 degrees off straight up or down
-constexpr double level = 30;              // degrees: a picture that is off by less looks level
+constexpr double most_jerk = 0.3;         // relative to the cube of the pace, in clearances / s
+constexpr double most_angular_jerk = 30;  // degrees / s^3
+constexpr double some_horizon = 0.25;     // Tilt::horizon of a gaze 30 degrees from vertical
+constexpr double level = 30;              // degrees of tilt below which a picture looks level
 
-// The rotation from each frame's camera to the next: its axis, as long as its angle in radians.
+// Returns the rotation from each frame's camera to the next as a vector along the axis, its length the angle in
+// radians.
 std::vector<Vector> rotations(const Path& path)
 {
     const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };

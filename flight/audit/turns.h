@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the camera turns and how smoothly it goes.
+// Turns, jerk and roll of the camera.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 
 namespace mandelmarch {
 
-// Of each frame: the angle in degrees of the rotation, roll included, from the camera of the frame before; 0 of the
-// first.
+// Returns, for each frame, the angle in degrees of the rotation (including roll) from the previous frame's camera; 0
+// for the first frame.
 std::vector<double> turns_of(const Path& path);
 
-// The 95th percentiles of the jerk of the place (third differences, in clearances a second^3) and of the angular jerk
-// (second differences of the rotation between frames, in degrees a second^3). `clearances`: one a frame.
+// Returns the 95th percentiles of the jerk (third differences of the position, in clearances / s^3) and of the angular
+// jerk (second differences of the rotation between frames, in degrees / s^3). `clearances`: one per frame.
 std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances);
 
-// Of the frames in whose pictures there is a horizon: how many are held level.
+// Returns the percentage of level frames among those in whose pictures there is a horizon.
 Row level_row(const Path& path);
 
 }  // namespace mandelmarch

@@ -10,11 +10,11 @@ namespace mandelmarch {
 namespace {
 
 constexpr double same_view = 0.95;  // correlation
-constexpr double moved_on = 0.5;    // a view is seen again only after one that is less like it than this
+constexpr double moved_on = 0.5;    // correlation below which a view differs; a repeat needs one in between
 constexpr double minute = 60;       // seconds
-constexpr double much_sky = 0.4;    // share of a view that shows something: less is mostly sky
-constexpr double shown = 0.05;      // share of a view's middle that shows something: less is the subject at its edge
-constexpr double view_every = 0.5;  // seconds between views that are compared for likeness
+constexpr double much_sky = 0.4;    // fraction of hits below which a view mostly shows the background
+constexpr double shown = 0.05;      // fraction of hits in the centre below which the subject is only at the edge
+constexpr double view_every = 0.5;  // seconds between the views compared for repetition
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Row motion_row(const Path& path, const Seen& seen)
 
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
 {
-    std::array<std::size_t, 4> counts{};  // of each Dullness
+    std::array<std::size_t, 4> counts{};  // for each Dullness
     std::size_t longest = 0;
     std::size_t where = 0;
     std::size_t on_end = 0;
@@ -94,7 +94,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
 
 Row again_row(const Seen& seen)
 {
-    std::vector<std::size_t> some;  // views
+    std::vector<std::size_t> some;  // indices of the compared views
     const auto every = static_cast<std::size_t>(view_every * seen.frames_per_second);
     for (std::size_t v = 0; v < seen.views.size(); ++v) {
         if (some.empty() || seen.frames[v] >= seen.frames[some.back()] + every) some.push_back(v);

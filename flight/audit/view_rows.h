@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit's rows about what is seen: how it moves, where it is dull, where it comes again.
+// The audit's items about views: motion, dullness and repetition.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-// Views of some frames: `frames[i]` is the number of the frame that `views[i]` is of.
+// Views of some frames: `views[i]` belongs to frame `frames[i]`.
 struct Seen {
     int frames_per_second;
     std::vector<std::size_t> frames;
@@ -18,16 +18,17 @@ struct Seen {
 
 Row motion_row(const Path& path, const Seen& seen);
 
-// The share of dull frames, and the longest time of them on end. `clearances`: of every frame of the path; `stride`:
-// frames between views.
+// Returns the percentage of dull frames, and the longest time with dull frames only. `clearances`: of every frame of
+// the path; `stride`: frames between views.
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
 
-// The share of frames with little to see, and the longest time with it at the picture's edge only.
+// Returns the percentage of frames that mostly show the background, and the longest time in which the fractal is only
+// at the picture's edge.
 std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
 
 Row again_row(const Seen& seen);
 
-// "frame 12"
+// Returns "frame 12".
 std::string at_frame(std::size_t frame);
 
 }  // namespace mandelmarch

@@ -13,9 +13,9 @@ namespace {
 constexpr double least_hits = 0.15;
 constexpr double one_depth = 1.25;  // ratio of the depths that bound 95 % of the picture
 constexpr double near_wall = 2;     // clearances
-constexpr double filling = 0.9;     // share of the picture
-constexpr double far = 12;          // hull sizes: rays end there
-constexpr double coarse = 0.008;    // of t: a ray that comes so near has hit
+constexpr double filling = 0.9;     // fraction of the picture
+constexpr double far = 12;          // length of rays, fractal sizes
+constexpr double coarse = 0.008;    // hit tolerance, as a fraction of t
 
 Camera camera_at(const Frame& frame)
 {
@@ -29,7 +29,7 @@ Camera camera_at(const Frame& frame)
     return camera_of(scene);
 }
 
-// Of a pixel's middle: from -1 to 1 over the view.
+// The centre of a pixel: coordinates from -1 to 1 over the view.
 struct Place {
     double u, v;
 };
@@ -108,7 +108,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
 {
     const Camera before = camera_at(from);
     const Camera after = camera_at(to);
-    // Where in the picture something is, from -1 to 1 over width and height.
+    // Projects a direction into the picture: from -1 to 1 over width and height.
     const auto place_in = [](const Camera& camera, Vector seen) {
         const double ahead = dot(seen, camera.forward);
         return Place{dot(seen, camera.across) / (dot(camera.across, camera.across) * ahead),
@@ -116,7 +116,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
     };
     std::vector<double> moved;
     for (std::size_t k = 0; k < along.size(); ++k) {
-        // What is not hit is infinitely far.
+        // The background is infinitely far away.
         const Vector seen_after =
             std::isfinite(depths[k]) ? from.eye + static_cast<double>(depths[k]) * along[k] - to.eye : along[k];
         if (!(dot(seen_after, after.forward) > 0)) {
@@ -150,7 +150,7 @@ double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
 
 double likeness(const Glimpse& a, const Glimpse& b)
 {
-    // What is not hit counts as twice as far as the farthest hit.
+    // The background counts as twice as far away as the farthest hit.
     const auto logarithms = [](const Glimpse& view) {
         float most = 0;
         for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
@@ -178,7 +178,7 @@ double likeness(const Glimpse& a, const Glimpse& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    // A picture of one depth is like another such picture only.
+    // A view of constant depth is only similar to another such view.
     return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 

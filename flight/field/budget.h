@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bound on the work of a search, so that no scene makes it run for ever.
+// A time limit for searches, so that every search ends.
 #pragma once
 
 namespace mandelmarch {
 
 class Budget {
 public:
-    // Seconds of processor time from now on, summed over the program's threads, so that a busy machine leaves a search
-    // the same work.
+    // `seconds`: processor time from now on, summed over the program's threads. Other load on the machine does not
+    // shorten a search.
     explicit Budget(double seconds);
 
     // Throws InputError once the budget is spent.

@@ -12,9 +12,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t block = 256;  // points handed to the kernel at once; a multiple of every pack
+constexpr std::size_t block = 256;  // points per call of the kernel; a multiple of every pack
 
-// Vectors as the kernel takes them. What is missing of a pack repeats the last point.
+// Points as separate coordinate arrays, for the kernel. The last point is repeated to fill the last pack.
 struct Block {
     std::array<double, block> x, y, z;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances of one scene for planning and auditing, in double, on all cores. The same bits on any number of threads.
+// The distance field of one scene for planning and auditing, in double precision and in parallel. Results are
+// bit-identical on any number of threads.
 #pragma once
 
 #include <span>
@@ -15,8 +16,8 @@ namespace mandelmarch {
 
 class Field {
 public:
-    // `threads`: 0 for all that the process may use. `budget`, if not null, must outlive the field; it is checked while
-    // many distances are computed. Throws Unavailable for a fractal that is not built.
+    // `threads`: 0 for all that the process may use. `budget`, if not null, must outlive the field; it is checked in
+    // computations of many distances. Throws Unavailable if the fractal was not built.
     Field(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
@@ -24,28 +25,28 @@ public:
     int threads() const { return threads_; }
     const Budget* budget() const { return budget_; }
 
-    // The share of an estimate that is surely free.
+    // The fraction of a distance estimate that is certainly free space.
     double safety() const { return safety_; }
 
-    // Places that the fractal's symmetry maps onto each other get the same answer.
+    // Returns the same point for all points that the fractal's symmetry maps onto each other.
     Vector representative(Vector p) const { return scene_.fractal->flight.representative(scene_, p); }
 
-    // True in a region that holds a copy of every place that differs under the symmetry.
+    // True in a region that holds, for every point, an equivalent one under the fractal's symmetry.
     bool worth_searching(Vector p) const { return scene_.fractal->flight.worth_searching(scene_, hull_, p); }
 
-    // The distance estimate at p, in the scene's units; 0 where it is negative or no number.
+    // Returns the distance estimate at p, in the scene's units; 0 if it is negative or NaN.
     double distance(Vector p) const;
     void distances(std::span<const Vector> points, std::span<double> out) const;
 
-    // t at the end of each ray.
+    // Writes t at the end of each ray to `out`. `along`: unit vectors.
     void casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
                std::span<double> out) const;
 
-    // The direction in which the distance grows most, by differences of step h; zero where it does not change.
+    // Returns the unit gradient of the distance by central differences of step h, or a zero vector if all are zero.
     Vector uphill(Vector p, double h) const;
 
-    // The least estimate on the way from a to b, sampled so densely that the samples' safe balls overlap; stops at
-    // `floor` and returns what it found there.
+    // Returns the smallest estimate on the segment from a to b, sampled so densely that the samples' safe balls
+    // overlap. Stops at the first estimate that is not above `floor`.
     double least_between(Vector a, Vector b, double floor) const;
 
 private:

@@ -16,7 +16,7 @@
 namespace mandelmarch {
 namespace {
 
-// The largest radius at which one of many rays towards the middle ends, with a margin.
+// Returns a sphere with the largest radius at which one of many rays towards the centre ends, plus a margin.
 Hull sphere_by_rays(const Field& field)
 {
     constexpr int rays = 4000;
@@ -42,7 +42,7 @@ Hull sphere_by_rays(const Field& field)
 std::string flight_objection(const Scene& scene)
 {
     const Fractal& fractal = *scene.fractal;
-    // The fractal has a function for its bodies, and that returns none: the shape is unbounded, or has no inside.
+    // A fractal's own `body` returns nullopt if the shape is unbounded or has no inside.
     if (fractal.flight.body == usual::unknown_body || fractal.flight.body(scene)) return {};
     const Scene official = official_scene(fractal);
     for (std::size_t i = 0; i < fractal.shape.size(); ++i) {

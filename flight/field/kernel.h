@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text's distances over arrays of points and rays. Plain data: it is shared with translation units that are
-// compiled for one instruction set.
+// Distances from the kernel source, for arrays of points and rays. This header has plain data only, as it is shared
+// with translation units that are compiled for one instruction set.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct Points {
     const double* z;
 };
 
-// How far a ray is followed: it ends where the estimate falls under floor + tolerance t, or at t = end.
+// Limits of a ray. It ends where the estimate falls below floor + tolerance t, at t = end, or after `steps` steps.
 struct Reach {
     double floor;
     double tolerance;
@@ -25,13 +25,13 @@ struct Reach {
 
 struct Kernel {
     int lanes;  // `count` below is a multiple of it
-    // `scene` is the text's Scene in double.
+    // `scene`: the kernel's Scene in double precision.
     void (*distances)(const void* scene, Points points, std::size_t count, double* out);
-    // t where each ray ends, `end` if nothing is in its way. Directions are unit vectors.
+    // Writes t at the end of each ray; `reach.end` if the ray hits nothing. `along`: unit vectors.
     void (*casts)(const void* scene, Points from, Points along, Reach reach, std::size_t count, double* out);
 };
 
-// Throws Unavailable for a fractal that was not built.
+// `name`: a fractal's. Throws Unavailable if that fractal was not built.
 Kernel kernel_of(std::string_view name);
 
 }  // namespace mandelmarch::field

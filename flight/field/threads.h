@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops over several threads, with results that do not depend on how many there are.
+// Parallel loops whose results do not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,9 @@
 
 namespace mandelmarch {
 
-// Calls body(first, last) for disjoint parts that cover [0, count), each a multiple of `grain` long but the last, on up
-// to `threads` threads. What a call writes must depend on its indices only.
+// Calls body(first, last) for disjoint parts that cover [0, count), on up to `threads` threads. The length of every
+// part but the last is a multiple of `grain`. The output of a call must depend on its indices only. Rethrows an
+// exception of `body`.
 void parallel(std::size_t count, std::size_t grain, int threads,
               const std::function<void(std::size_t first, std::size_t last)>& body);
 

@@ -25,9 +25,10 @@ struct FilmEnding {
 constexpr std::array film_endings{FilmEnding{".mp4", Container::mp4}, FilmEnding{".m4v", Container::mp4},
                                   FilmEnding{".mkv", Container::mkv}, FilmEnding{".webm", Container::webm},
                                   FilmEnding{".gif", Container::gif}};
-constexpr int fastest_gif = 50;  // frames a second
+constexpr int fastest_gif = 50;  // frames per second
 
-// The size of a Matroska file by the size of its segment; 0 if that is unknown, as before the file is finished.
+// Returns the size of a Matroska file, computed from the size of its segment; 0 if that is unknown, as in an unfinished
+// file.
 std::uint64_t segment_end(std::ifstream& stream)
 {
     std::array<unsigned char, 64> head{};
@@ -73,8 +74,8 @@ void check_rate(Container container, const std::string& film, int rate)
 
 std::vector<std::string> video_codec(Container container)
 {
-    // Four threads on every machine. If x264 looks ahead in a separate thread, it sometimes decides differently at the
-    // end of a clip when the machine is busy.
+    // sync-lookahead=0: with a separate lookahead thread, x264's output at the end of a clip sometimes depends on the
+    // machine's load.
     if (container != Container::webm)
         return {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-x264-params", "sync-lookahead=0"};
     return {"-c:v", "libvpx-vp9", "-deadline", "good", "-cpu-used", "4", "-crf", "24", "-b:v", "0", "-row-mt", "1"};
@@ -86,7 +87,7 @@ std::vector<std::string> joining(Container container)
         case Container::mkv: return {"-c", "copy", "-f", "matroska"};
         case Container::webm: return {"-c", "copy", "-f", "webm"};
         case Container::gif:
-            // A palette for each frame: for a common one, every frame would stay in memory until it is computed.
+            // One palette per frame: computing a common palette would keep all frames in memory.
             return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-f", "gif"};
         default: return {"-c", "copy", "-movflags", "+faststart", "-f", "mp4"};
     }

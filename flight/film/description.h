@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a film or a still is made of, so that a finished one is known again.
+// Descriptions of a film's or still's inputs, by which finished files are recognised.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace mandelmarch {
 
-// Everything that the pixels of a path's pictures depend on, the program included, and `more`, names with values: one
-// line of JSON. Another build may draw other bits: its pictures are not mixed with these.
+// Returns one line of JSON with everything that the pixels of a path's pictures depend on, and the names and values of
+// `more`. It includes the program's digest, because another build may render other bits.
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more);
 
-// The differences of two such descriptions, in words: "instructions: 'SCALAR', here 'AVX2'; ...", where `here` is the
-// second. Empty if they are equal.
+// Returns the differences of two descriptions for a message, "instructions: 'SCALAR', here 'AVX2'; ...", where `here`
+// is `ours`. Empty if they are equal.
 std::string differences(const std::string& theirs, const std::string& ours);
 
 }  // namespace mandelmarch

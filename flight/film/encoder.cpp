@@ -15,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-// ffmpeg's options before the output's name. Bitexact leaves out all that changes from run to run.
+// Returns ffmpeg's options for the output. bitexact omits metadata that changes from run to run.
 std::vector<std::string> encoding()
 {
     return {"-threads",
@@ -60,14 +60,14 @@ std::string ffmpeg()
 {
     const char* named = std::getenv("MANDELMARCH_FFMPEG");
     if (named == nullptr || *named == '\0') return "ffmpeg";
-    // A name without a folder is looked for in PATH.
+    // A name without a folder is searched in PATH.
     const std::string name = named;
     return name.find('/') == std::string::npos ? name : std::filesystem::absolute(name).string();
 }
 
 double ffmpeg_timeout(double usual)
 {
-    constexpr double longest = 1e6;  // what poll() takes
+    constexpr double longest = 1e6;  // poll() takes milliseconds as an int
     const char* text = std::getenv("MANDELMARCH_FFMPEG_TIMEOUT");
     const double seconds = text == nullptr ? usual : parse_real(text).value_or(usual);
     return seconds > 0 ? std::min(seconds, longest) : usual;
@@ -75,7 +75,7 @@ double ffmpeg_timeout(double usual)
 
 std::vector<std::string> time_scale(int rate)
 {
-    constexpr int ticks = 512;  // of a frame
+    constexpr int ticks = 512;  // per frame
     return {"-video_track_timescale", fmt::format("{}", ticks * rate)};
 }
 
@@ -155,7 +155,7 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
 
 Encoder::~Encoder()
 {
-    // A writer that waits for a child which reads no more ends when the child is killed.
+    // Killing the child ends a write() that waits for it.
     if (writer_.joinable()) {
         pipe_->process.kill();
         writer_.join();
@@ -168,7 +168,7 @@ void Encoder::wait()
     if (!broken_) return;
     const auto result = pipe_->process.finish();
     throw Error(
-        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it took no more frames" : result.cause));
+        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it stopped reading frames" : result.cause));
 }
 
 void Encoder::add(std::vector<std::uint8_t> frame)

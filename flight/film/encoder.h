@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Raw frames into a finished piece of film, with ffmpeg.
+// Encoding of raw frames to video files with ffmpeg.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,23 @@
 
 namespace mandelmarch {
 
-// The program: MANDELMARCH_FFMPEG in the environment (a path is made absolute, as it runs in other folders), or ffmpeg.
+// Returns the program to run: the environment variable MANDELMARCH_FFMPEG, or "ffmpeg". A path is made absolute,
+// because ffmpeg runs in other folders.
 std::string ffmpeg();
 
-// Seconds that ffmpeg may do nothing: MANDELMARCH_FFMPEG_TIMEOUT in the environment, or `usual`.
+// Returns the seconds after which an inactive ffmpeg is killed: the environment variable MANDELMARCH_FFMPEG_TIMEOUT, or
+// `usual`.
 double ffmpeg_timeout(double usual);
 inline constexpr double encoding_seconds = 600;  // for the largest frame on a busy machine
 
-// Throws Error, in one line, if ffmpeg is missing, does not answer, or lacks something that films need: the container's
-// codec, drawtext or the font.
+// Throws Error, in one line, if ffmpeg is missing or hangs, if it lacks the container's codec or drawtext, or if the
+// font is missing.
 void check_ffmpeg(Container container);
 
-// ffmpeg's scale of time for `rate` frames a second, as an option.
+// Returns ffmpeg's option that sets a track's time scale for `rate` frames per second.
 std::vector<std::string> time_scale(int rate);
 
-// What ffmpeg says of its version: frames are promised to be the same for the same one.
+// Returns ffmpeg's version line. Films are bit-identical only for the same version.
 std::string ffmpeg_version();
 
 // The container and the rate of a film.
@@ -37,8 +39,8 @@ struct Coding {
     int frames_per_second = mandelmarch::frames_per_second;
 };
 
-// One segment: an MP4 file of the container's codec, yuv420p, BT.709, always with the same number of threads so that
-// the same frames give the same bytes.
+// Encodes one segment: an MP4 file with the container's codec, yuv420p, BT.709. The number of encoding threads is
+// fixed, so that the same frames give the same bytes.
 class Encoder {
 public:
     // Writes `file` in `folder`. `filter` is an ffmpeg video filter before the conversion, or empty. width and height:
@@ -49,11 +51,11 @@ public:
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    // One frame, RGB, from the top row. It is handed over while the caller draws the next: throws Error where an
-    // earlier one failed.
+    // Adds one frame: RGB, from the top row. A background thread passes it to ffmpeg. Throws Error if that failed for
+    // an earlier frame.
     void add(std::vector<std::uint8_t> frame);
 
-    // Throws Error where the encoder failed or counts another number of frames than were added.
+    // Throws Error if the encoder failed or did not write all frames.
     void finish();
 
 private:
@@ -68,10 +70,10 @@ private:
     bool broken_ = false;
 };
 
-// Runs ffmpeg with these arguments in a folder. Throws Error with `what` and the cause.
+// Runs ffmpeg with these arguments in a folder and returns its standard output. Throws Error with `what` and the cause.
 std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what);
 
-// The number of frames that ffmpeg's progress output ends with.
+// Returns the final number of frames in ffmpeg's progress output, or -1.
 std::int64_t frames_in(const std::string& progress);
 
 }  // namespace mandelmarch

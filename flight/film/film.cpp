@@ -31,11 +31,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t worth_a_forecast = 10;  // segments
 constexpr std::size_t forecast_frames = 8;
-constexpr int least_side = 16;  // pixels: what libx264 takes
+constexpr int least_side = 16;  // pixels: the minimum of libx264
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 
-// The description of all that the film is made of: its pictures, its encoding and its title, if any.
+// Returns the description of a film's inputs: its pictures, its encoding and its title, if any.
 std::string description_of(const Path& path, const Backend& backend, const FilmOptions& options)
 {
     const auto [first, last] = chosen_frames(options.frames, path.frames.size());
@@ -61,11 +61,11 @@ public:
     {
     }
 
-    // Renders what is missing of the segments asked for; returns how many segments and frames these were.
+    // Renders the missing segments of those chosen. Returns the numbers of segments and frames rendered.
     std::pair<std::size_t, std::size_t> render()
     {
         const auto [first, last] = chosen_segments(options_.segments, work_.frames());
-        // Rank 0 looks what is missing, so that all ranks count the same.
+        // Rank 0 alone lists the missing segments, so that all ranks have the same list.
         std::string missing;
         std::size_t finished = 0;
         for (std::size_t s = first; s <= last && ranks_.rank() == 0; ++s) {
@@ -92,14 +92,14 @@ public:
         const bool alone = ranks_.size() == 1;
         const auto body = [&](std::size_t number) { segment(*maker, todo[number], alone ? &progress : nullptr); };
         const auto done = [&](std::size_t number) {
-            // Several ranks report whole segments only, not frames.
+            // With several ranks, progress is counted in segments, not frames.
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
         return {todo.size(), work_.last(last) - work_.first(first) - finished};
     }
 
-    // Title and segments into one file, without encoding again.
+    // Joins title and segments to one file without re-encoding.
     void join()
     {
         std::vector<std::string> pieces;
@@ -120,7 +120,7 @@ public:
         };
         add(mandelmarch::joining(coding_.container));
         if (coding_.container == Container::mp4) add(time_scale(coding_.frames_per_second));
-        // With the option below, ffmpeg copies the tags of the first piece to the film.
+        // With "-strict unofficial", ffmpeg copies the tags of the first piece to the film.
         const Tags tags{options_.picture.projection == Projection::equirectangular, options_.picture.stereo};
         std::optional<TemporaryPath> tagged;
         if (!tags.none() && coding_.container != Container::gif) {
@@ -143,15 +143,15 @@ public:
     }
 
 private:
-    // A piece that is there but not as it was made is named.
+    // True if the piece exists and matches its stamp. Prints a message if it is damaged.
     bool is_finished(const std::string& file) const
     {
         const Standing found = work_.standing(file);
-        if (found == Standing::damaged) say("film: {}/{} is damaged and is made again\n", work_.folder(), file);
+        if (found == Standing::damaged) say("film: {}/{} is damaged and is rendered again\n", work_.folder(), file);
         return found == Standing::whole;
     }
 
-    // The joined film to where it is wanted.
+    // Copies the joined film to the output and writes its stamp.
     void deliver(const std::string& part)
     {
         std::ifstream joined(work_.folder() + "/" + part, std::ios::binary);
@@ -164,20 +164,20 @@ private:
             hash.add(bytes.data(), count);
             film.write(bytes.data(), count);
         } while (joined);
-        if (!joined.eof()) throw Error(fmt::format("{}/{}: it cannot be read", work_.folder(), part));
+        if (!joined.eof()) throw Error(fmt::format("{}/{}: cannot be read", work_.folder(), part));
         film.commit();
         if (OutputFile::is_stream(options_.output)) return;
         write_note(end_of_links(options_.output), work_.made_of(), hash.text());
     }
 
-    // Lets `write` make a part, looks whether it is whole and lets `take` have it; what fails leaves nothing behind.
+    // Makes a part with `write`, checks that it is complete and passes it to `take`. Removes the part on any error.
     template <class Write, class Take>
     void make(const std::string& part, Container container, Write write, Take take)
     {
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
         if (!is_whole(temporary.path(), container)) {
-            throw Error(fmt::format("{}: ffmpeg left half a file, is there room on the disk?", temporary.path()));
+            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", temporary.path()));
         }
         take(part);
     }
@@ -188,7 +188,7 @@ private:
         make(part, Container::mp4, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
-    // How long it will take, from a few frames between the first and the last, drawn and encoded.
+    // Prints an estimate of the total time, from rendering and encoding a few frames spread over the film.
     void foretell(FrameMaker& maker, const std::vector<std::size_t>& todo) const
     {
         const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
@@ -229,23 +229,22 @@ private:
     Coding coding_;
 };
 
-// Throws Error if the ranks would not all draw the same bits.
+// Throws Error if the ranks would not all render the same bits.
 void check_ranks(const std::string& description, Ranks& ranks)
 {
     const std::string first = ranks.share(description);
     if (description == first) return;
     throw Error(
-        fmt::format("rank {} would draw other pictures than rank 0: {}; expected machines, drivers and instruction "
-                    "sets that are alike (MANDELMARCH_INSTRUCTIONS names one that all have)",
+        fmt::format("rank {} would render other pictures than rank 0: {}; expected the same machines, drivers and "
+                    "instruction sets (MANDELMARCH_INSTRUCTIONS can set one that all have)",
                     ranks.rank(), differences(first, description)));
 }
 
-// Prints the segments of other films of this name, made on another kind of machine or before options
-// changed.
+// Reports unfinished films of the same name with another description, such as from before options changed.
 void name_leftovers(const Workshop& work, const std::string& description)
 {
     for (const auto& [folder, other] : work.others()) {
-        say("film: {} has {} segments of another film, which this one leaves there: {}\n", folder, other.segments,
+        say("film: {} has {} segments of another film, which are kept: {}\n", folder, other.segments,
             differences(other.description, description));
     }
 }
@@ -268,10 +267,9 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     if (!OutputFile::is_stream(options.output)) {
         OutputFile::check(note_of(end_of_links(options.output)));
     } else if (options.segments) {
-        throw InputError(
-            fmt::format("--segments: {} is no file beside which segments gather, expected a file", options.output));
+        throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }
-    // Throws if there can be no folder for the film's parts.
+    // Throws if the folder for the film's parts is invalid.
     static_cast<void>(parts_folder(options.output, ""));
 }
 
@@ -295,7 +293,7 @@ FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions
     if (ranks.share(complete() ? "x" : "").empty()) {
         if (ranks.rank() == 0) {
             if (stream) make_private_folder(parts);
-            // Array jobs work side by side in one folder.
+            // The tasks of an array job share one folder.
             work.open(options.segments.has_value());
             name_leftovers(work, description);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A path into a film.
+// Renders a path as a film or as still pictures.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace mandelmarch {
 
-// The numbers from the first to the second, both included.
+// A range of indices, both ends included.
 using Range = std::pair<std::size_t, std::size_t>;
 
 struct FilmOptions {
@@ -22,38 +22,38 @@ struct FilmOptions {
     std::string authors;  // second line
     Picture picture;
     RendererOptions renderer;
-    // Only segments [first, second], for array jobs: those that the film has are rendered, and the film is not joined.
-    // The last task of an array may ask for more than there are.
+    // For array jobs: renders only segments [first, second], without those beyond the film's end, and does not join.
     std::optional<Range> segments;
-    // Only the path's frames [first, second] become the film.
+    // The frames [first, second] of the path that become the film; all if not set.
     std::optional<Range> frames;
 };
 
-// What was done, for the log.
+// Statistics of make_film().
 struct FilmReport {
     std::size_t segments = 0;  // in the film
-    std::size_t rendered = 0;  // segments, in this run, by all ranks
-    std::size_t frames = 0;    // frames in these
+    std::size_t rendered = 0;  // segments rendered in this run, by all ranks
+    std::size_t frames = 0;    // frames in these segments
     double seconds = 0;
-    bool joined = false;  // the film stands
+    bool joined = false;  // the film is complete
 };
 
-// The chosen frames of a path with `all` frames. Throws InputError if the path does not have all of them.
+// Returns the chosen frames of a path with `all` frames, by default all. Throws InputError if the path does not have
+// all of them.
 Range chosen_frames(const std::optional<Range>& frames, std::size_t all);
 
-// The chosen segments of a film with `frames` frames, without those beyond its end, for which the last task of an array
-// job may ask. Throws InputError if the film has none of the chosen segments.
+// Returns the chosen segments of a film with `frames` frames, by default all, without those beyond its end. Throws
+// InputError if the film has none of them.
 Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 
-// Throws InputError if a film of `frames` frames, `rate` a second, certainly cannot be made: its size is odd or too
-// large, the path does not have the chosen frames or segments, the title does not fit, or the output cannot be written
-// or its ending names no kind of film. Changes no file.
+// Throws InputError if a film cannot be made from a path of `frames` frames, `rate` per second, because its size is odd
+// or too large, the path does not have the chosen frames or segments, the title does not fit, or the output cannot be
+// written or has another extension than a film's. Does not change any file.
 void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
-// Makes the film: every segment that is not finished yet, by all ranks, then the title, and joins them without encoding
-// again. The film appears whole or not at all; a run that ends before goes on where it stopped. A piece that is no
-// longer as it was made is named and made again. Progress goes to stderr. Throws InputError (check_film), Error
-// (ffmpeg, a full disk, another run that makes a film of this name), Unavailable.
+// Makes the film: renders every unfinished segment, on all ranks, then the title, and joins them without re-encoding.
+// The output file appears only when it is complete; an interrupted run can be continued by another call. Damaged
+// segments are reported and rendered again. Prints progress to stderr. Throws InputError (check_film), Error (ffmpeg, a
+// full disk, another run that makes a film of this name), Unavailable.
 FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 struct StillOptions {
@@ -62,15 +62,16 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // Only frames of these segments [first, second] or of the range `frames`, from whose first frame segments count.
+    // Restrict the stills to frames of segments [first, second] and to the range `frames`. Segments are counted from
+    // the first frame of `frames`.
     std::optional<Range> segments, frames;
 };
 
-// As check_film(), for stills.
+// Throws InputError if stills cannot be made from a path of `frames` frames.
 void check_stills(const StillOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) for every N-th frame, each with a note of what it was made of; those that are
-// there already, as their notes say, stay. Returns how many these are.
+// Writes frame-000123.png (or .jpg) and its stamp for every N-th frame. Files that are finished according to their
+// stamps are kept. Returns the number of stills, including those kept.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

@@ -18,10 +18,10 @@ namespace mandelmarch {
 
 namespace {
 
-constexpr double eyes_distance = 1.0 / 30;  // clearances: with the nearest things as far, comfortable (the 1/30 rule)
+constexpr double eyes_distance = 1.0 / 30;  // clearances: comfortable for objects at one clearance (the 1/30 rule)
 
-// The camera of a frame whose picture shows all directions. Its pixels are as high as those of a perspective picture
-// whose plane is pi high at distance 1.
+// Returns the camera of a frame whose picture shows all directions. Its pixels are as high as those of a perspective
+// picture whose plane at distance 1 is pi high.
 Frame looking_everywhere(const Path& path, Frame frame)
 {
     const Frame& first = path.frames.front();
@@ -45,7 +45,7 @@ RendererOptions without_trial(RendererOptions options)
 
 Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
 {
-    // The detail level follows the picture's pixels, not its samples: finer surfaces would flicker more, not less.
+    // The detail level follows the picture's pixels, not its samples, as finer surfaces flicker more.
     const bool everywhere = picture.projection == Projection::equirectangular;
     const Frame& flown = path.frames[frame];
     Scene scene = picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
@@ -62,7 +62,7 @@ void check_picture(const Picture& picture)
 {
     const int width = samples_along(picture.width, picture.samples);
     const int height = samples_along(picture.height, picture.samples);
-    constexpr std::uint64_t beside = 300ULL << 20;  // bytes: the program, the encoder and frames in flight
+    constexpr std::uint64_t beside = 300ULL << 20;  // bytes for the program, the encoder and buffered frames
     const std::uint64_t needed = 3ULL * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) + beside;
     const std::string size = fmt::format("{} x {} pixels of {} x {} samples", picture.width, picture.height,
                                          picture.samples, picture.samples);

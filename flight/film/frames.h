@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of a path, one after another, from one renderer.
+// Renders the frames of a path.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +14,29 @@ namespace mandelmarch {
 struct Picture {
     int width = 1920;         // pixels
     int height = 1080;        // pixels
-    double samples = 1;       // per pixel and side, 1 or more: 2 draws at twice the size and takes means of 2 x 2
-    std::optional<int> look;  // a colouring type instead of the path's
-    // Equirectangular pictures do not turn with the camera: a viewer's head does. Their middle is where the first frame
-    // looks, as far as that is level, and up is y.
+    double samples = 1;       // per pixel side, 1 or more: 2 renders twice the size and averages 2 x 2 samples
+    std::optional<int> look;  // colouring type that replaces the path's
+    // Equirectangular pictures do not turn with the camera. Their centre is the horizontal direction of the first
+    // frame's gaze, and up is y.
     Projection projection = Projection::perspective;
-    bool stereo = false;  // two eyes side by side, a thirtieth of the clearance apart
+    bool stereo = false;  // side by side; the eye distance is 1/30 of the clearance
 };
 
-// Throws InputError where such a picture needs more memory than there is, or has sides that are too long.
+// Throws InputError if the picture needs more than the available memory, or if a side is too long.
 void check_picture(const Picture& picture);
 
-// How a film's renderer is made: a film never changes its steps from frame to frame, so that no trial chooses them.
+// Returns the options without trial renders, as the step factor must not change from frame to frame of a film.
 RendererOptions without_trial(RendererOptions options);
 
-// A frame as it is drawn, of the picture's samples, through their middles.
+// Returns the scene of a frame as it is rendered: at the size in samples, with rays through the samples' centres.
 Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture);
 
 class FrameMaker {
 public:
-    // Keeps one renderer for all frames. Throws Unavailable, and what check_picture() throws.
+    // Uses one renderer for all frames. Keeps a reference to `path`. Throws Unavailable, and as check_picture().
     FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture);
 
-    // RGB, from the top row.
+    // Returns the frame's RGB bytes, from the top row.
     std::vector<std::uint8_t> draw(std::size_t frame);
 
 private:

@@ -16,12 +16,12 @@ namespace mandelmarch {
 namespace {
 
 constexpr int least_letter = 8;          // pixels, unless the wanted size is smaller
-constexpr double rather_broken = 0.6;    // of the wanted size: a line that needs smaller letters is broken in two
-constexpr int tab_blanks = 4;            // as ffmpeg's drawtext has it
-constexpr std::size_t most_lacking = 8;  // letters that a message names
+constexpr double rather_broken = 0.6;    // of the wanted size: below it, breaking the line in two is tried
+constexpr int tab_blanks = 4;            // as in ffmpeg's drawtext
+constexpr std::size_t most_lacking = 8;  // letters listed in a message
 constexpr std::string_view line_ends = "\n\r\f\v";
 
-// Takes the next letter off a UTF-8 text; nullopt if the bytes are invalid.
+// Removes the first letter from a UTF-8 text and returns it; nullopt if the bytes are invalid.
 std::optional<char32_t> take_letter(std::string_view& text)
 {
     const auto first = static_cast<unsigned char>(text.front());
@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-// The largest size in pixels at which the lines fit, at most the wanted one.
+// Returns the largest size in pixels at which the lines fit, at most the wanted one.
 int fitting(const Font& font, const std::vector<std::string>& lines, int wanted, double width, double height)
 {
     double widest = 0;
@@ -78,7 +78,7 @@ Font::Font(const std::string& file) : face_(std::make_unique<Face>()), file_(fil
     const bool read =
         FT_Init_FreeType(&face_->library) == 0 && FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
     if (!read || !FT_IS_SCALABLE(face_->face)) {
-        throw Error(fmt::format("{}: it cannot be read as a font whose letters have any size", file));
+        throw Error(fmt::format("{}: not a font file with scalable letters", file));
     }
 }
 
@@ -90,7 +90,7 @@ void Font::check(const std::string& option, std::string_view text) const
     while (!text.empty()) {
         const std::string_view before = text;
         const auto letter = take_letter(text);
-        if (!letter) throw InputError(fmt::format("{}: its text is no UTF-8, expected UTF-8", option));
+        if (!letter) throw InputError(fmt::format("{}: the text is not valid UTF-8", option));
         const std::string_view bytes = before.substr(0, before.size() - text.size());
         if (*letter == '\t' || line_ends.find(bytes) != std::string_view::npos) continue;
         if (FT_Get_Char_Index(face_->face, *letter) != 0) continue;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t piece = 1 << 20;  // bytes read at once
 
-// The same begins every note of one thing, and the digest of the bytes ends it.
+// Returns the content of a stamp.
 std::string note_text(const std::string& made_of, const std::string& bytes)
 {
     return fmt::format("{}\n{}\n", made_of, bytes);
@@ -52,7 +52,7 @@ std::string digest_of_file(const std::string& file)
         stream.read(part.data(), static_cast<std::streamsize>(part.size()));
         made.add(part.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream);
-    if (!stream.eof()) throw Error(fmt::format("{}: it cannot be read", file));
+    if (!stream.eof()) throw Error(fmt::format("{}: cannot be read", file));
     return made.text();
 }
 
@@ -64,7 +64,7 @@ Standing standing(const std::string& file, const std::string& made_of)
     if (!fs::exists(fs::symlink_status(file, error))) return Standing::missing;
     const std::string note = note_of(file);
     if (!fs::is_regular_file(file, error) || !fs::is_regular_file(note, error)) return Standing::damaged;
-    // No more than a note has: what lies there may be anything.
+    // Read one byte more than a stamp has; the file may be anything.
     const std::string likeness = note_text(made_of, digest(""));
     std::string text(likeness.size() + 1, '\0');
     std::ifstream stream(note, std::ios::binary);

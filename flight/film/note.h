@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notes beside finished files: FILE.made says what the file was made of and keeps a hash of its bytes, so that a file
-// that is damaged, or of something else, is told from one that is finished.
+// Stamps of finished files. The stamp FILE.made holds the digest of the file's inputs and a hash of its bytes, by which
+// a finished file can be distinguished from one that is damaged or outdated.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-// 32 hexadecimal digits that change when the bytes change: two FNV-1a hashes of 64 bits.
+// A hash as 32 hexadecimal digits: two FNV-1a hashes of 64 bits.
 class Digest {
 public:
     void add(const void* data, std::size_t size);
@@ -23,16 +23,16 @@ std::string digest(const std::string& text);
 // Throws Error if the file cannot be read.
 std::string digest_of_file(const std::string& file);
 
-// FILE.made
+// Returns the path of the stamp, FILE.made.
 std::string note_of(const std::string& file);
 
 enum class Standing { missing, damaged, whole };
 
-// missing: there is no such file. whole: its note says that it was made of `made_of` (one line) and has its bytes'
-// hash.
+// Returns `missing` if the file does not exist, `whole` if its stamp matches its bytes and `made_of` (one line), else
+// `damaged`.
 Standing standing(const std::string& file, const std::string& made_of);
 
-// Writes the note of `file`; `bytes` is the digest of what it holds, or will hold. Throws Error.
+// Writes the stamp of `file`. `bytes`: the digest of the file's present or future content. Throws Error.
 void write_note(const std::string& file, const std::string& made_of, const std::string& bytes);
 
 }  // namespace mandelmarch

@@ -33,7 +33,7 @@ void make_private_folder(const std::string& folder)
     struct stat status {};
     const bool own = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() &&
                      (status.st_mode & 022) == 0;
-    if (!own) throw Error(fmt::format("{}: it is not this user's own folder", folder));
+    if (!own) throw Error(fmt::format("{}: not a folder that only this user can change", folder));
 }
 
 }  // namespace mandelmarch

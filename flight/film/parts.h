@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a film's segments gather.
+// The folder for a film's segments.
 #pragma once
 
 #include <string>
 
 namespace mandelmarch {
 
-// FILM.parts beside the file that the name means, also through links. Of a stream, which has no place beside it, a
-// folder of this user's in TMPDIR (or /tmp), named by the digest of what the film is made of. Throws InputError where
-// TMPDIR is no folder.
+// Returns FILM.parts, next to the file that `film` names or links to. For a stream, returns a folder in TMPDIR (or
+// /tmp), named after the user and `made_of`, the digest of the film's description. Throws InputError if TMPDIR is not a
+// folder.
 std::string parts_folder(const std::string& film, const std::string& made_of);
 
-// Makes that folder for a stream, for this user alone. Throws Error where it is somebody else's.
+// Creates that folder for a stream, accessible to this user only. Throws Error if it belongs to another user.
 void make_private_folder(const std::string& folder);
 
 }  // namespace mandelmarch

@@ -39,7 +39,8 @@ std::string contents(int descriptor)
 
 constexpr const char* no_space = "No space left on device";
 
-// ffmpeg says what is wrong first and repeats it in more general words; of a full disk it says so somewhere.
+// Returns the line of ffmpeg's errors that names the cause: the message of a full disk, if it is among them, else the
+// first line, as later ones are more general.
 std::string cause_of(const std::string& errors)
 {
     std::string first;
@@ -69,7 +70,7 @@ Process::Process(const std::vector<std::string>& command, const std::string& fol
     posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    // This program ignores SIGPIPE; a child would inherit that.
+    // This program ignores SIGPIPE, and the child must not inherit that.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t usual;
@@ -109,7 +110,7 @@ Process::~Process()
 
 void Process::kill() { ::kill(child_, SIGKILL); }
 
-// Waits until the child reads; false where it does not within the limit.
+// Waits until the child reads. Kills it and returns false if it does not read within the limit.
 bool Process::ready()
 {
     pollfd pipe{.fd = input_, .events = POLLOUT, .revents = 0};
@@ -136,7 +137,7 @@ bool Process::write(const void* data, std::size_t size)
     return true;
 }
 
-// The child's status at its end, which comes within the limit.
+// Waits for the child's end, at most for the limit, and returns its status.
 int Process::wait()
 {
     const auto start = Clock::now();
@@ -161,7 +162,7 @@ Process::Result Process::finish()
     Result result;
     result.output = contents(output_);
     result.cause = cause_of(contents(errors_));
-    // ffmpeg may end well although it could not write the end of its file.
+    // ffmpeg may return exit code 0 although it could not write the end of its file.
     result.fine = WIFEXITED(status) && WEXITSTATUS(status) == 0 && result.cause != no_space && !hung_;
     if (result.fine) {
         result.cause.clear();

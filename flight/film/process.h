@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A child process that is fed through a pipe: ffmpeg.
+// A child process that reads from a pipe: ffmpeg.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,29 @@
 
 namespace mandelmarch {
 
-// Starts in the constructor; what it prints is kept.
+// Starts in the constructor; its output is kept.
 class Process {
 public:
-    // `folder`: where it runs; empty: here. `limit`: seconds that it may read nothing, or take to end; then it is
-    // killed, and finish() says so. Without it may take for ever. Throws Error if it cannot be started.
+    // `folder`: working directory; empty: the caller's. `limit`: seconds after which the child is killed if it does not
+    // read or does not end; finish() reports that. Without a limit, the child may take for ever. Throws Error if it
+    // cannot be started.
     Process(const std::vector<std::string>& command, const std::string& folder,
             std::optional<double> limit = std::nullopt);
-    ~Process();  // a child that still runs is killed and waited for
+    ~Process();  // kills a child that still runs, and waits for it
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // False if the child reads no more; why is told by finish().
+    // Returns false if the child does not read any more; finish() reports the cause.
     bool write(const void* data, std::size_t size);
-    // Kills it: a write() in another thread comes back.
+    // Kills the child. A write() in another thread then returns.
     void kill();
 
     struct Result {
         bool fine = false;
-        std::string output;  // its stdout
-        std::string cause;   // in one line: what its stderr said, or which signal ended it; empty if fine
+        std::string output;  // stdout
+        std::string cause;   // in one line: an error from stderr, the signal or the exit code; empty if fine
     };
-    // Closes the pipe and waits for the end.
+    // Closes the pipe and waits for the child's end.
     Result finish();
 
 private:

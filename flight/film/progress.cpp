@@ -13,8 +13,8 @@ namespace mandelmarch {
 namespace {
 
 constexpr int bar_width = 40;                          // characters
-constexpr auto look = std::chrono::milliseconds(200);  // between two looks of the bar
-constexpr auto line = std::chrono::seconds(15);        // between two lines where there is no terminal
+constexpr auto look = std::chrono::milliseconds(200);  // between updates of the bar
+constexpr auto line = std::chrono::seconds(15);        // between lines without a terminal
 
 }  // namespace
 
@@ -31,7 +31,7 @@ FilmProgress::FilmProgress(std::size_t frames, std::size_t finished)
       start_(std::chrono::steady_clock::now()),
       last_(start_)
 {
-    if (finished > 0) say("film: {} of {} frames are there already\n", finished, frames);
+    if (finished > 0) say("film: {} of {} frames are already rendered\n", finished, frames);
 }
 
 FilmProgress::~FilmProgress()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a film is, on stderr: a bar on a terminal, else a line now and then.
+// Progress of a film on stderr: a bar on a terminal, else a line every 15 s.
 #pragma once
 
 #include <chrono>
@@ -8,18 +8,18 @@
 
 namespace mandelmarch {
 
-// Hours, minutes and seconds: "1:02:03 h".
+// Returns hours, minutes and seconds: "1:02:03 h".
 std::string clock_text(double seconds);
 
 class FilmProgress {
 public:
-    // `frames`: of the film; `finished`: of them, by earlier runs.
+    // `finished`: those of the `frames` frames that earlier runs have rendered.
     FilmProgress(std::size_t frames, std::size_t finished);
     ~FilmProgress();
     FilmProgress(const FilmProgress&) = delete;
     FilmProgress& operator=(const FilmProgress&) = delete;
 
-    // More frames are done: drawn by this process, or told by another. Any thread may call it.
+    // Adds finished frames of this or another process. Any thread may call it.
     void add(std::size_t frames);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several processes that make one film together: the ranks of an MPI program, or one process alone.
+// The processes that render one film: the ranks of an MPI program, or one process.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@ public:
 
     virtual int rank() const = 0;
     virtual int size() const = 0;
-    // This rank's number among those on the same machine, and how many these are.
+    // This rank's index among those on the same machine, and their number.
     virtual int local_rank() const = 0;
     virtual int local_size() const = 0;
 
-    // Rank 0's text, for every rank.
+    // Broadcasts rank 0's text: returns it on every rank. All ranks must call it.
     virtual std::string share(const std::string& text) = 0;
 
-    // Hands out the numbers 0 to count - 1, each to one rank, in order: calls body(number) on this rank until none is
-    // left, and returns when all ranks are done. Ranks that are faster get more. `done` is called on rank 0 with a
-    // number when its body has returned.
+    // Distributes the numbers 0 to count - 1 among the ranks, in order, each when a rank is free: calls body(number) on
+    // this rank until none is left, and returns when all ranks are done. Calls done(number) on rank 0 after a number's
+    // body has returned.
     virtual void each(std::size_t count, const std::function<void(std::size_t)>& body,
                       const std::function<void(std::size_t)>& done) = 0;
 
@@ -32,8 +32,8 @@ public:
     virtual void abort(int code) = 0;
 };
 
-// The ranks that mpirun started, where this program was built with MPI and started by it; else one process alone.
-// Throws Unavailable where mpirun started several that cannot work together, as the program was built without MPI.
+// Returns the ranks of this MPI program, or one process if it was not started by mpirun. Throws Unavailable if it was
+// started by mpirun but built without MPI.
 std::unique_ptr<Ranks> make_ranks();
 
 }  // namespace mandelmarch

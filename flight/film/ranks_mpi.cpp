@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ranks of an MPI program. Rank 0 keeps the counter of work; a thread of it answers the others by polling, as one
-// that waits inside MPI would take a core, and one-sided operations wait for a rank that computes.
+// The ranks of an MPI program. Rank 0 keeps the counter of work, and one of its threads serves the other ranks. It
+// polls with pauses, because a thread that waits inside MPI occupies a core. One-sided operations are not an
+// alternative, as they would wait for a rank that computes.
 #include <mpi.h>
 
 #include <atomic>
@@ -14,8 +15,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int ask_tag = 1;     // a rank asks for work and says what it has done; -1: nothing yet
-constexpr int answer_tag = 2;  // the next number, or -1
+constexpr int ask_tag = 1;     // request for work, with the number just finished; -1: none yet
+constexpr int answer_tag = 2;  // the next number; -1: none left
 constexpr auto nap = std::chrono::milliseconds(2);
 
 void wait_for(MPI_Request& request)
@@ -40,7 +41,7 @@ public:
         MPI_Comm_size(here, &local_size_);
         MPI_Comm_free(&here);
         if (provided < MPI_THREAD_SERIALIZED)
-            throw Unavailable("this MPI gives threads no access, expected another one");
+            throw Unavailable("this MPI does not support threads (MPI_THREAD_SERIALIZED), expected another one");
     }
     ~MpiRanks() override { MPI_Finalize(); }
 
@@ -54,7 +55,7 @@ public:
         std::uint64_t length = text.size();
         MPI_Bcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
         std::string copy = rank_ == 0 ? text : std::string(length, '\0');
-        // In pieces whose length fits an int.
+        // In pieces whose length fits into an int.
         constexpr std::uint64_t piece = 1U << 30;
         for (std::uint64_t at = 0; at < length; at += piece) {
             MPI_Bcast(copy.data() + at, static_cast<int>(std::min(piece, length - at)), MPI_CHAR, 0, MPI_COMM_WORLD);
@@ -90,7 +91,7 @@ public:
                 MPI_Irecv(&answer, 1, MPI_LONG_LONG, 0, answer_tag, MPI_COMM_WORLD, &request);
                 wait_for(request);
                 if (answer < 0) break;
-                // wait_for() tests until it is there, which the checker does not see; as below.
+                // The checker does not see that wait_for() completes the request; the same below.
                 body(static_cast<std::size_t>(answer));  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
                 done_before = answer;
             }
@@ -103,7 +104,7 @@ public:
     void abort(int code) override { MPI_Abort(MPI_COMM_WORLD, code); }
 
 private:
-    // Until every other rank has been told that nothing is left.
+    // Serves requests until every other rank has been answered that no work is left.
     template <class Take, class Report>
     void serve(const Take& take, const Report& report) const
     {

@@ -14,8 +14,8 @@ struct Share {
     std::uint64_t weight;
 };
 
-// What `pixels` take of `samples` along one side, in whole numbers: shares of pixel i are [first[i], first[i + 1]), and
-// their weights add up to `whole`.
+// Integer weights of `samples` in `pixels` along one side. Pixel i has the shares [first[i], first[i + 1]), whose
+// weights add up to `whole`.
 struct Shares {
     std::vector<Share> all;
     std::vector<std::size_t> first;

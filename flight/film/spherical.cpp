@@ -17,8 +17,8 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::size_t box_head = 8;      // bytes: size and type
-constexpr std::size_t entries_head = 8;  // of a box of sample entries: version, flags and their number
-constexpr char left_and_right = 2;       // st3d's number for two eyes side by side
+constexpr std::size_t entries_head = 8;  // bytes in a box of sample entries: version, flags and number of entries
+constexpr char left_and_right = 2;       // st3d's value for side by side
 constexpr std::string_view version_0{"\0\0\0\0", 4};
 
 std::string four_bytes(std::uint64_t number)
@@ -33,7 +33,7 @@ std::string box_of(std::string_view type, std::string_view content)
     return four_bytes(box_head + content.size()).append(type).append(content);
 }
 
-// Yaw, pitch and roll of the middle are 0, and nothing is cut off at the four edges.
+// Returns the boxes st3d and sv3d. Yaw, pitch and roll of the centre are 0, and the picture is not cropped.
 std::string boxes_of(const Tags& tags)
 {
     std::string boxes;
@@ -54,7 +54,7 @@ std::size_t size_at(std::string_view data, std::size_t at)
     return size;
 }
 
-// The position of the first box of this type (empty: any type) in [begin, end) of the data; `end` if there is none.
+// Returns the offset of the first box of this type (empty: any type) in [begin, end) of the data, or `end` if none.
 std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, std::string_view type)
 {
     for (std::size_t at = begin; at + box_head <= end;) {
@@ -72,17 +72,17 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
 {
     std::ostringstream text;
     const std::ifstream stream(from, std::ios::binary);
-    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": it cannot be read");
+    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": cannot be read");
     std::string data = text.str();
     const std::string boxes = boxes_of(tags);
-    std::vector<std::size_t> around;  // the boxes that grow
+    std::vector<std::size_t> around;  // offsets of the boxes that contain the new ones
     std::size_t begin = 0;
     std::size_t end = data.size();
     // The last type, which is empty, finds the codec's entry, avc1 or vp09.
     for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
         const std::size_t at = box_in(data, begin, end, type);
         const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();
-        if (at == end || last) throw Error(fmt::format("{}: it is no MP4 file whose movie box is its last", from));
+        if (at == end || last) throw Error(fmt::format("{}: not an MP4 file whose last box is the movie box", from));
         around.push_back(at);
         begin = at + box_head + (type == "stsd" ? entries_head : 0);
         end = at + size_at(data, at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Still frames, for those who stitch by hand.
+// Still frames as picture files.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -101,12 +101,12 @@ void check_stills(const StillOptions& options, std::size_t frames)
 {
     check_picture(options.picture);
     static_cast<void>(frames_of(options, frames));
-    // The nearest folder that is there must take the next one, or the pictures.
+    // The nearest existing parent must be a folder in which this user can create files.
     std::error_code error;
     fs::path folder = fs::absolute(options.folder);
     while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();
     if (!fs::is_directory(folder, error)) {
-        throw InputError(fmt::format("--stills: {} is no folder, expected a folder for pictures", folder.string()));
+        throw InputError(fmt::format("--stills: {} is not a folder, expected a folder for pictures", folder.string()));
     }
     if (access(folder.c_str(), W_OK | X_OK) != 0) {
         throw InputError(fmt::format("--stills: folder {}: {}", folder.string(), std::strerror(errno)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What making a film took: the figures that are reported of it.
+// The summary of a rendered film as JSON.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mandelmarch {
 
-// JSON with device, size, mode, frames rendered in this run, seconds, and seconds a frame (null where none was
+// Returns JSON with device, size, mode, frames rendered in this run, seconds, and seconds per frame (null if none was
 // rendered).
 std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmReport& report,
                        int processes);

@@ -9,9 +9,9 @@ namespace {
 
 constexpr int directions = 24;
 constexpr std::size_t frames_apart = 30;
-constexpr double against = 0.5;  // what light against the camera is worth beside as much from behind
+constexpr double against = 0.5;  // weight of light against the camera, relative to light from behind
 
-// 1 at right angles to the gaze, 0 along it.
+// Returns 1 for light at right angles to the gaze, 0 along it.
 double worth(Vector sun, Vector gaze)
 {
     const double cosine = dot(sun, gaze);

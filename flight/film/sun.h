@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a film's sun stands.
+// The direction of a film's sun.
 #pragma once
 
 #include "flight/path/path.h"
 
 namespace mandelmarch {
 
-// A unit vector towards the sun that suits a path: as high as Scene's, in the direction from which it lights most of
-// what the frames look at from the side, which shows relief best, and rather from behind the camera than against it.
+// Returns a unit vector towards the sun for a path. Its height is that of Scene's sun. Its direction is chosen so that
+// most frames are lit from the side, which shows relief best, and from behind the camera rather than against it.
 Vector sun_of(const Path& path);
 
 }  // namespace mandelmarch

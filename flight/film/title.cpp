@@ -15,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-// A backslash before each of these characters.
+// Returns the text with a backslash before each of these characters.
 std::string escaped(const std::string& text, std::string_view characters)
 {
     std::string made;
@@ -27,13 +27,13 @@ std::string escaped(const std::string& text, std::string_view characters)
 }
 
 constexpr double brightening = 0.5;  // seconds
-// The share of a picture's width that a line may take. A panorama's width is the whole circle.
+// The fraction of a picture's width that a line may take. A panorama's width is the full circle.
 constexpr double share_of_width = 0.92;
 constexpr double share_of_circle = 0.25;
-constexpr double title_height = 0.4;  // of a picture's height, all lines together
+constexpr double title_height = 0.4;  // of a picture's height, for all lines together
 constexpr double authors_height = 0.3;
 
-// One line of the title, in pixels. ffmpeg reads its text from a file, so that it needs no escapes.
+// One line of the title; lengths in pixels. ffmpeg reads the text from a file, so it is not escaped.
 struct TitleLine {
     std::string text;
     int size;
@@ -48,7 +48,7 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     std::vector<TitleLine> all;
     if (title.empty()) return all;
     const Font font(title_font());
-    // The last line of the title and the first line of the authors stand where a single line would; others move.
+    // Line number `fixed` is at the position of a single line; the others are above and below it.
     const auto add = [&](const Lettering& letters, int below_middle, std::size_t fixed) {
         for (std::size_t i = 0; i < letters.lines.size(); ++i) {
             const double lines = static_cast<double>(i) - static_cast<double>(fixed);
@@ -66,7 +66,7 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     return all;
 }
 
-// `centre`: pixels from the left.
+// Returns ffmpeg's filter that draws a line. `centre`: pixels from the left.
 std::string line_filter(const std::string& file, const TitleLine& line, int centre)
 {
     return fmt::format(
@@ -86,8 +86,7 @@ std::string title_font()
 
 std::string font_option()
 {
-    // Read twice (ffmpeg-filters, "Notes on filtergraph escaping"): as one of a filter's options, in a graph of
-    // filters.
+    // Escaped twice (ffmpeg-filters, "Notes on filtergraph escaping"): as a filter's option, and in a filter graph.
     return "fontfile=" + escaped(escaped(title_font(), "\\':\t\n "), "\\'[],;\t\n ");
 }
 
@@ -111,7 +110,7 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const auto frames = static_cast<int>(title_frames(coding.frames_per_second));
     const int bright = std::max(1, static_cast<int>(std::lround(brightening * coding.frames_per_second)));
     for (int i = 0; i < frames; ++i) {
-        // At the end the picture brightens from a third of its light to the first frame of the flight.
+        // At the end, the picture brightens from a third of its light to that of the flight's first frame.
         const int light = bright + 2 * std::max(0, i - (frames - bright));
         std::vector<std::uint8_t> frame = first;
         for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * bright));

@@ -17,10 +17,10 @@ constexpr std::size_t title_frames(int rate)
     return static_cast<std::size_t>(title_seconds) * static_cast<std::size_t>(rate);
 }
 
-// A font file of Debian's fonts-dejavu-core, or what MANDELMARCH_FONT names.
+// Returns the font file's path: the environment variable MANDELMARCH_FONT, or a font of Debian's fonts-dejavu-core.
 std::string title_font();
 
-// The same as an option of ffmpeg's drawtext, whatever characters its path has.
+// Returns the font as an option of ffmpeg's drawtext, with special characters of its path escaped.
 std::string font_option();
 
 struct Title {
@@ -30,12 +30,12 @@ struct Title {
     bool empty() const { return title.empty() && authors.empty(); }
 };
 
-// Throws InputError if a text does not fit into such pictures even in the smallest letters, or has letters that the
-// font lacks; Error if the font cannot be read.
+// Throws InputError if a text does not fit into such pictures in the smallest letters, or has letters that the font
+// lacks; Error if the font cannot be read.
 void check_title(const Title& title, const Picture& picture);
 
-// Writes the title as a segment: `first` (RGB, from the top row) darkened, with both texts as large as they fit, once
-// for each eye. An empty text is left out. Throws as check_title() does, and Error if the encoder fails.
+// Writes the title as a segment: `first` (RGB, from the top row) darkened, with both texts, once for each eye. Texts
+// shrink to fit; an empty text is left out. Throws as check_title() does, and Error if the encoder fails.
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
                  const Picture& picture, const Title& title, const Coding& coding);
 

@@ -16,17 +16,17 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::size_t every = 100;  // frames
-constexpr int strata = 4;           // of a frame's width and height: a place lies in each
+constexpr int strata = 4;           // of a frame's width and height, with one patch in each
 constexpr int place_width = 48;     // pixels
 constexpr int place_height = 27;    // pixels
-constexpr double converged = 0.06;  // the stride, in distance estimates: less leaves far rays without steps
+constexpr double converged = 0.06;  // step factor; with a smaller one, far rays run out of steps
 // Percent of the pixels.
 constexpr double median_bar = 2;
 constexpr double most_frames_bar = 4;
 constexpr double worst_bar = 6;
 
-// As a film is drawn, but that each pixel finds its own surroundings: what is shared is light and no matter of steps
-// (docs/flight.md says what it costs).
+// Returns the options of a film, except that each pixel computes its own occlusion. Shared occlusion affects the light,
+// not the steps (its error is given in docs/flight.md).
 RendererOptions by_film_steps(const RendererOptions& options)
 {
     RendererOptions alone = without_trial(options);
@@ -34,7 +34,7 @@ RendererOptions by_film_steps(const RendererOptions& options)
     return alone;
 }
 
-// By short steps alone: no ray begins near its neighbours' hits.
+// Returns options in which every ray marches from its beginning, not from near its neighbours' hits.
 RendererOptions by_short_steps(const RendererOptions& options)
 {
     RendererOptions alone = by_film_steps(options);
@@ -59,7 +59,7 @@ public:
     {
     }
 
-    // Percent of a frame's pixels.
+    // Returns the percentage of a frame's pixels that differ visibly.
     double off(std::size_t frame) const
     {
         Scene scene = frame_scene(path_, frame, picture_);
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    // The first pixel of a place in a stratum of a side, and the place's pixels.
+    // Returns the first pixel and the length of a patch, at random in a stratum of a side.
     static std::pair<int, int> place(int side, int stratum, int pixels, Random& random)
     {
         const int begin = side * stratum / strata;

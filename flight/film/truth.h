@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether frames are true: how far they are off from pictures whose rays take steps so short that shorter ones change
-// nothing.
+// Convergence of a film's frames: their difference from converged pictures, whose steps are so short that shorter ones
+// change nothing.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace mandelmarch {
 
-// The share of a frame's pixels that are visibly off, in percent, of every hundredth frame: three promises, its median,
-// the share that 95 of 100 frames keep, and the worst. Of each frame sixteen places spread over it are drawn, as the
-// film draws them and once more by short steps alone. Throws what the renderer throws.
+// Returns three promises about the percentage of a frame's pixels that differ visibly from the converged picture: its
+// median, its 95th percentile and its maximum over every hundredth frame. Of each frame, sixteen patches are rendered,
+// once as in the film and once with short steps. Throws as the renderer does.
 std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
                             const Picture& picture);
 

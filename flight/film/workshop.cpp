@@ -26,7 +26,7 @@ constexpr const char* part_prefix = ".part-";
 constexpr const char* lock_name = "/lock";
 constexpr int most_tries = 100;
 
-// False where the file that `descriptor` has open is no longer the one of that name: another run was done with it.
+// False if the open file is no longer the one with that name, because another run has removed it.
 bool still_there(int descriptor, const std::string& name)
 {
     struct stat held {};
@@ -114,7 +114,7 @@ void Workshop::finish(const std::string& part, const std::string& file) const
 {
     const std::string path = folder_ + "/" + part;
     const std::string finished = folder_ + "/" + file;
-    // On the disk before it has its name: after a power cut a finished name means finished data.
+    // Flushed to disk before the renaming, so that a file with the final name is complete even after a power cut.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
     const int why = errno;
@@ -149,7 +149,7 @@ void Workshop::close()
 {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
-    // The folder of all parts stays where another film's are in it.
+    // Removes the folder of all parts unless another film's are in it.
     fs::remove(parts_ + lock_name, ignored);
     fs::remove(parts_, ignored);
 }

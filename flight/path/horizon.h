@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How level a camera is held, where its place has an up and a down.
+// The camera's roll relative to a level horizon, for fractals that have an up and a down.
 #pragma once
 
 #include "flight/path/path.h"
@@ -7,16 +7,16 @@
 namespace mandelmarch {
 
 struct Tilt {
-    double angle;    // radians about the gaze, by the right hand's rule, that make the frame level: -pi to pi
-    double horizon;  // 1: a horizon crosses the picture's middle, 0: the gaze is straight up or down, and none is level
+    double angle;    // roll in radians about the gaze (right-hand rule) that makes the frame level: -pi to pi
+    double horizon;  // 1: a horizon crosses the picture's centre, 0: the gaze is vertical and level is undefined
 };
 
-// Of a frame, where upwards is the unit vector `upward`.
+// Returns the tilt of a frame if `upward`, a unit vector, points upwards.
 Tilt tilt_of(const Frame& frame, Vector upward);
-// Where it is as the fractal says of the frame's place.
+// The same with the upward direction that the fractal defines at the frame's eye.
 Tilt tilt_of(const Frame& frame, const Fractal& fractal);
 
-// The frame's camera rolled about its gaze, by radians.
+// Returns the frame with its camera rolled about its gaze by `angle` radians.
 Frame rolled(Frame frame, double angle);
 
 }  // namespace mandelmarch

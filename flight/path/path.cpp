@@ -12,11 +12,11 @@ namespace mandelmarch {
 namespace {
 
 constexpr double footprint = 1;             // pixel heights
-constexpr double least_clearance = 0.0025;  // of the fractal's size: nearer no path should go
+constexpr double least_clearance = 0.0025;  // of the fractal's size: the smallest that a path should have
 constexpr int spare_iterations = 1;
 
-// Iterations beyond this make features that are smaller than a pixel's footprint from the least clearance: noise, and
-// what is slowest in a close-up.
+// Returns the number of iterations beyond which features seen from the smallest clearance are smaller than a pixel.
+// Further iterations add only noise, and are the slowest part of a close-up.
 int iterations_in_sight(const Scene& scene)
 {
     const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);

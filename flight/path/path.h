@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight: the camera of every frame, and what may change from frame to frame.
+// The path of a flight: every frame's camera and changes to the scene.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace mandelmarch {
 
-// The rate at which flights are planned; a path file may have another one.
+// The rate at which flights are planned; a path file may have another rate.
 inline constexpr int frames_per_second = 30;
 inline constexpr int most_frames_per_second = 240;
 
-// A frame's changes to the path's scene, as values of a parameter file.
+// A frame's changes to the path's scene, in the units of a parameter file.
 struct Changes {
     std::optional<double> detail;
     std::optional<std::array<double, 3>> shape;
@@ -36,30 +36,30 @@ struct Frame {
 };
 
 struct Path {
-    Scene scene;  // what all frames share, the estimate too; its camera and size mean nothing
+    Scene scene;  // shared by all frames, including the kind of estimate; its camera and size are unused
     std::uint64_t seed = 0;
     int frames_per_second = mandelmarch::frames_per_second;
-    bool detail_by_size = true;  // the detail level follows the pixel's footprint; else it is the scene's
+    bool detail_by_size = true;  // the detail level follows from the picture size; false: it is the scene's
     std::vector<Frame> frames;
 };
 
-// The scene of one frame at a picture size in pixels. Where the path leaves the detail level to the size, it is the
-// logarithm of 0.7 pixel heights at distance 1.
+// Returns the scene of one frame at a picture size in pixels. If detail_by_size, its detail level is the decimal
+// logarithm of one pixel height at distance 1, unless the frame sets a level.
 Scene scene_of(const Path& path, const Frame& frame, int width, int height);
 
-// The same to be drawn: where the detail level follows the size, no more iterations than such pixels can show are made,
-// steps are as long as the fractal's estimate allows in a close-up, a hit is as exact as such pixels need, and normals
-// see nothing that is smaller than they are.
+// The same, tuned for rendering if detail_by_size: iterations are limited to those that such pixels can show, steps are
+// as long as the fractal's estimate allows in a close-up, hits are as exact as such pixels need, and normals ignore
+// features smaller than a pixel.
 Scene picture_of(const Path& path, const Frame& frame, int width, int height);
 
-// The whole path with every number cut to the digits that a path file keeps, so that what is audited is what is
-// written.
+// Rounds every number of the path to the digits that a path file keeps, so that the audited path is the written one.
 void cut_digits(Path& path);
 
-// The path as JSON, one line a frame. The same path gives the same bytes.
+// Returns the path as JSON, one line per frame. The same path gives the same bytes.
 std::string to_text(const Path& path);
 
-// Throws InputError, with the file's name and what is wrong: with the JSON, a value, or a frame (by its number from 0).
+// Throws InputError if the JSON, a value or a frame (numbered from 0) is invalid. The message begins with `name`, the
+// file's.
 Path path_from_text(const std::string& text, const std::string& name);
 Path read_path(const std::string& file);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path files: JSON, readable and made for editing by hand, one line a frame.
+// Path files: JSON with one line per frame, for editing by hand.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,11 +25,11 @@ using Json = nlohmann::json;
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::size_t most_frames = 10'000'000;  // 92 hours
 constexpr const char* by_size = "by size";
-constexpr double usual_detail = -3;  // where it follows the size: what none of the pictures has
+constexpr double usual_detail = -3;  // placeholder in the scene if the detail follows the size
 constexpr Meaning detail_meaning{"detail level", -37, 3};
 constexpr Meaning brightness_meaning{"brightness", 0, 1e6};
-constexpr std::size_t longest_cause = 300;  // bytes of what a parser says
-constexpr std::size_t longest_value = 80;   // bytes of a value that a message shows
+constexpr std::size_t longest_cause = 300;  // bytes of a parser's message
+constexpr std::size_t longest_value = 80;   // bytes of a value in a message
 
 std::string number(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
 
@@ -54,7 +54,7 @@ std::string changes_text(const Changes& changes)
     return text;
 }
 
-// A value in a message.
+// Formats a value for a message.
 std::string shown(const Json& value) { return printable(value.dump(), longest_value); }
 
 constexpr std::array<std::string_view, 6> whole_keys{"format", "fractal", "seed", "frames_per_second",
@@ -64,25 +64,25 @@ constexpr std::array<std::string_view, 7> scene_keys{"detail",    "shape",      
 constexpr std::array<std::string_view, 10> frame_keys{
     "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
 
-// Takes values out of one object of the file; messages name the file and the object.
+// Reads values of one JSON object; messages name the file and the object.
 class Reader {
 public:
     Reader(const Json& object, std::string place, const Fractal& fractal)
         : object_(object), place_(std::move(place)), fractal_(fractal)
     {
-        if (!object.is_object()) fail("it is no object, expected {...}");
+        if (!object.is_object()) fail("not an object, expected {...}");
     }
 
     [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place_, why)); }
 
     bool has(const char* key) const { return object_.contains(key); }
 
-    // Refuses keys that mean nothing: a slip would be lost.
+    // Throws InputError for unknown keys, which may be spelling mistakes.
     void know(std::span<const std::string_view> keys) const
     {
         for (const auto& [key, value] : object_.items()) {
             if (std::ranges::find(keys, key) != keys.end()) continue;
-            fail(fmt::format("\"{}\" means nothing here, expected some of {}", printable(key, longest_value),
+            fail(fmt::format("unknown key \"{}\", expected some of {}", printable(key, longest_value),
                              fmt::join(keys, ", ")));
         }
     }
@@ -96,7 +96,7 @@ public:
 
     double real(const char* key, const Meaning& meaning) const { return checked(value(key), key, meaning); }
 
-    // Rounded to single precision, as from a parameter file.
+    // Rounds to single precision, as the reader of parameter files does.
     double single(const char* key, const Meaning& meaning) const { return static_cast<float>(real(key, meaning)); }
 
     int whole(const char* key, int low, int high) const
@@ -281,7 +281,7 @@ Path read_path(const std::string& file)
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (!stream || !(text << stream.rdbuf())) {
-        throw InputError(fmt::format("{}: it cannot be read, expected a path file", file));
+        throw InputError(fmt::format("{}: cannot be read, expected a path file", file));
     }
     return path_from_text(text.str(), file);
 }

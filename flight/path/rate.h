@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same flight at another rate of frames.
+// Conversion of a path to another frame rate.
 #pragma once
 
 #include "flight/path/path.h"
 
 namespace mandelmarch {
 
-// The number of frames of a path at `from` frames a second that covers the time of `frames` frames at `to` a second.
+// Returns the number of frames at `from` frames per second that cover the time of `frames` frames at `to` per second.
 int frames_at_rate(int frames, int from, int to);
 
-// The flight of `path` in `frames` frames at `rate` a second; it must not end later than the path. Between the path's
-// frames the camera follows a cubic spline through them, whose speed and acceleration have no jumps; a shape that
-// changes is interpolated between two frames. If `rate` is the path's, only the number of frames changes. Digits are
-// cut as in a path file.
+// Returns the flight of `path` in `frames` frames at `rate` frames per second; it must not end later than the path. The
+// camera follows a cubic spline (continuous speed and acceleration) through the path's frames; a changing shape is
+// interpolated linearly between two frames. If `rate` is the path's, only the number of frames changes. Numbers are
+// rounded as in a path file.
 Path at_rate(const Path& path, int frames, int rate);
 
 }  // namespace mandelmarch

@@ -7,9 +7,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double margin = 1.2;        // half the cube's edge, in hull sizes
-constexpr double cover_share = 0.95;  // of a ball's radius: no other ball's centre lies so near
-constexpr double overlap = 0.95;      // of two radii: linked balls are nearer than that
+constexpr double margin = 1.2;        // half the cube's edge, in fractal sizes
+constexpr double cover_share = 0.95;  // of a ball's radius: the smallest distance of another ball's centre
+constexpr double overlap = 0.95;      // of the sum of two radii: the largest distance of linked balls
 
 }  // namespace
 
@@ -58,9 +58,9 @@ void Balls::each_cell_near(Vector p, double radius, Visit visit) const
     }
 }
 
-// From an edge of the cube inwards, coarse cell by coarse cell: a cell that its own ball covers is one sample, others
-// are cut into fine cells, and a neighbour is visited only behind a face with a free cell. Solid insides, where
-// estimates are dear, are never entered.
+// Samples the free space by a flood fill over coarse cells, from an edge of the cube inwards. A cell that the ball at
+// its centre covers gives one sample; others are cut into fine cells. A neighbour is visited only across a face with a
+// free fine cell, so that the solid interior, where DE evaluations are expensive, is never entered.
 void Balls::flood()
 {
     const double half_diagonal = side_ * parts * std::sqrt(0.75);
@@ -84,7 +84,7 @@ void Balls::flood()
         clear.resize(points.size());
         field_.distances(points, clear);
         std::vector<Cell> cut;
-        std::vector<std::pair<Cell, unsigned>> open;  // with a bit for each face that is open
+        std::vector<std::pair<Cell, unsigned>> open;  // with a bit for each open face
         for (std::size_t i = 0; i < wave.size(); ++i) {
             if (field_.safety() * clear[i] >= half_diagonal) {
                 samples_.push_back({points[i], clear[i]});
@@ -134,7 +134,7 @@ void Balls::flood()
     }
 }
 
-// Large balls first; a sample that lies well inside a ball already taken gives none.
+// Turns samples into balls, the largest first, and skips samples that lie well inside an existing ball.
 void Balls::cover()
 {
     std::vector<std::uint32_t> order(samples_.size());
@@ -154,7 +154,7 @@ void Balls::cover()
     }
 }
 
-// Balls that overlap are linked; so are small ones whose gap the ball in the middle closes.
+// Links balls that overlap, and balls whose gap is closed by a ball at the midpoint of their centres.
 void Balls::link()
 {
     links_.resize(balls_.size());
@@ -169,7 +169,7 @@ void Balls::link()
         const Ball& a = balls_[i];
         near.clear();
         each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
-            // Each pair is found from its larger ball, which has the smaller number.
+            // Each pair is found from its larger ball, which has the smaller index.
             if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at]))
                 near.push_back(owner_[at]);
         });
@@ -204,7 +204,7 @@ void Balls::link()
     }
 }
 
-// What does not hang together with the outside is never reached: its links are taken away, and its cells' owners.
+// Clears the cells owned by balls that are not connected with the outside, so that holding() never returns such a ball.
 void Balls::keep_outside_component()
 {
     if (balls_.empty()) return;

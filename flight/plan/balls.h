@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The free space as balls that overlap: what tours are searched in.
+// The free space as overlapping balls. Tours are searched in this graph.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ struct Ball {
 struct Link {
     int to;
     double length;     // between the centres
-    double clearance;  // the least estimate known on the way
+    double clearance;  // the smallest known estimate between the centres
 };
 
 class Balls {
 public:
-    // Fills the cube of 1.2 hull sizes with balls of at least `least` clearance, as far as they hang together with the
-    // outside. Free places of at least `narrow` clearance that were seen on the way are kept as samples.
-    // `coarse`: cells of the coarse grid along an edge.
+    // Fills the free space that is connected with the outside with balls of at least `least` clearance, within a cube
+    // whose half edge is 1.2 fractal sizes. Free points inside the bounds of at least `narrow` clearance are kept as
+    // narrows(). `coarse`: cells of the coarse grid along an edge.
     Balls(const Field& field, double least, double narrow, int coarse = usual_coarse);
 
     static constexpr int usual_coarse = 64;
@@ -34,10 +34,10 @@ public:
 
     double least() const { return least_; }
 
-    // A ball that holds p; -1 if none is known.
+    // Returns a ball that contains p, or -1 if none is known.
     int holding(Vector p) const;
 
-    // Free places inside the hull, near the surface too, where narrows may be looked for.
+    // Free points inside the bounds, including those near the surface, at which a search for gates can start.
     const std::vector<Ball>& narrows() const { return narrows_; }
     void forget_narrows() { narrows_ = {}; }
 
@@ -72,7 +72,7 @@ private:
     std::vector<Ball> samples_, narrows_;
     std::vector<Ball> balls_;
     std::vector<std::vector<Link>> links_;
-    std::vector<std::int32_t> owner_;  // of each fine cell: the ball that covers its centre, -1: none
+    std::vector<std::int32_t> owner_;  // for each fine cell: the ball that covers its centre, -1: none
 };
 
 }  // namespace mandelmarch

@@ -12,18 +12,18 @@ namespace mandelmarch {
 namespace {
 
 constexpr double spacing = 0.35;      // between points, in clearances
-constexpr double densest = 0.0005;    // hull sizes: a clearance under it counts as that
-constexpr double freedom = 0.45;      // how far a point may leave its place in a round, in safe clearances
+constexpr double densest = 0.0005;    // fractal sizes: lower limit of a clearance, for the spacing
+constexpr double freedom = 0.45;      // largest move of a point in one round, in safe clearances
 constexpr double pin_freedom = 0.08;  // the same for a pin
-constexpr double push = 0.15;         // of a point away from the walls, in clearances, each round
+constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
 constexpr int rounds = 7;
 constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
 constexpr int sweeps = 12;  // at each stride
-// Where the shape changes in flight:
-constexpr double parts_a_step = 10;  // of the way from the shape that it was found in to that of its moment
+// For shapes that change in flight:
+constexpr double parts_a_step = 10;  // stages of following the walls, per step of the shape parameter
 constexpr int most_parts = 60;
-constexpr int pushes = 2;             // at each part
-constexpr double clock_reach = 12.0;  // clearances before and behind that the clock is the mean over
+constexpr int pushes = 2;             // in each stage
+constexpr double clock_reach = 12.0;  // clearances on either side over which the shape time is averaged
 
 struct Band {
     std::vector<Vector> at;
@@ -33,11 +33,11 @@ struct Band {
     std::vector<double> clearance;
 };
 
-// New points along the old line, dense where it is narrow; pins stay points.
+// Returns the band with new points along it, denser in narrow places. Pins are kept.
 Band resampled(const Shapes& shapes, const Band& old)
 {
     const double most = 1.5 * fastest_clearance(shapes.field().hull());
-    // Inside solid, where a changing shape may have taken it, the band is no denser than elsewhere near a wall.
+    // A changing shape may have moved the band into solid. There, its points are as dense as close to a wall.
     const double least = densest * shapes.field().hull().size;
     const auto apart = [&](double clearance) { return spacing * std::clamp(clearance, least, most); };
     Band band;
@@ -60,7 +60,7 @@ Band resampled(const Shapes& shapes, const Band& old)
         while (whole - done > left) {
             done += left;
             const double share = done / whole;
-            // The clearance between two points is at least about that of the nearer one less the way to it.
+            // Interpolated; the exact clearances are computed below.
             const double guess = (1 - share) * old.clearance[i - 1] + share * old.clearance[i];
             add(from + share * (old.at[i] - from), false, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
                 std::lerp(old.value[i - 1], old.value[i], share));
@@ -84,7 +84,7 @@ Band band_of(const Shapes& shapes, const Way& way)
     return resampled(shapes, band);
 }
 
-// Away from the walls, across the band; pins only where they are to be pushed, too.
+// Moves points away from the walls, perpendicular to the band. Moves pins only if `pins`.
 void push_off(const Shapes& shapes, Band& band, bool pins)
 {
     const std::vector<Vector> old = band.at;
@@ -119,13 +119,13 @@ void relax(const Shapes& shapes, Band& band)
     for (const int stride : strides) {
         for (int sweep = 0; sweep < sweeps; ++sweep) {
             for (int k = 1; k < count - 1; ++k) {
-                // Forwards and backwards in turn.
+                // Sweeps alternate between forwards and backwards.
                 const int i = sweep % 2 == 0 ? k : count - 1 - k;
                 const int step = std::min({stride, i, count - 1 - i});
                 const auto middle = band.at.begin() + i;
                 const auto point = [&](int offset) { return middle[offset]; };
-                // Straight between its neighbours; or, where there are four, on the cubic through them, which keeps
-                // bends round.
+                // The midpoint of the two neighbours, or, with four neighbours, a blend with the cubic through them,
+                // which keeps bends round.
                 Vector aim = 0.5 * (point(-step) + point(step));
                 if (i - 2 * step >= 0 && i + 2 * step < count) {
                     const Vector bent =
@@ -143,7 +143,7 @@ void relax(const Shapes& shapes, Band& band)
     }
 }
 
-// Points that came too near a surface go back to where they were.
+// Moves points whose clearance is below `least` back towards `home`.
 void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home, double least)
 {
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -155,8 +155,8 @@ void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home
     shapes.distances(band.at, band.value, band.clearance);
 }
 
-// The way was found among the shapes of some moments. It follows the walls from there to the shape at each point's own
-// moment, a little at a time; gates move as well.
+// Moves the band, pins included, with the walls: from the shapes in which it was found to the shape at each point's own
+// time, in small stages.
 void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double step)
 {
     const std::vector<double> found = band.value;
@@ -168,7 +168,7 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
     const int parts = std::clamp(static_cast<int>(std::ceil(parts_a_step * most / step)), 1, most_parts);
     for (int part = 1; part <= parts; ++part) {
-        // All go at one speed: who has a short way is there early.
+        // All values change by the same amount per stage, so small changes are complete before large ones.
         const double gone = most * part / parts;
         for (std::size_t i = 0; i < found.size(); ++i)
             band.value[i] = found[i] + std::clamp(there[i] - found[i], -gone, gone);
@@ -177,18 +177,18 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
 }
 
-// The clock goes with the way in clearances, the mean over some: where it jumped the shape would.
+// Smooths the shape time by a moving average over the distance in clearances, as a jump would be a jump of the shape.
 void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
 {
     const double cap = fastest_clearance(shapes.field().hull());
-    std::vector<double> way(band.at.size(), 0);  // in clearances
+    std::vector<double> way(band.at.size(), 0);  // distance from the beginning, in clearances
     for (std::size_t i = 1; i < way.size(); ++i) {
         const double clearance = 0.5 * (std::min(band.clearance[i], cap) + std::min(band.clearance[i - 1], cap));
         way[i] = way[i - 1] + length(band.at[i] - band.at[i - 1]) / std::max(clearance, 0.01 * cap);
     }
     for (int pass = 0; pass < 2; ++pass) {
         const std::vector<double> old = band.clock;
-        std::vector<double> sum(way.size(), 0);  // its integral over the way
+        std::vector<double> sum(way.size(), 0);  // integral of the shape time over the distance
         for (std::size_t i = 1; i < way.size(); ++i)
             sum[i] = sum[i - 1] + 0.5 * (old[i] + old[i - 1]) * (way[i] - way[i - 1]);
         const auto integral = [&](double to) {
@@ -199,7 +199,7 @@ void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
             return sum[k] + rest * (old[k] + 0.5 * rest * rise);
         };
         for (std::size_t i = 0; i < way.size(); ++i) {
-            // As far behind as before: the ends stay, and so does a steady clock.
+            // The window is symmetric and shrinks towards the ends: end values and constant rates are unchanged.
             const double reach = std::min({clock_reach, way[i] - way.front(), way.back() - way[i]});
             if (reach > 1e-9) band.clock[i] = (integral(way[i] + reach) - integral(way[i] - reach)) / (2 * reach);
         }

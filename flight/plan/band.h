@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smooths a rough way inside the free space.
+// Smooths a polyline inside the free space by an elastic band.
 #pragma once
 
 #include "flight/field/shapes.h"
@@ -8,22 +8,23 @@
 
 namespace mandelmarch {
 
-// The points of a curve; where the clock stands there, in frames of the schedule, and the shape number that the fractal
-// has then.
+// The control points of a curve, with the shape time (in frames of the schedule) and the shape parameter's value at
+// each point.
 struct Line {
     std::vector<Vector> at;
     std::vector<double> clock, value;
 };
 
-// The least estimate on a way when it has followed the walls to the shapes of its moments, as it will be before it is
-// smoothed.
+// Returns the smallest estimate on a polyline after every point has been moved with the walls to the shape at its own
+// time, before smoothing. `step` is that of smooth().
 double least_on(const Shapes& shapes, const Way& way, const Schedule& schedule, double step);
 
-// An elastic band of points at distances of about a third of their clearance: it is drawn straight and away from walls,
-// while each point stays in a ball around its place and the pins stay where they are. `least`: no point goes where the
-// distance estimate is less. Every point is in the shape of its own moment: where the schedule changes, the way follows
-// the walls from the shapes that it was found in, and its clock becomes smooth. `step`: by so much of the number walls
-// move by half a road's least clearance.
+// Returns a smooth version of a polyline by an elastic band (Quinlan and Khatib). The band's points are about a third
+// of their clearance apart. It is pulled straight and away from walls, while each point stays in a ball around its
+// position and pins barely move. `least`: the smallest estimate that a point may move to. If the shape changes, the
+// polyline is first moved with the walls from the shapes in which it was found to the shape at each point's own time,
+// and that time is smoothed. `step`: the change of the shape parameter that moves walls by half the smallest clearance
+// of a roadmap.
 Line smooth(const Shapes& shapes, const Way& way, const Schedule& schedule, double step, double least);
 
 }  // namespace mandelmarch

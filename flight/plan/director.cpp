@@ -17,21 +17,21 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr int directions = 1024;                 // 6 degrees apart
-constexpr double window = 42 * degree;           // half a picture's width and height, in the mean
-constexpr double middle_radius = 22 * degree;    // the middle of a picture
+constexpr double window = 42 * degree;           // mean of half the width and half the height of a picture
+constexpr double middle_radius = 22 * degree;    // radius of a picture's central part
 constexpr double panorama_spacing = 1;           // clearances between panoramas
-constexpr double farthest_seen = 12;             // hull sizes: rays end there
+constexpr double farthest_seen = 12;             // fractal sizes: rays end there
 constexpr std::size_t slot_frames = 10;          // frames between choices
 constexpr double farthest_turn = 11.5 * degree;  // from one choice to the next
-constexpr double most_aside = 50 * degree;       // off the motion: more is dear
-constexpr double off_motion = 0.5;               // what it costs to be so far off
+constexpr double most_aside = 50 * degree;       // angle to the motion beyond which the cost rises steeply
+constexpr double off_motion = 0.5;               // cost of that angle
 constexpr double too_far_off = 20;
-constexpr double turning = 0.6;  // what the farthest turn costs
+constexpr double turning = 0.6;  // cost of the farthest turn
 
-// What a view should have, and what it costs where it has none of it. Tuned on ten seeds of both fractals.
-constexpr double enough_hits = 0.75, few_hits = 0.3;     // shares of the view
-constexpr double enough_middle = 0.6;                    // share of the middle that shows something
-constexpr double wall_distance = 2.2, much_wall = 0.65;  // clearances; share of the view
+// Thresholds for the contents of a view. Tuned on ten seeds of both fractals.
+constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view
+constexpr double enough_middle = 0.6;                    // fraction of the central part that hits something
+constexpr double wall_distance = 2.2, much_wall = 0.65;  // clearances; fraction of the view
 constexpr double enough_depths = 0.55;                   // standard deviation of the depths' logarithms
 
 const Sphere& sphere()
@@ -78,7 +78,7 @@ const std::vector<std::vector<Turn>>& turns()
     return made;
 }
 
-// 0 from `enough` up, 1 from `none` down, smooth between.
+// Returns 0 for values of at least `enough`, 1 for values of at most `none`, and a smooth transition in between.
 double lack(double value, double enough, double none)
 {
     return square(std::clamp((enough - value) / (enough - none), 0.0, 1.0));
@@ -172,7 +172,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
 
 std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
 {
-    // Slots every tenth frame, and one at the last.
+    // One slot for every tenth frame, and one for the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
     const auto frame_of = [&](std::size_t slot) {
         return std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses over time where the camera looks: of all ways that a gaze can go, the one with most to see.
+// Chooses the camera's gaze over time: of all possible sequences of directions, the one that shows most.
 #pragma once
 
 #include <span>
@@ -11,27 +11,28 @@
 
 namespace mandelmarch {
 
-// What there is to see along a track: panoramas at places of it, and what each direction is worth as a gaze.
+// Panoramas at points along a curve, with a cost for each direction as a gaze.
 class Director {
 public:
     Director(const Shapes& shapes, const Track& track);
 
-    // Unit vectors for the first `frames` places, two at least, of a ride along the track that goes on for look_ahead
-    // more. Dynamic programming (Bellman) over directions at every tenth frame: a direction costs what its view lacks,
-    // how far it is off the motion, and the turn to it. smoothed_gaze() smooths them.
+    // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
+    // The trajectory should continue for look_ahead frames. Dynamic programming (Bellman) over directions at every
+    // tenth frame minimises the sum of three costs: features missing from the view, angle to the direction of motion,
+    // and turns. smoothed_gaze() smooths the result.
     std::vector<Vector> gaze(const Ride& ride, int frames) const;
 
-    // How far a gaze's picture moves from one frame to the next, as median_motion of a view: by the panorama at a
-    // sample of the track.
+    // Returns the picture's median motion from one frame to the next, as median_motion(), computed from the panorama
+    // nearest to a sample of the curve.
     double motion(double sample, const Frame& from, const Frame& to) const;
 
 private:
     static void rate(std::span<const float> depths, double clearance, std::span<float> costs);
     std::size_t panorama_at(double sample) const;
 
-    std::vector<double> samples_;  // of the track, one a panorama
-    std::vector<float> depths_;    // of each panorama's directions
-    std::vector<float> costs_;     // of each direction as a gaze; 0 lacks nothing
+    std::vector<double> samples_;  // index in the curve, for each panorama
+    std::vector<float> depths_;    // for each direction of each panorama
+    std::vector<float> costs_;     // of each direction as a gaze; 0: nothing is missing
 };
 
 }  // namespace mandelmarch

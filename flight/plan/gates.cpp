@@ -13,14 +13,14 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double look = 1.5;       // clearances: how far around a place its shape is felt
-constexpr double ring_radius = 7;  // clearances within which the ring's rays must meet wall
+constexpr double look = 1.5;       // clearances: distance at which the openness around a point is sampled
+constexpr double ring_radius = 7;  // clearances within which the ring's rays must hit a wall
 constexpr std::size_t lines = 32;
 constexpr int ring_rays = 16;
-constexpr double widening = 2.3;  // the way out must reach so many times the gate's clearance
-constexpr double same_place = 2;  // clearances: gates nearer to each other are one
+constexpr double widening = 2.3;  // clearance that the way out must reach, in clearances of the gate
+constexpr double same_place = 2;  // clearances: gates closer to each other count as one
 
-// 13 directions: the axes through the faces, edges and corners of a cube.
+// Returns 13 directions: the axes through the faces, edges and corners of a cube.
 std::array<Vector, 13> compass()
 {
     std::array<Vector, 13> directions;
@@ -33,7 +33,7 @@ std::array<Vector, 13> compass()
     return directions;
 }
 
-// Two unit vectors that stand on a unit vector and on each other.
+// Returns two unit vectors that are perpendicular to `axis`, a unit vector, and to each other.
 std::pair<Vector, Vector> across(Vector axis)
 {
     const Vector helper = std::abs(axis.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // The most open line through the place: the principal axis of how open each direction is.
+    // Sets gate.axis to the most open line through its centre: the principal axis of the openness of all directions.
     void find_axis(Gate& gate) const
     {
         static const auto directions = compass();
@@ -91,7 +91,8 @@ private:
         gate.axis = dot(axis, gate.axis) < 0 ? -1 * axis : axis;
     }
 
-    // Of many lines through the place, the one that is open both ways with most wall around it.
+    // Sets gate.axis to the line, of many through the centre, that is open both ways and has most wall around it.
+    // Returns false if there is not enough wall.
     bool tunnel(Gate& gate) const
     {
         static const auto directions = [] {
@@ -110,7 +111,7 @@ private:
         std::array<double, 2 * lines> t{};
         const double end = ring_radius * gate.clearance;
         const field::Reach reach{.floor = 0.05 * gate.clearance, .tolerance = 0, .end = end, .steps = 30};
-        // A first look: a sixteenth of the directions, at even strides, must be blocked for the most part.
+        // Quick rejection: of 16 directions spread over all, at least half must be blocked.
         std::array<Vector, 16> few;
         for (std::size_t k = 0; k < few.size(); ++k) few[k] = directions[k * 2 * lines / few.size() + k % 2];
         field_.casts({from.data(), few.size()}, few, reach, {t.data(), few.size()});
@@ -134,7 +135,8 @@ private:
         return best >= enough_;
     }
 
-    // Moves to the saddle: the widest point across the axis, the narrowest along it.
+    // Moves the gate to the saddle of the clearance: its maximum across the axis, its minimum along it. Returns false
+    // if there is none nearby.
     bool centre(Gate& gate) const
     {
         const double home = gate.clearance;
@@ -177,7 +179,7 @@ private:
         return true;
     }
 
-    // The share of rays across the axis that meet wall.
+    // Returns the fraction of rays across the axis that hit a wall.
     double ringed(const Gate& gate) const
     {
         const auto [u, v] = across(gate.axis);
@@ -195,7 +197,8 @@ private:
         return static_cast<double>(wall) / ring_rays;
     }
 
-    // Climbs out of the narrows: each step goes, of nine directions around the last one, where there is most room.
+    // Follows the way out of the gate to a ball in wider space. Each step takes, of nine directions around the last
+    // one, that with the largest clearance. Returns false if no way out is found.
     bool leave(Gate& gate, int way) const
     {
         Vector direction = way == 0 ? gate.axis : -1 * gate.axis;
@@ -216,7 +219,7 @@ private:
             std::array<double, 9> found{};
             for (std::size_t k = 0; k < 9; ++k) points[k] = at + 0.5 * clear * headings[k];
             field_.distances(points, found);
-            found[0] *= 1.02;  // straight on, unless there is a reason
+            found[0] *= 1.02;  // prefers straight on
             const auto best = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
             at = points[best];
             clear = best == 0 ? found[0] / 1.02 : found[best];
@@ -233,7 +236,7 @@ private:
         return false;
     }
 
-    // The ways out may have passed a narrower point: that is the centre then.
+    // Moves the centre to the narrowest point of the ways out.
     void narrow(Gate& gate) const
     {
         std::vector<Vector> whole(gate.ways[1].rbegin(), gate.ways[1].rend());
@@ -253,7 +256,7 @@ private:
     const Field& field_;
     const Balls& balls_;
     double least_, most_;
-    double enough_;  // share of the ring that must be wall
+    double enough_;  // fraction of the ring that must be wall
 };
 
 }  // namespace
@@ -262,7 +265,7 @@ std::vector<Gate> find_gates(const Field& field, const Balls& balls, const GateS
                              std::span<const Ball> also)
 {
     const auto [least, most, tries] = search;
-    // The places are drawn by a fixed seed: every tour chooses among the same gates.
+    // A fixed seed, so that all tours choose among the same gates.
     std::vector<Ball> places(also.begin(), also.end());
     Random random(1);
     const double share = static_cast<double>(tries) / std::max(static_cast<double>(balls.narrows().size()), 1.0);

@@ -12,13 +12,14 @@ namespace mandelmarch {
 namespace {
 
 constexpr double blur = 24;               // frames: the standard deviation of the smoothing in time
-constexpr std::size_t middle_until = 90;  // frames: after it the gaze has left the fractal's middle
+constexpr std::size_t middle_until = 90;  // frames until the gaze has left the fractal's centre
 
-constexpr double most_roll = 0.25;     // degrees a frame: with the farthest turn it is within the promise's 1.2
-constexpr double roll_share = 0.02;    // of what a frame with a horizon is off level, a frame
-constexpr double clear_horizon = 0.5;  // of Tilt::horizon: from there the first frames are level
+constexpr double most_roll = 0.25;     // degrees per frame: with the largest turn, within the promised 1.2
+constexpr double roll_share = 0.02;    // fraction of the tilt that is corrected per frame
+constexpr double clear_horizon = 0.5;  // Tilt::horizon above which a frame decides the initial roll
 
-// Means by a Gaussian in time, cut at three standard deviations; at the ends the first and the last value go on.
+// Returns the values smoothed by a Gaussian in time, cut at three standard deviations. Beyond the ends, the first and
+// the last value are repeated.
 template <class Value>
 std::vector<Value> blurred(const std::vector<Value>& in)
 {
@@ -39,7 +40,7 @@ std::vector<Value> blurred(const std::vector<Value>& in)
     return out;
 }
 
-// Turns the unit vector a towards the unit vector b by an angle, radians.
+// Returns the unit vector a turned towards the unit vector b by an angle in radians.
 Vector turned(Vector a, Vector b, double angle)
 {
     const Vector side = b - dot(a, b) * a;
@@ -88,7 +89,7 @@ std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Ve
     std::vector<Frame> frames;
     for (std::size_t i = 0; i < gaze.size(); ++i) {
         if (i > 0) {
-            // The least rotation from the last gaze to this one, applied to up (Rodrigues' formula without
+            // Applies the smallest rotation from the last gaze to this one to `up` (Rodrigues' formula without
             // trigonometry).
             const Vector axis = cross(gaze[i - 1], gaze[i]);
             const double cosine = dot(gaze[i - 1], gaze[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the camera looks on its ride.
+// The camera's gaze and roll along its trajectory.
 #pragma once
 
 #include <vector>
@@ -13,19 +13,20 @@ namespace mandelmarch {
 
 inline constexpr int look_ahead = 48;  // frames, 1.6 s
 
-// The unit vector from a frame's place to where the camera will be so many frames later.
+// Returns the unit vector from the camera at `frame` to the camera `frames` frames later.
 Vector ahead(const Ride& ride, std::size_t frame, std::size_t frames);
 
-// Directions of the gaze, one a frame, smoothed in time; the first three seconds leave the fractal's middle.
+// Returns the directions of the gaze, one per frame, smoothed in time. The gaze begins at the fractal's centre and
+// changes to `aims` over the first three seconds.
 std::vector<Vector> smoothed_gaze(const Ride& ride, std::vector<Vector> aims);
 
-// The same with no turn of more than `most` degrees from frame to frame.
+// Limits turns of the gaze to `most` degrees per frame.
 void limit_turns(std::vector<Vector>& gaze, double most);
 
-// The cameras: the up vector is carried along without rolling.
+// Returns one camera per frame. The up vector follows the gaze without roll.
 std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view);
 
-// Rolls the cameras of a path's frames bit by bit to where their fractal shows upwards what is up.
+// Rolls the cameras gradually until they are level, by the upward direction that the fractal defines.
 void hold_level(std::vector<Frame>& frames, const Fractal& fractal);
 
 // Degrees between two unit vectors.

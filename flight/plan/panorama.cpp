@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double coarse_share = 0.02;  // of t: a ray that comes so near has hit
-constexpr int most_steps = 60;         // a ray that takes more has hit
+constexpr double coarse_share = 0.02;  // hit tolerance, as a fraction of t
+constexpr int most_steps = 60;         // a ray with more steps counts as a hit
 
 }  // namespace
 

@@ -22,24 +22,24 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double least_clearance = 0.0034;  // hull sizes: the band goes nowhere nearer to a surface
+constexpr double least_clearance = 0.0034;  // fractal sizes: the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
-constexpr double wanted_turn = 0.95;    // degrees a frame: where the gaze turns faster, the ride slows down
-constexpr double turn_limit = 1.17;     // degrees a frame; the promise is 1.2
-constexpr double slowest = 0.08;        // of the pace
-constexpr double usual_motion = 0.014;  // picture heights a frame at the median pixel: the ride keeps near it
+constexpr double wanted_turn = 0.95;    // degrees per frame: where the gaze turns faster, the camera slows down
+constexpr double turn_limit = 1.17;     // degrees per frame; the promise is 1.2
+constexpr double slowest = 0.08;        // smallest speed factor
+constexpr double usual_motion = 0.014;  // target of the picture's median motion, picture heights per frame
 constexpr int retimings = 7;
-// Where the shape changes in flight:
-constexpr double first_share = 0.6;  // of the pace that rides keep up, at first
-constexpr double usual_slow = 0.7;   // the mean of `slow` that tours are made for
-constexpr double most_off = 1;       // frames by which a ride may miss a knot
+// For shapes that change in flight:
+constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
+constexpr double usual_slow = 0.7;   // the mean speed factor that tours are planned for
+constexpr double most_off = 1;       // largest time error at a keyframe, frames
 
-// The most processor time for a plan: many times what the official shapes take.
+// Limits of a plan's processor time: many times that of the official shapes.
 constexpr double usual_seconds = 60;
 constexpr double seconds_a_frame = 0.02;
 
-constexpr int audit_stride = 5;  // the same while tours are compared
-constexpr int view_stride = 10;  // frames between the views whose motion is looked at
+constexpr int audit_stride = 5;  // frames between the views that audits of tours examine
+constexpr int view_stride = 10;  // frames between the views whose motion sets the speed
 
 class Planner {
 public:
@@ -57,7 +57,7 @@ public:
 
     const Atlas& atlas() const { return atlas_; }
 
-    // The path of one tour; empty if the tour was too short, or too long for a changing shape.
+    // Returns the path of one tour; empty if the tour was too short or, with a changing shape, not on time.
     Path attempt(int number)
     {
         Random random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
@@ -97,7 +97,7 @@ private:
             } else {
                 now = ride(hull, track, measures_.pace, needed);
             }
-            // A ride that is too short now may last when it has slowed down in its bends.
+            // A trajectory that is too short may become long enough when it slows down in bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
             views = smoothed_gaze(now, director.gaze(now, flown));
@@ -118,7 +118,7 @@ private:
         return path;
     }
 
-    // How much of the pace rides keep up: what the next tour's clock goes by.
+    // Updates share_ from the trajectory's mean speed factor, for the shape time of the next tour.
     void learn(const Track& track, const Ride& ride)
     {
         double sum = 0;
@@ -127,7 +127,7 @@ private:
         share_ = std::clamp(share_ * std::pow(usual_slow / mean, 0.7), 0.2, 1.0);
     }
 
-    // Each frame's shape, in single precision, as path files have it.
+    // Sets each frame's shape, rounded to single precision, as in path files.
     void change(Path& path, const Track& track, const Ride& ride) const
     {
         const std::vector<double> clock = clock_of(track, ride, static_cast<int>(path.frames.size()), schedule_);
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    // Where the gaze turns too fast, the track's samples become slow.
+    // Lowers the speed factors where the gaze turns too fast.
     void slow_turns(Track& track, const Ride& ride, const std::vector<Vector>& views) const
     {
         std::vector<double> factor(track.slow.size(), 1);
@@ -153,8 +153,7 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Where the picture moves faster than usual the ride slows down, where slower it goes faster, as far as the pace
-    // allows.
+    // Adjusts the speed factors so that the picture's motion approaches usual_motion, at most at full pace.
     void keep_moving(Track& track, const Ride& ride, const std::vector<Vector>& views, const Director& director) const
     {
         const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
@@ -167,7 +166,7 @@ private:
         }
     }
 
-    // The up vector of the first camera: y, or z where the gaze goes along y.
+    // Returns the up vector of the first camera: y, or z if the view is close to the y axis.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
     Schedule schedule_;
@@ -177,10 +176,10 @@ private:
     int frames_;
     double size_;
     Atlas atlas_;
-    double share_ = first_share;  // of the pace, by which the clock of tours goes
+    double share_ = first_share;  // mean speed that sets the shape time of tours, as a fraction of the pace
 };
 
-// Bars missed, and by how much: a promise weighs more than all quality.
+// Returns a penalty for missed promises and thresholds. One promise outweighs all thresholds.
 double faults(const Audit& audit)
 {
     double sum = 0;
@@ -192,7 +191,7 @@ double faults(const Audit& audit)
     return sum;
 }
 
-// Before any tour: throws InputError where the roads lack what every tour needs.
+// Throws InputError if the roadmaps have no free space or no gates.
 void check_roads(const Atlas& atlas, const Scene& scene, const Schedule& schedule)
 {
     const auto fail = [&](const char* missing) {
@@ -206,7 +205,7 @@ void check_roads(const Atlas& atlas, const Scene& scene, const Schedule& schedul
     if (atlas.gates().empty() && !schedule.changes()) fail("no narrow places to fly through (no gates)");
 }
 
-// The names of the promises that an audit found broken.
+// Returns the names of the broken promises.
 std::string broken(const Audit& audit)
 {
     std::string names;

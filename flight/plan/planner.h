@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a seed to a path.
+// The planner: makes a path from a seed.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace mandelmarch {
 
 struct Plan {
     Path path;
-    double seconds = 0;              // that planning took
-    int attempts = 0;                // tours flown and audited
-    std::vector<Ball> balls, gates;  // what the tours were sought in; a gate as its narrowest place
+    double seconds = 0;              // planning time
+    int attempts = 0;                // tours tried
+    std::vector<Ball> balls, gates;  // of the roadmaps; a gate as the ball around its narrowest point
 };
 
-// Called with what is being done.
+// Receives progress messages, some with several lines.
 using Log = std::function<void(const std::string&)>;
 
-// A flight of `frames` frames through the scene's fractal, which changes by the schedule, that keeps every promise of
-// docs/flight.md. The same seed gives the same path, on any number of threads (0: all that the process may use).
+// Returns a flight of `frames` frames that keeps every promise of docs/flight.md. The scene's fractal changes by the
+// schedule. The same seed gives the same path on any number of threads (0: all that the process may use).
 // Throws InputError if the shape cannot be flown through (flight/field/hull.h), has no free space or no gates, or takes
-// more processor time than `most_seconds` (0: an amount that grows with the frames); Error if no tour is long enough or
+// more processor time than `most_seconds` (0: a limit that grows with the frames); Error if no tour is long enough or
 // keeps the promises.
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
           const Log& log = {}, double most_seconds = 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are the same on every machine: the library's distributions are not.
+// Random numbers that are the same on every machine, unlike those of the standard library's distributions.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ public:
         return z ^ (z >> 31);
     }
 
-    // In [0, 1).
+    // Returns a number in [0, 1).
     double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
 private:

@@ -11,15 +11,15 @@ namespace mandelmarch {
 namespace {
 
 constexpr int samples_per_span = 6;
-constexpr double gentle = 0.03;       // the speed's logarithm changes by at most this a frame: twice as fast in 0.8 s
-constexpr double smooth_frames = 15;  // the speed is smoothed over so many before and behind
-constexpr double foresight = 1;       // clearances ahead and behind whose least counts
-constexpr int fits = 12;              // rides until one is in time
-constexpr double in_time = 0.25;      // frames
-constexpr std::ptrdiff_t even_frames = 45;  // before and behind that the clock is the mean over
+constexpr double gentle = 0.03;       // largest change of the logarithm of speed per frame: twice the speed in 0.8 s
+constexpr double smooth_frames = 15;  // frames on either side over which the speed is smoothed
+constexpr double foresight = 1;       // times 0.3 clearances: range whose smallest clearance limits the speed
+constexpr int fits = 12;              // most attempts to meet the keyframes
+constexpr double in_time = 0.25;      // accepted time error, frames
+constexpr std::ptrdiff_t even_frames = 45;  // frames on either side over which the shape time is averaged
 
-// The speed without its kinks and nowhere above it: the least within a quarter of a second before and behind, then the
-// mean over as long.
+// Returns the speed without kinks, nowhere above the given one: the minimum within smooth_frames on either side, then
+// the weighted mean over the same range.
 std::vector<double> smoothed(const Track& track, const std::vector<double>& speed)
 {
     const std::size_t count = speed.size();
@@ -38,7 +38,7 @@ std::vector<double> smoothed(const Track& track, const std::vector<double>& spee
         }
     };
     each(speed, [&](std::size_t i, auto near, auto) { least[i] = std::ranges::min(near); });
-    // Samples lie at unequal times: each counts by how long it lasts, less the farther it is.
+    // Samples are at unequal times, so each is weighted by its duration and by its distance in time.
     each(least, [&](std::size_t i, auto near, auto at) {
         double sum = 0;
         double weights = 0;
@@ -53,7 +53,7 @@ std::vector<double> smoothed(const Track& track, const std::vector<double>& spee
     return mean;
 }
 
-// Where the clock stands at a sample of the track.
+// Returns the shape time at a fractional sample of the curve.
 double clock_at(const Track& track, double sample)
 {
     const auto i = std::min(static_cast<std::size_t>(sample), track.clock.size() - 1);
@@ -61,8 +61,8 @@ double clock_at(const Track& track, double sample)
                      sample - static_cast<double>(i));
 }
 
-// The mean over the values around each. Beyond the ends they go on turned about them by 180 degrees: the ends stay, and
-// so do even steps.
+// Returns the moving average of the values. Beyond the ends, values are continued by point reflection, so that the end
+// values and constant slopes are unchanged.
 std::vector<double> mean_around(const std::vector<double>& values, std::ptrdiff_t reach)
 {
     const std::ptrdiff_t last = std::ssize(values) - 1;
@@ -115,7 +115,7 @@ Ride ride(const Hull& hull, const Track& track, double pace, int frames)
 {
     const std::size_t count = track.at.size();
     const double cap = fastest_clearance(hull);
-    // The least clearance nearby, so that a sudden narrow place does not meet a fast camera.
+    // The smallest clearance nearby limits the speed, so that the camera is slow before a sudden narrow place.
     std::vector<double> speed(count);
     for (std::size_t i = 0; i < count; ++i) {
         double least = track.clearance[i];
@@ -151,7 +151,7 @@ Ride ride(const Hull& hull, const Track& track, double pace, int frames)
 
 Timed ride_in_time(const Hull& hull, Track& track, double pace, int frames, const Schedule& schedule)
 {
-    // The legs end at the knots that lie in the film, and at its last frame.
+    // Legs end at the keyframes inside the film, and at its last frame.
     const double last = frames - 1;
     std::vector<double> ends;
     for (const Knot& knot : schedule.knots()) {
@@ -165,7 +165,7 @@ Timed ride_in_time(const Hull& hull, Track& track, double pace, int frames, cons
     Timed result{};
     for (int round = 0; round < fits; ++round) {
         result.ride = ride(hull, track, pace, frames * 3);
-        // When the ride passes the end of each leg.
+        // The time at which the trajectory passes the end of each leg, frames.
         std::vector<double> times(ends.size(), 3 * last);
         for (std::size_t f = 1, leg = 0; f < result.ride.sample.size() && leg < ends.size(); ++f) {
             const double before = clock_at(track, result.ride.sample[f - 1]);
@@ -193,7 +193,7 @@ std::vector<double> clock_of(const Track& track, const Ride& ride, int frames, c
     std::vector<double> clock;
     for (int f = 0; f < frames; ++f) clock.push_back(clock_at(track, ride.sample[static_cast<std::size_t>(f)]));
     for (int pass = 0; pass < 2; ++pass) clock = mean_around(clock, even_frames);
-    // By how much it is off at the knots goes away bit by bit between them.
+    // Removes the error at the keyframes by adding a correction that is linear between them.
     std::vector<Knot> off;
     const auto add = [&](double frame) {
         const auto f = static_cast<std::size_t>(std::lround(frame));

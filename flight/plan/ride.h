@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Along the smoothed way in time: a smooth curve, and how fast it is flown.
+// The curve of a flight, and the camera's trajectory along it in time.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,40 @@
 
 namespace mandelmarch {
 
-// A curve as dense samples.
+// A curve as dense samples; vectors have one element per sample.
 struct Track {
     std::vector<Vector> at;
     std::vector<double> length;     // from the beginning, along the curve
     std::vector<double> clearance;  // the distance estimate
-    std::vector<double> slow;       // 1, or less where the speed must be less than the clearance allows
-    std::vector<double> clock;      // in frames of the schedule
-    std::vector<double> value;      // the shape number that the fractal has there
+    std::vector<double> slow;       // speed factor, at most 1, on the speed that the clearance allows
+    std::vector<double> clock;      // shape time, in frames of the schedule
+    std::vector<double> value;      // the shape parameter's value at that time
 };
 
-// The uniform cubic B-spline of the line's points, clock and all.
+// Returns the uniform cubic B-spline of the line's points and shape times.
 Track track_of(const Shapes& shapes, const Schedule& schedule, const Line& line);
 
-// Where the camera is at each frame, and the sample of the track it has reached.
+// The camera's position at each frame, and the (fractional) index of the curve's sample there.
 struct Ride {
     std::vector<Vector> at;
     std::vector<double> sample;
 };
 
-// Flies the track with at most `pace` clearances a frame, changing speed gently. Ends after `frames` frames or where
-// the track ends.
+// Returns a trajectory along the curve with gentle changes of speed and at most `pace` clearances per frame. It ends
+// after `frames` frames or at the end of the curve.
 Ride ride(const Hull& hull, const Track& track, double pace, int frames);
 
-// Changes `slow` so that the camera comes to the places of the schedule's knots, and of the last of `frames` frames, at
-// their frames, as nearly as it may without going faster than the pace; returns the ride, and by how many frames it
-// misses the worst of them.
+// A trajectory, and its largest time error at a keyframe in frames.
 struct Timed {
     Ride ride;
     double off;
 };
+// Changes the curve's speed factors so that the camera reaches the points of the schedule's keyframes, and of the last
+// of `frames` frames, on time, as far as the pace allows.
 Timed ride_in_time(const Hull& hull, Track& track, double pace, int frames, const Schedule& schedule);
 
-// Where the clock stands at each of the first `frames` frames of a ride in time. It is even, the mean over three
-// seconds, so that the shape does not change as suddenly as clearances do, and right at the schedule's knots.
+// Returns the shape time at each of the first `frames` frames of a trajectory by ride_in_time(). It is averaged over
+// three seconds, so that the shape does not change as suddenly as clearances do, and exact at the keyframes.
 std::vector<double> clock_of(const Track& track, const Ride& ride, int frames, const Schedule& schedule);
 
 }  // namespace mandelmarch

@@ -11,16 +11,16 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double narrow = 0.0022;  // hull sizes: least clearance of the narrow places that are kept
+constexpr double narrow = 0.0022;  // fractal sizes: smallest clearance of the points of Balls::narrows()
 constexpr Roads::Effort one_shape{Balls::usual_coarse, 300'000};
-// Where the shape changes in flight:
+// For shapes that change in flight:
 constexpr Roads::Effort first_of_many{48, 100'000};
-constexpr Roads::Effort one_of_many{48, 20'000};  // it has its neighbour's gates, too
-constexpr int roads_iterations = 30;              // what is not decided by then lies too near to the surface for roads
-constexpr double moved = 0.5;  // of a road's least clearance: how far walls move from one value to the next
+constexpr Roads::Effort one_of_many{48, 20'000};  // few tries, as the neighbour's gates are tried, too
+constexpr int roads_iterations = 30;              // points that need more are too close to the surface for a roadmap
+constexpr double moved = 0.5;  // motion of walls from one value to the next, in smallest clearances of a roadmap
 constexpr int most_values = 32;
 
-// Of values from low to high, where walls move by that much, half of them less.
+// Returns the step between values from low to high in which walls move, in the median, by that distance.
 double step_of_values(const Shapes& shapes, double low, double high)
 {
     const Field& field = shapes.field();
@@ -92,7 +92,7 @@ Atlas::Atlas(const Shapes& shapes, const Schedule& schedule) : schedule_(schedul
                                                  shapes.threads(), shapes.budget());
         neighbour = roads_[number].get();
     }
-    // And back, for the gates that were there before others knew them.
+    // Then backwards, so that gates found at later values are tried at earlier ones.
     for (int number = number_of(high_); number-- > 0;) roads_[number]->find(roads_[number + 1].get(), 0);
 }
 

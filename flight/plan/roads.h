@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roads: the balls and gates of a shape, and of all shapes that a changing fractal has in flight.
+// Roadmaps: the balls and gates of one shape, and the set of roadmaps of a fractal that changes in flight.
 #pragma once
 
 #include <limits>
@@ -13,49 +13,49 @@
 
 namespace mandelmarch {
 
-// Distances count in clearances, as that is how the camera's speed goes: the integral of ds / min(clearance, cap).
-// 0.1 hull sizes: beyond it a wider space is flown through no faster.
+// Returns the clearance above which the camera flies no faster: 0.1 fractal sizes. Costs are distances in clearances,
+// the integral of ds / min(clearance, this), because the camera's speed is proportional to min(clearance, this).
 double fastest_clearance(const Hull& hull);
 
-// The roads of one shape.
+// The roadmap of one shape.
 struct Roads {
     Field field;
     Balls balls;
     std::vector<Gate> gates;
 
-    // Cells of the balls' coarse grid along an edge; places where gates are looked for.
+    // `coarse`: cells of the balls' coarse grid along an edge. `tries`: points at which a search for gates starts.
     struct Effort {
         int coarse, tries;
     };
-    // Gates are looked for where `neighbour`, the roads of a shape that is nearly the same, has some, too; or null.
+    // `neighbour`: the roadmap of a similar shape, at whose gates searches start, too; or null.
     Roads(const Scene& scene, const Effort& effort, const Roads* neighbour, int threads, const Budget* budget);
-    // Looks for more gates, where `neighbour` has some, too.
+    // Searches for more gates, also at those of `neighbour` if it is not null.
     void find(const Roads* neighbour, int tries);
     Roads(const Roads&) = delete;
     Roads& operator=(const Roads&) = delete;
 };
 
-// The roads that are flown until the clock passes `until`.
+// A roadmap that is used until the shape time passes `until`.
 struct Stretch {
     const Roads* roads;
     double until = std::numeric_limits<double>::infinity();  // frames
-    double value = 0;                                        // of the shape number that changes
+    double value = 0;                                        // of the changing shape parameter
 };
 
-// The roads that tours of a schedule are sought on: one shape's where nothing changes, else those of values so near to
-// each other that walls move by about half a road's least clearance from one to the next.
+// The roadmaps for tours of a schedule: one if nothing changes, else one for each of many values of the shape
+// parameter. From one value to the next, walls move by about half the smallest clearance of a roadmap.
 class Atlas {
 public:
     Atlas(const Shapes& shapes, const Schedule& schedule);
 
-    // In their order, for a film of so many frames.
+    // Returns the roadmaps in the order of time, for a film of `frames` frames.
     std::vector<Stretch> stretches(int frames) const;
     std::size_t shapes() const { return roads_.size(); }
     double step() const { return step_; }  // from one value to the next
 
-    // True if every shape's roads have balls inside the fractal's hull that are connected to the outside.
+    // True if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
     bool has_space() const;
-    // Of all roads; a gate as its narrowest place.
+    // Return the balls and gates of all roadmaps; a gate as the ball around its narrowest point.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;
 
@@ -65,7 +65,7 @@ private:
 
     Schedule schedule_;
     double low_ = 0, high_ = 0, step_ = 1;         // of the values
-    std::map<int, std::unique_ptr<Roads>> roads_;  // by the number of their value
+    std::map<int, std::unique_ptr<Roads>> roads_;  // by the index of their value
 };
 
 }  // namespace mandelmarch

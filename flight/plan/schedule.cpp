@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t longest_value = 80;  // bytes of a value that a message shows
-constexpr int looks = 256;                 // values between two knots at which there must be something to fly through
+constexpr std::size_t longest_value = 80;  // bytes of a value in a message
+constexpr int looks = 256;                 // values checked between two keyframes
 
 class Parser {
 public:
@@ -40,14 +40,14 @@ public:
         }
         for (std::size_t k = 1; k < knots.size(); ++k) {
             if (!(knots[k].frame > knots[k - 1].frame)) {
-                fail(fmt::format("{:.6g} s comes behind {:.6g} s, expected seconds that grow",
+                fail(fmt::format("{:.6g} s follows {:.6g} s, expected seconds that increase",
                                  knots[k].frame / frames_per_second, knots[k - 1].frame / frames_per_second));
             }
         }
         if (knots.back().frame > last) {
-            // The last frame ends the film's last second.
+            // The film's end in seconds means its last frame.
             if (knots.back().frame > frames_) {
-                fail(fmt::format("{:.6g} s lies behind the end of the film, expected at most {:.6g} s",
+                fail(fmt::format("{:.6g} s is after the end of the film, expected at most {:.6g} s",
                                  knots.back().frame / frames_per_second,
                                  static_cast<double>(frames_) / frames_per_second));
             }
@@ -87,7 +87,7 @@ private:
         return all;
     }
 
-    // Rounded to single precision, as from a parameter file.
+    // Parses a value and rounds it to single precision, as the reader of parameter files does.
     double value(std::string_view text) const
     {
         const Meaning& meaning = scene_.fractal->shape[number_];
@@ -103,14 +103,15 @@ private:
         return value;
     }
 
-    // "60s=5"
+    // Parses a keyframe such as "60s=5".
     Knot knot(std::string_view part) const
     {
         const auto equals = part.find('=');
         const std::string_view when = part.substr(0, equals);
         const auto seconds = when.ends_with('s') ? parse_real(when.substr(0, when.size() - 1)) : std::nullopt;
         if (equals == std::string_view::npos || !seconds || *seconds < 0) {
-            fail(fmt::format("'{}' names no second and value, expected 60s=5, say", printable(part, longest_value)));
+            fail(fmt::format("'{}' is not a time with a value, expected for example 60s=5",
+                             printable(part, longest_value)));
         }
         return {*seconds * frames_per_second, value(part.substr(equals + 1))};
     }
@@ -127,7 +128,7 @@ private:
                 if (!objection.empty()) fail(std::string(objection));
                 if (const std::string why = flight_objection(there); !why.empty()) fail(why);
                 if (from != to && !there.fractal->flight.body(there)) {
-                    fail(fmt::format("at {:.4g} it is not known how large the {} is, expected values without it",
+                    fail(fmt::format("at {:.4g} the size of the {} is unknown, expected other values",
                                      there.shape[number_], there.fractal->name));
                 }
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How one number of a fractal's shape changes in a flight.
+// Keyframes of one shape parameter of a fractal that changes in flight.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace mandelmarch {
 
-// A value and the frame at which the number has it.
+// A keyframe: a value of the shape parameter, and the frame at which it is reached.
 struct Knot {
     double frame;
     double value;
 };
 
-// Before the first knot and behind the last the number stays. Between two it goes from one value to the other, slowly
-// at first and at last: by u^2 (3 - 2 u), whose rate has no jump.
+// A shape parameter as a function of time. It is constant before the first keyframe and after the last; between two it
+// is interpolated by u^2 (3 - 2 u), whose derivative is continuous.
 class Schedule {
 public:
-    // Nothing changes.
+    // A schedule without changes.
     Schedule() = default;
-    // `number`: which of the scene's three shape numbers. Frames grow from knot to knot.
+    // `number`: index of the shape parameter in Scene::shape. Frames must increase from keyframe to keyframe.
     Schedule(std::size_t number, std::vector<Knot> knots);
 
     std::size_t number() const { return number_; }
@@ -35,10 +35,10 @@ private:
     std::vector<Knot> knots_;
 };
 
-// The schedule of `text` for the shape number that the scene's fractal calls `name`, in a film of so many frames: one
-// value, "8"; the first and the last, "8:5"; or values at named seconds, "0s=8,60s=5,120s=8". Throws InputError, in one
-// line, where the fractal has no such number, the text is none of these, seconds do not grow or lie behind the film's
-// end, or the fractal cannot be flown through at some value on the way.
+// Parses the schedule of the scene's shape parameter called `name`, for a film of `frames` frames. `text` is one value,
+// "8"; the first and the last, "8:5"; or values at given seconds, "0s=8,60s=5,120s=8". Throws InputError, in one line,
+// if the fractal has no such parameter, the text has another form, seconds do not increase or are after the film's end,
+// or the fractal cannot be flown through at some value in between.
 Schedule parse_schedule(std::string_view name, const std::string& text, const Scene& scene, int frames);
 
 }  // namespace mandelmarch

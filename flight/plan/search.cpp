@@ -10,19 +10,20 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double outside_penalty = 6;  // a way outside the hull counts so many times
-constexpr double seen_penalty = 3;     // a way through balls flown through before
-constexpr double whole_turn = 30;      // clearances that turning round costs: 180 degrees at the cap on turning
-constexpr double gate_reach = 400;     // clearances within which the next gate is sought
-constexpr int choices = 10;            // gate entries looked at before choosing
-constexpr double whim = 1.0;           // a gate's cost counts up to this much more, at random
-// Where the shape changes in flight:
-constexpr double changing_reach = 70;  // real clearances, too: a gate that is farther off has moved
-constexpr double stroll_reach = 40;    // clearances to a wide place, where no gate is in reach
-constexpr double same_gate = 0.03;     // hull sizes: gates of two shapes that are nearer to each other are one
-constexpr double over = 4;             // clearances of a ball: a place that is no farther off may go on in it,
-constexpr std::size_t tried = 24;      // where it is one of the nearest,
-constexpr double free_share = 0.3;     // and the way there has so much of a road's least clearance
+constexpr double outside_penalty = 6;  // cost factor outside the bounds
+constexpr double seen_penalty = 3;     // cost factor of visited balls
+constexpr double whole_turn = 30;      // cost of a turn by 180 degrees, clearances
+constexpr double gate_reach = 400;     // clearances, with penalties, within which the next gate is sought
+constexpr int choices = 10;            // gate entries compared before choosing
+constexpr double whim = 1.0;           // largest random increase of a gate's cost, relative
+// For shapes that change in flight:
+constexpr double changing_reach = 70;  // clearances, without penalties: gates farther away will have moved
+constexpr double stroll_reach = 40;    // clearances within which a fallback is sought
+constexpr double same_gate = 0.03;     // fractal sizes: gates of two shapes closer to each other count as one
+// A point may be attached to a ball that does not contain it if
+constexpr double over = 4;          // it is closer than this to the centre, in the ball's clearances,
+constexpr std::size_t tried = 24;   // the ball is one of this many closest ones,
+constexpr double free_share = 0.3;  // and all estimates in between exceed this fraction of the smallest clearance
 
 double angle_between(Vector a, Vector b)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for the next gate, on the roads of shape after shape.
+// The search for a tour's next gate, across the roadmaps of successive shapes.
 #pragma once
 
 #include <span>
@@ -10,19 +10,20 @@
 
 namespace mandelmarch {
 
-// A ball of a stretch's roads, and an entry of a gate: 2 gate + side. -1: none.
+// A ball of the roadmap of a stretch.
 struct Node {
     int stretch = 0;
-    int ball = -1;
+    int ball = -1;  // -1: none
 };
+// One side of a gate.
 struct Entry {
     int stretch = 0;
-    int number = -1;
+    int number = -1;  // 2 gate + side; -1: none
 };
 
 class Search {
 public:
-    // `frames_a_clearance`: how the clock goes.
+    // `frames_a_clearance`: shape time per distance.
     Search(std::span<const Stretch> stretches, double frames_a_clearance);
 
     const Stretch& stretch(int number) const { return stretches_[static_cast<std::size_t>(number)]; }
@@ -34,28 +35,30 @@ public:
         return roads(entry.stretch).gates[static_cast<std::size_t>(entry.number) / 2];
     }
 
-    // Dijkstra's search from a ball until enough gates are seen; returns the entry chosen, none if there is none.
-    // `done`: the points of the way so far, which should turn little; `clock`: where it stands, frames.
+    // Chooses the next gate by Dijkstra's search from a ball, until enough gates are found. Returns an empty entry if
+    // no gate is in reach. `clock`: the shape time at the ball, frames. `done`: the points of the tour so far, relative
+    // to which turns have a cost.
     Entry next(Node from, double clock, std::span<const Vector> done, Random& random);
 
-    // Of the last search: a place inside, some way off; the balls on the way to one; cost (clearances) and clock there.
+    // Results of the last search. stroll(): the fallback, a ball inside at some distance; leg_to(): the balls on the
+    // path to a node; cost() and clock(): clearances and shape time at a node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
     double cost(Node node) const { return cost_[index(node)]; }
     double clock(Node node) const { return clock_[index(node)]; }
 
-    // Clearances that the turns on the way to a gate cost: from the last way out into the leg, and from the leg into
+    // Returns the cost, in clearances, of two turns: from the tour so far into the leg to a gate, and from the leg into
     // the gate.
     double turn_cost(Node node, Entry entry, std::span<const Vector> done) const;
 
-    // The ball of a stretch that holds the place, or the nearest one that can be flown to; none where there is none.
+    // Returns the ball of a stretch that contains the place, else the nearest one with a free way to it; -1 if none.
     Node near(int stretch, Vector place) const;
 
-    // The ball and its neighbours have been flown through, and what holds the place in later shapes.
+    // Marks the ball, its neighbours, and the balls at its place in later shapes as visited.
     void see(Node node);
-    // The kind of the gate has been flown; in other shapes those at the same place.
+    // Marks the gate's kind, and the kinds of gates at the same place in other shapes, as flown.
     void mark_flown(Entry entry);
-    // A long film begins again.
+    // Clears the marks of see() and mark_flown().
     void forget();
 
 private:
@@ -66,15 +69,15 @@ private:
 
     std::span<const Stretch> stretches_;
     double frames_a_clearance_;
-    std::vector<std::size_t> offsets_;      // of each stretch's first ball in what follows
-    std::vector<char> seen_;                // balls flown through, and their neighbours
-    std::vector<std::vector<char>> flown_;  // of each stretch: kinds of gates
-    // Dijkstra's labels, valid where round_ is the current turn.
+    std::vector<std::size_t> offsets_;      // for each stretch: its first ball's index in vectors of all balls
+    std::vector<char> seen_;                // for each ball: visited, or a neighbour of a visited one
+    std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate
+    // Dijkstra's labels for each ball, valid where round_ equals turn_.
     std::vector<double> cost_, clock_;
     std::vector<Node> before_;
     std::vector<int> round_;
     int turn_ = 0;
-    std::vector<std::vector<int>> entries_;  // of each ball: 2 gate + side
+    std::vector<std::vector<int>> entries_;  // for each ball: its gates' entries, 2 gate + side
     Node stroll_;
 };
 

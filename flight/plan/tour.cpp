@@ -9,9 +9,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 2.5;  // of the eye from the middle, in hull sizes
-constexpr int most_refused = 60;        // gates in a tour
-constexpr double dear_gate = 130;       // clearances, penalties and all: a place inside is flown to instead
+constexpr double start_distance = 2.5;  // of the eye from the centre, in fractal sizes
+constexpr int most_refused = 60;        // discarded parts in a tour; the fallback counts five times
+constexpr double dear_gate = 130;       // clearances, with penalties: a gate farther away loses to the fallback
 
 class Guide {
 public:
@@ -32,7 +32,7 @@ public:
         while (tour_.cost < length_.cost && tour_.clock < length_.clock) {
             Entry entry = search_.next(at, tour_.clock, tour_.way.points, random_);
             if (entry.number < 0) {
-                // Every kind of gate in reach has been flown through: a long film begins again.
+                // All kinds of gates in reach have been flown, so they are allowed again.
                 search_.forget();
                 entry = search_.next(at, tour_.clock, tour_.way.points, random_);
             }
@@ -49,7 +49,7 @@ public:
             if (moved_on(to) && (!fine_ || fine_(part_from(before.way.points.size())))) {
                 at = to;
             } else {
-                // Behind it the next shape has no road, or the walls close on the way. The gate counts as flown.
+                // The next shape's roadmap does not reach this place, or the walls close. A gate stays marked as flown.
                 tour_ = before;
                 if ((refused += strolls ? 5 : 1) > most_refused) break;
             }
@@ -63,7 +63,7 @@ private:
         return {entry.stretch, search_.gate(entry).balls[static_cast<std::size_t>(entry.number) % 2]};
     }
 
-    // A ball just outside the hull, drawn at random.
+    // Returns a ball outside the bounds, chosen at random.
     int start()
     {
         const Balls& balls = search_.roads(0).balls;
@@ -79,7 +79,8 @@ private:
         return candidates[static_cast<std::size_t>(random_.share() * static_cast<double>(candidates.size()))];
     }
 
-    // Onto the roads of the clock's stretch, from one to the next; false where one has no road near the place.
+    // Moves `at` to the stretch of the current shape time, roadmap by roadmap. Returns false if one of them has no ball
+    // near the place.
     bool moved_on(Node& at) const
     {
         while (tour_.clock > search_.stretch(at.stretch).until) {
@@ -100,7 +101,7 @@ private:
         tour_.cost += search_.cost(node);
     }
 
-    // Flies the leg to the gate, in at the entry's side and out at the other.
+    // Adds the leg to the gate and the way through it, from the entry's side. Returns the ball on the other side.
     Node pass(Entry entry)
     {
         const Gate& through = search_.gate(entry);
@@ -124,7 +125,7 @@ private:
         return {entry.stretch, through.balls[1 - side]};
     }
 
-    // The way from a point on, and a few points before it.
+    // Returns the part of the polyline from a point on, with up to four points before it.
     Way part_from(std::size_t point) const
     {
         const auto first = static_cast<std::ptrdiff_t>(point - std::min<std::size_t>(point, 4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tour: through which gates, in which order, and a first rough way through the balls between them.
+// A tour: a sequence of gates, and a polyline through them and the balls in between.
 #pragma once
 
 #include <functional>
@@ -12,34 +12,35 @@
 
 namespace mandelmarch {
 
-// A polyline whose pins must be kept: the gates' centres.
+// A polyline; its pinned points, the gates' centres, must be kept.
 struct Way {
     std::vector<Vector> points;
-    std::vector<char> pinned;  // one a point
-    // Of each point: where the clock stands, in frames, and the shape number of the roads that it was found on.
+    std::vector<char> pinned;  // for each point
+    // For each point: its shape time in frames, and the shape parameter's value of the roadmap that it was found on.
     std::vector<double> clock, found;
 };
 
 struct Tour {
     Way way;
     int gates = 0;
-    double cost = 0;   // of the whole way, in clearances
-    double clock = 0;  // at its end, frames
+    double cost = 0;   // in clearances
+    double clock = 0;  // shape time at the end, frames
 };
 
-// What ends a tour: its cost, in clearances, or its clock, in frames, where the shape changes.
+// The length at which a tour ends: its cost in clearances or, if the shape changes, its shape time in frames.
 struct TourLength {
     double cost = std::numeric_limits<double>::infinity();
     double clock = std::numeric_limits<double>::infinity();
-    double frames_a_clearance = 0;  // how the clock goes: 1 / (clearances a frame)
+    double frames_a_clearance = 0;  // shape time per distance: 1 / (clearances per frame)
 };
 
-// Flies from outside from gate to gate, never twice through gates that look the same, until its length is spent or no
-// gate is left in reach; with a clock it flies on to wide places where there is no gate. `random` draws the start and,
-// among the next gates, not always the nearest. Each stretch is searched on its own roads: where the clock passes its
-// end, the way goes on in the ball of the next roads that holds the place.
-// `fine`: asked of each part of the way in turn, which begins with the last points before; what it refuses is not
-// flown.
+// Returns a tour that starts outside and leads from gate to gate until the length is reached or no gate is in reach. It
+// passes gates that look the same only once, unless no other gate is left. If the length is a shape time, it leads to
+// other places inside when no gate is in reach. `random` chooses the start and influences the choice of each gate.
+// Each stretch uses its own roadmap. When the shape time passes its end, the tour continues in the next roadmap's ball
+// at the same place.
+// `fine`: if given, called for each new part of the tour, together with up to four points before it; a part for which
+// it returns false is discarded.
 Tour make_tour(std::span<const Stretch> stretches, const TourLength& length, Random& random,
                const std::function<bool(const Way& part)>& fine = {});
 

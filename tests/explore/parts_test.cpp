@@ -72,7 +72,7 @@ TEST(ExploreSight, SaysWhatAPictureCannotShow)
         Scene inside = official(fractal);
         inside.eye = {0.1, 0.1, 0.1};
         inside.target = {1, 2, 3};
-        EXPECT_NE(word_on(inside, Motion().clearance(inside), Precision::f64, true).find("in the solid"),
+        EXPECT_NE(word_on(inside, Motion().clearance(inside), Precision::f64, true).find("inside the solid"),
                   std::string::npos)
             << fractal;
     }

@@ -127,7 +127,7 @@ if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     timeout 60 mpirun --oversubscribe --bind-to none -n 1 "$program" render path.json $small --output mpi.mp4 : \
         -n 1 -x MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 2>stderr
     [ $? != 0 ] || fail "ranks of unlike instruction sets made a film"
-    says "rank 1 would draw other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
+    says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
 fi
 
 # Titles: whole, once for each eye, in letters that the font has. white FILM: the columns that have white text at 2 s.

@@ -70,9 +70,9 @@ TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 
 TEST(PathFile, NamesKeysThatMeanNothing)
 {
-    says("\"seed\"", "\"sede\"", "\"sede\" means nothing here, expected some of format, fractal, seed");
-    says("\"detail\"", "\"look_at\"", "a.json: scene: \"look_at\" means nothing here, expected some of detail");
-    says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: \"brightnes\" means nothing here");
+    says("\"seed\"", "\"sede\"", "unknown key \"sede\", expected some of format, fractal, seed");
+    says("\"detail\"", "\"look_at\"", "a.json: scene: unknown key \"look_at\", expected some of detail");
+    says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
 }
 
 TEST(PathFile, NeedsEveryKeyButSeedAndRate)

@@ -80,7 +80,7 @@ cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
 (ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
 [ $? = 1 ] || fail "a full disk gives another exit code than 1"
 [ "$(wc -l <stderr)" -le 3 ] || fail "a full disk says too much: $(cat stderr)"
-says 'the encoder failed|half a file'
+says 'the encoder failed|an incomplete file'
 ls full.mp4.parts/*/.part-* >/dev/null 2>&1 && fail "a full disk leaves parts"
 [ -e full.mp4 ] && fail "a full disk leaves half a film"
 
@@ -94,7 +94,7 @@ END
 chmod +x halving
 MANDELMARCH_FFMPEG=$PWD/halving "$program" render path.json $small --output half.mp4 2>stderr
 [ $? = 1 ] || fail "half a file gives another exit code than 1"
-says 'half a file'
+says 'an incomplete file'
 "$program" render path.json $small --output half.mp4 2>stderr || fail "after half a file: $(cat stderr)"
 cmp whole.mp4 half.mp4 || fail "the film after half a file is another one"
 

@@ -82,10 +82,10 @@ if [ "$given" -gt 1 ]; then
     free_of_places "$bin/flythrough" plan q.json --frames 60 --backend openmp
 fi
 
-# An option that a backend cannot heed is refused; auto takes one that can.
+# An option that a backend does not support is refused; auto chooses one that supports it.
 refused() {
     "$@" >/dev/null 2>stderr
-    [ $? = 2 ] && grep -q 'cannot heed it, expected one of .*openmp' stderr || fail "not refused: $*: $(cat stderr)"
+    [ $? = 2 ] && grep -q 'not supported by backend .*, expected one of .*openmp' stderr || fail "not refused: $*: $(cat stderr)"
 }
 refused "${box[@]}" --backend reference --threads 2
 refused "${box[@]}" --backend reference --pack 4

@@ -187,7 +187,7 @@ done
 expect 2 "$bin/render" paramsBulb.dat
 expect 2 "$bin/render" --fractal sponge paramsBulb.dat
 expect 0 "$bin/mandelbulb" --help
-grep -q 'bytes a pixel' stdout || fail "--help tells no memory figure"
+grep -q 'bytes per pixel' stdout || fail "--help gives no memory figure"
 
 # Wrong parameter files: place, then what is wrong.
 expect 2 "$bin/mandelbulb" missing.dat

@@ -73,11 +73,11 @@ run 0 bulb near.dat
 # In the solid no ray sees anything: refused if the picture has one colour, else a warning.
 change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
 run 2 bulb inside.dat
-says '^inside.dat: the camera stands in the solid'
+says '^inside.dat: the camera is inside the solid'
 [ "$(wc -l <stderr)" = 1 ] || fail "more than a line: $(cat stderr)"
 change paramsBox.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
 run 0 box inside.dat
-says 'the camera stands in the solid'
+says 'the camera is inside the solid'
 stats '"in_solid": true'
 
 # A detail level below the precision of all numbers.

@@ -18,7 +18,7 @@ refused() {
 }
 scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
 
-"$bin/render_with_skeleton" --help | grep -q 'auto, reference, openmp, .*, skeleton' || fail "--help lists no skeleton"
+"$bin/render_with_skeleton" --help | grep -q '{auto,reference,openmp,.*,skeleton}' || fail "--help lists no skeleton"
 "$bin/render" --help | grep -q skeleton && fail "--help of render lists the skeleton"
 "$bin/render_with_skeleton" --list-devices | grep -q '^skeleton *0: skeleton' || fail "its device is not listed"
 "$bin/render_with_skeleton" --list-devices | grep -q '^openmp *0: ' || fail "openmp is not listed"
