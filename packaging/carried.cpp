@@ -50,7 +50,7 @@ std::string contents(const fs::path& path)
 }
 
 // Returns a folder of links to `files`, or an empty path on failure: OpenCL's loader reads one folder, and the bundle's
-// may be read-only. Only the user may be able to write to it; otherwise others could replace the links.
+// may be read-only. The folder must be the user's alone: in a shared one, others could replace the links.
 fs::path folder_of_links(const std::vector<fs::path>& files)
 {
     std::error_code error;
