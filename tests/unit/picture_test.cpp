@@ -95,7 +95,7 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
 
 // Agreement of random scenes with the reference's canonical pictures.
 struct Offness {
-    Comparison all;  // of the scenes together
+    Comparison all;  // sum over the scenes
     int scenes = 0;
     int far_off = 0;  // scenes with more than 2 % of their pixels visibly different
 };
