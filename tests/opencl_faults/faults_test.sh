@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# faults_test.sh BIN SHIM ROOT: devices with faults give one clear line and the right exit code, leave no picture, and
-# do not hang; devices that are only poor draw the same picture.
+# faults_test.sh BIN SHIM ROOT: faulty devices give one clear line and the right exit code, leave no picture, and do not
+# hang; devices with limited features give the same picture.
 set -uo pipefail
 bin=$1
 shim=$2
@@ -61,8 +61,8 @@ fails none 77 "there is no device 9" --device 9
 fails none 2 "no vector length" --pack 3
 same none --precision float
 same no-double --precision float
-same inexact --precision float  # quotients and roots in double
-differs inexact-liar --precision float  # the twin: inexact division shows where it is trusted
+same inexact --precision float  # division and square root in double
+differs inexact-liar --precision float  # negative control: inexact division is visible if it is trusted
 size=300x200
 same small-buffers --precision double  # in bands
 same small-buffers --precision float
