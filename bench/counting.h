@@ -43,7 +43,7 @@ struct Count {
     std::uint64_t hits = 0;    // among the counted pixels
     // Lane utilisation of the march, for vectors and warps of neighbouring pixels in nearly square rectangles.
     std::vector<LaneUse> lane_use;
-    std::uint64_t march_estimates = 0, march_iterations = 0;  // of the march alone
+    std::uint64_t march_estimates = 0, march_iterations = 0;  // of the march only
     std::optional<CountErrors> errors;                        // unknown in results of older builds
 
     Operations all() const;

@@ -67,7 +67,6 @@ SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study b
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
 grep -q '512 threads a block given' blocks || fail "blocks that do not fit: $(cat blocks)"
 
-# Devices.
 export SIMULATED_GPUS=3
 expect 0 0 '' --device 2 --output a.png --stats a.json
 grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"
@@ -76,7 +75,6 @@ SIMULATED_GPUS=0 expect 77 1 'no NVIDIA GPU is here' --output b.png
 SIMULATED_CAPABILITY=20 expect 77 1 'of compute capability .* and up, device 0 has 20' --output b.png
 unset SIMULATED_GPUS
 
-# Failures.
 SIMULATED_FAULT=version expect 77 1 "NVIDIA's driver is for CUDA 11.4, the kernels need one for CUDA [0-9.]* or newer" --output b.png
 SIMULATED_FAULT=launch expect 1 1 'cuda: launching a kernel: simulated error (701)' --output b.png
 SIMULATED_FAULT=lost expect 1 1 'cuda: running a kernel: unspecified launch failure (719)' --output b.png

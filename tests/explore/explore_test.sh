@@ -42,7 +42,7 @@ of() {
 t = json.load(sys.stdin)
 print(eval(sys.argv[1]))' "$3"
 }
-is() {  # NAME LINE EXPRESSION VALUE
+is() {  # is NAME LINE EXPRESSION VALUE: compares the value of such an expression
     local found
     found=$(of "$1" "$2" "$3" 2>&1 | tail -n 1)
     [ "$found" = "$4" ] || fail "$1: $3 is '$found', expected '$4'"

@@ -11,14 +11,14 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failures=0
 
-draw() {  # FAULT OPTION...
+draw() {  # draw FAULT OPTION...: renders with this fault
     local fault=$1
     shift
     MANDELMARCH_FAULT=$fault MANDELMARCH_DEVICE_TIMEOUT=${patience:-100} LD_PRELOAD=$shim timeout 60 "$bin/render" --fractal box \
         "$root/paramsBox.dat" --backend opencl --size "${size:-40x30}" --output picture.exr "$@" 2>stderr
 }
 
-fails() {  # FAULT CODE TEXT OPTION...
+fails() {  # fails FAULT CODE TEXT OPTION...: expects this exit code and message
     local fault=$1 code=$2 text=$3
     shift 3
     rm -f picture.exr
@@ -30,7 +30,7 @@ fails() {  # FAULT CODE TEXT OPTION...
     fi
 }
 
-same() {  # FAULT OPTION...
+same() {  # same FAULT OPTION...: expects the picture without the fault
     local fault=$1
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
@@ -40,7 +40,7 @@ same() {  # FAULT OPTION...
     fi
 }
 
-differs() {  # FAULT OPTION...
+differs() {  # differs FAULT OPTION...: expects another picture
     local fault=$1
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||

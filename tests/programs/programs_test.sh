@@ -138,7 +138,6 @@ says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom lef
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
-# Statistics.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png
 for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
@@ -165,7 +164,6 @@ for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
         fail "$program --version says $(head -c 300 stdout)"
 done
 
-# Backends and devices.
 for backend in openacc opencl vulkan; do
     "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
     expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend $backend --output new.bmp

@@ -116,11 +116,12 @@ def main() -> int:
                         compared += 1
                         if precision == "float" and node:
                             ours = by_camera(table, row["name"], parameters(scene), fast)
-                            # Not the viewer's: the picture is the same without the hull, and float takes no differences.
+                            # Fields that differ on purpose: the picture is the same without the hull, and float uses no
+                            # differences.
                             for name in ("hull", "difference_step"):
                                 del ours[name]
                             wrong += [f"{where}: camera.js: {name}" for name in differing(ours, printed, close)]
-                    # Twins: one constant, the stride, the root share of another program.
+                    # Negative controls: one constant, the step factor, or the root share of another program.
                     twins = [
                         ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
                         ("root_share", row | {"root_share": 1.5 * row["root_share"]}),
