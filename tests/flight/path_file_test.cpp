@@ -101,7 +101,7 @@ TEST(PathFile, KeepsItsRate)
     }
 }
 
-// JSON parsers use the stack, and messages quote their input.
+// Deep nesting must not exhaust the stack, and messages must not quote megabytes.
 TEST(PathFile, MayBeAnything)
 {
     const std::string deep(300'000, '[');
