@@ -74,7 +74,7 @@ FILES ?=
 results: build ## all results in report/results, from one clean revision; resumes if interrupted (2 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
-equivalence: build ## compare exact pictures of SCENES=1000 extreme random scenes bit for bit on every backend (5 min, estimated)
+equivalence: build ## compare exact pictures of SCENES=1000 random scenes bit for bit on every backend (5 min, estimated)
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
 flythrough: ## the program that makes films (as long as it builds)
@@ -86,7 +86,7 @@ explore: ## the interactive explorer: bin/explore (1 min with set-up, estimated)
 	@tools/build $(HERE) explore
 	@$(call take,$(HERE),explore)
 
-explore-study: build ## frame times of scripted flights in the explorer: report/results/explore.txt (5 min, on a machine at rest)
+explore-study: build ## frame times of scripted flights: report/results/explore.txt (5 min, on a machine at rest)
 	@python3 tools/explore_study.py bin/explore bin/flythrough report/results
 
 # Running it again resumes an interrupted film. AUTHORS is the second line of the title.
@@ -97,12 +97,12 @@ SIZE ?= 1080p
 OPTIONS ?=
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough ## a title and a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
+video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 
-video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp4 (20 s)
+video-preview: flythrough ## ten seconds of such a film in 640x360: video-preview.mp4 (20 s)
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
@@ -128,7 +128,7 @@ flight-study: build ## plan and audit SEEDS=10 flights through both fractals, fo
 	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
 	@python3 tools/flight_overhead.py bin/flythrough report/results
 
-kill-test: flythrough ## check that a film killed at twenty random moments is unchanged after it resumes (10 min, estimated)
+kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 SECONDS ?= 600
@@ -152,24 +152,24 @@ k40: build python ## registers of the OpenACC kernels, and expected frame times,
 	@for gpu in K40 H100; do build/venv/bin/python tools/gpu_expected.py bin report/results/box-vs-bulb.json report/results/closeup_fast.json \
 	    --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
 
-loop-mix: build ## instructions in the loops of openmp's estimators, with their share of the multiply-add peak (20 s, estimated)
+loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
-native-scalar: build ## gain of the scalar kernel from -march=native, by user time: report/results/native_scalar.txt (15 min, estimated)
+native-scalar: build ## gain of the scalar kernel from -march=native: report/results/native_scalar.txt (15 min, estimated)
 	@python3 tools/native_scalar.py $(BUILD) --table report/results/native_scalar.txt
 
 docs-figures: ## update the figures in README and docs from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md
 
 RESULTS ?= report/results
-report: python ## a report on report/results, with pictures rendered by bin/render: report/out/report.html (2 min, estimated)
+report: python ## a report on report/results, with new pictures: report/out/report.html (2 min, estimated)
 	@report/setup
 	@tools/build $(HERE) bench render imgdiff
 	@$(call take,$(HERE),bench render imgdiff)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 
-report-check: ## check the report in a headless browser: errors, the slider, the viewer against bin/render (3 min, estimated)
+report-check: ## check the report in a headless browser: errors, the slider, the viewer (3 min, estimated)
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
@@ -197,7 +197,7 @@ gpu-hour: build ## the same and longer steps on this machine; resumes if interru
 	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
 
 SITE_SEEDS ?= 1 2
-site: build python ## a folder for any web server: front page, gallery, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
+site: build python ## a web site: front page, gallery, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
 	@tools/site bin build/site $(SITE_SEEDS)
 
 install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
