@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-# Thin targets over the CMake presets; `make help` lists them. `make demo`, `make test`, `make mandelbulb` and `make setup`
-# install what is missing on Debian 12 and 13; the others say what is missing.
+# Thin targets over the CMake presets; `make help` lists them. `make demo`, `make test`, `make mandelbulb` and `make
+# setup` install missing packages on Debian 12 and 13; the other targets name them.
 PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
-# Programs that only this machine will run have packs for its own instruction set alone, which takes less time to build.
-# Where a release build is there, or PRESET is given, they come from that.
+# Programs for this machine alone have packs for its own instruction set only, which takes less time to build. If a
+# release build exists, or PRESET is given, they come from that build.
 HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/flythrough),release,native),$(PRESET))
-# $(call take,PRESET,PROGRAM...): programs from their build to where people run them. Those that run now go on with their old file.
+# $(call take,PRESET,PROGRAM...): copies programs from their build to bin. Running programs keep their old file.
 put = cp --remove-destination
 take = mkdir -p bin && $(put) $(addprefix build/$(1)/bin/,$(2)) bin/
 DEMO := demo render imgdiff flythrough
-# All programs of a build of everything.
+# Copies all programs of a full build.
 define take_all
 $(call take,$(PRESET),$(DEMO) bench) && \
 { [ ! -e $(BUILD)/bin/explore ] || $(put) $(BUILD)/bin/explore bin/; } && \
@@ -20,15 +20,15 @@ endef
 
 .PHONY: $(shell sed -n 's/^\([a-z0-9][a-z0-9 -]*\):.*/\1/p' Makefile)
 
-build: ## all programs, with packs for every instruction set: bin/, mandelbulb, mandelbox (7 min)
+build: ## all programs, for every instruction set: bin/, mandelbulb, mandelbox (7 min)
 	@tools/build $(PRESET) programs
 	@$(take_all)
 
-help: ## this list; times are some of two cores, beside those of the build (at once)
+help: ## list the targets; times are for two cores, without the build (at once)
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
-mandelbulb: ## the program that draws paramsBulb.dat (3 min with set-up and build)
-mandelbox: ## the same of paramsBox.dat (3 min with set-up and build)
+mandelbulb: ## the program that renders paramsBulb.dat (3 min with set-up and build)
+mandelbox: ## the program that renders paramsBox.dat (3 min with set-up and build)
 mandelbulb mandelbox:
 	@tools/setup build || true
 	@tools/build $(HERE) $@
@@ -41,7 +41,7 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 	@$(put) build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
-test: ## every test, with clang's and sanitizers' builds and a minute of fuzzing (25 min from nothing)
+test: ## all tests, including builds with clang and sanitizers and a minute of fuzzing (25 min from nothing)
 	@tools/setup
 	@tools/build $(PRESET) all
 	@$(take_all)
@@ -53,43 +53,43 @@ check: ## the quick tests (2 min)
 	@tools/build $(PRESET) all
 	ctest --preset $(PRESET) -L quick
 
-# DRIVERS=OFF leaves out the drivers for CPUs, FFMPEG=FILE carries a static ffmpeg. docs/bundle.md says the rest.
+# DRIVERS=OFF leaves out drivers for CPUs; FFMPEG=FILE bundles a static ffmpeg. See docs/bundle.md.
 DRIVERS ?= ON
 FFMPEG ?=
-bundle: ## a folder and a .tar.xz that run where nothing can be installed: build/bundle (4 min)
+bundle: ## a folder and a .tar.xz that run without installation: build/bundle (4 min)
 	@tools/build $(PRESET) bundle_program
 	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
-# docs/benchmarking.md explains the study.
+# The study is explained in docs/benchmarking.md.
 LAUNCHES ?= 3
-bench: build ## the standard study, by three processes one after the other: report/results/bench.json (8 min)
+bench: build ## the standard study in three processes, one after the other: report/results/bench.json (8 min)
 	@mkdir -p report/results
 	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
 
-# The parameter files of scenes that differ come into build/equivalence.
+# Parameter files of scenes that differ are written to build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
-# FILES="bench.json packs.json" takes these only. tools/results.txt has the list.
+# FILES="bench.json packs.json" selects results from the list in tools/results.txt.
 FILES ?=
-results: build ## all results of report/results anew, on one clean revision; goes on where it was stopped (2 hours, estimated)
+results: build ## all results in report/results, from one clean revision; resumes if interrupted (2 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
-equivalence: build ## exact pictures of SCENES=1000 extreme random scenes on every backend, bit for bit (5 min, estimated)
+equivalence: build ## compare exact pictures of SCENES=1000 random scenes bit for bit on every backend (5 min, estimated)
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
 flythrough: ## the program that makes films (as long as it builds)
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
 
-explore: ## the program that flies live, in a window: bin/explore (1 min with set-up, estimated)
+explore: ## the interactive explorer: bin/explore (1 min with set-up, estimated)
 	@tools/setup explore
 	@tools/build $(HERE) explore
 	@$(call take,$(HERE),explore)
 
-explore-study: build ## frame times of scripted flights in that window: report/results/explore.txt (5 min, on a machine at rest)
+explore-study: build ## frame times of scripted flights: report/results/explore.txt (5 min, on a machine at rest)
 	@python3 tools/explore_study.py bin/explore bin/flythrough report/results
 
-# An interrupted film goes on where it stopped. AUTHORS is the title's second line.
+# Running it again resumes an interrupted film. AUTHORS is the second line of the title.
 FRACTAL ?= bulb
 SEED ?= 1
 FRAMES ?= 7200
@@ -97,16 +97,16 @@ SIZE ?= 1080p
 OPTIONS ?=
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough ## a title, then a film of four minutes: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
+video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 
-video-preview: flythrough ## ten seconds of such a film, small: video-preview.mp4 (20 s)
+video-preview: flythrough ## ten seconds of such a film in 640x360: video-preview.mp4 (20 s)
 	bin/flythrough film --fractal $(FRACTAL) --seed $(SEED) --frames 300 --size 640x360 --title "$(TITLE)" \
 	    --authors "$(AUTHORS)" --output video-preview.mp4
 
-contact-sheet: ## frames of video.mp4, and what its making said, for the report (10 s, estimated)
+contact-sheet: ## frames of video.mp4, its summary and its audit, for the report (10 s, estimated)
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
 	    -frames:v 1 report/results/contact.jpg
 	cp video-summary.json report/results/film.json
@@ -115,66 +115,66 @@ contact-sheet: ## frames of video.mp4, and what its making said, for the report 
 gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
-# How often bench duel is right on this machine, quiet and with LOAD busy processes beside it; programs are the tests'.
+# How often bench duel is right on this machine, idle and with LOAD busy processes. The two programs are test programs.
 LOAD ?= 2
 duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/benchmarking.md (20 min)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 
-# Paths and audits in a table, what anti-aliasing is worth and costs, and what a segment costs.
+# Tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
 SEEDS ?= 10
-flight-study: build ## SEEDS=10 flights through both fractals planned and audited, for docs/flight.md (an hour, estimated)
+flight-study: build ## plan and audit SEEDS=10 flights through both fractals, for docs/flight.md (an hour, estimated)
 	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
 	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
 	@python3 tools/flight_overhead.py bin/flythrough report/results
 
-kill-test: flythrough ## a film killed at twenty random moments is the same film (10 min, estimated)
+kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
 	@bash tests/flight/resume_test.sh bin/flythrough 20
 
 SECONDS ?= 600
-fuzz: ## SECONDS=600 of each fuzzer, for inputs that break the readers (half an hour)
+fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 	@tools/build asan fuzzers render
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
 
-intel-opencl: build ## the equivalence tests with a second OpenCL CPU device, which this installs (large; 10 min, estimated)
+intel-opencl: build ## install a second OpenCL CPU device and run the equivalence tests on it (large; 10 min, estimated)
 	@tools/intel_opencl $(BUILD)
 
-compilers: build ## the same bits from every other g++-N and clang++-N that is installed (2 min each)
+compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
 lint: ## clang-format and clang-tidy on every source (over 10 min)
 	@tools/lint
 
-k40: build python ## NVIDIA's assembler on the OpenACC kernels for the Tesla K40 and the H100, and the frame time expected there (3 min)
+k40: build python ## registers of the OpenACC kernels, and expected frame times, on the Tesla K40 and the H100 (3 min)
 	@tools/python_packages gpu_packages
 	@python3 tools/k40.py bin/render --table report/results/k40_ptxas.txt
 	@for gpu in K40 H100; do build/venv/bin/python tools/gpu_expected.py bin report/results/box-vs-bulb.json report/results/closeup_fast.json \
 	    --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
 
-loop-mix: build ## the instructions in the loops of openmp's estimators, beside their nearness to the multiply-add peak (20 s, estimated)
+loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
-native-scalar: build ## what -march=native gives the scalar text, user time in alternation: report/results/native_scalar.txt (15 min, estimated)
+native-scalar: build ## gain of the scalar kernel from -march=native: report/results/native_scalar.txt (15 min, estimated)
 	@python3 tools/native_scalar.py $(BUILD) --table report/results/native_scalar.txt
 
-docs-figures: ## the figures of README and docs, anew from report/results (1 s)
+docs-figures: ## update the figures in README and docs from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md
 
 RESULTS ?= report/results
-report: python ## a report on report/results, with pictures that bin/render draws: report/out/report.html (2 min, estimated)
+report: python ## a report on report/results, with new pictures: report/out/report.html (2 min, estimated)
 	@report/setup
 	@tools/build $(HERE) bench render imgdiff
 	@$(call take,$(HERE),bench render imgdiff)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 
-report-check: ## the report in a headless browser: errors, the slider, the viewer beside bin/render (3 min, estimated)
+report-check: ## check the report in a headless browser: errors, the slider, the viewer (3 min, estimated)
 	@report/setup
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
-# On a machine with a GPU and nothing else: bash gpu_check mandelmarch-*.tar.gz OUT, then here: make gpu-results FILE=results.tgz.
-gpu-quarter: ## an archive and a script that find out within 450 s what a GPU does with this: build/gpu-quarter (8 min, estimated)
+# On a machine with just a GPU: bash gpu_check mandelmarch-*.tar.gz OUT; then here: make gpu-results FILE=results.tgz.
+gpu-quarter: ## an archive and a script that test and measure a GPU within 450 s: build/gpu-quarter (8 min, estimated)
 	@$(MAKE) --no-print-directory build
 	@tools/build $(PRESET) bundle_program
 	@rm -rf build/gpu-quarter
@@ -182,30 +182,31 @@ gpu-quarter: ## an archive and a script that find out within 450 s what a GPU do
 	@rm -r build/gpu-quarter/mandelmarch-*/
 	@cp packaging/gpu_check build/gpu-quarter/
 
-gpu-hashes: build ## the hashes of exact pictures that gpu_check compares with, from the host's cores (10 s, estimated)
+gpu-hashes: build ## hashes of exact pictures, from the CPU, for gpu_check (10 s, estimated)
 	@packaging/gpu_check --hashes bin build/gpu-hashes >packaging/gpu_check.sha256.part && mv packaging/gpu_check.sha256.part packaging/gpu_check.sha256
 
 FILE ?= results.tgz
-gpu-results: ## unpack FILE=results.tgz of a GPU into report/results/DEVICE, with a page of what was seen (at once)
+gpu-results: ## unpack FILE=results.tgz from a GPU into report/results/DEVICE, with a summary page (at once)
 	@python3 tools/gpu_results.py $(FILE) report/results
 
-# STEPS="bands film" does those again. With MANDELMARCH_REHEARSAL=1 any device is a GPU, and results go into build.
+# STEPS="bands film" repeats these steps. MANDELMARCH_REHEARSAL=1 treats any device as a GPU and puts results into
+# build.
 STEPS ?=
-gpu-hour: build ## the same and longer steps on this machine, which can be stopped and go on: report/results/DEVICE (an hour)
+gpu-hour: build ## the same and longer steps on this machine; resumes if interrupted: report/results/DEVICE (an hour)
 	@packaging/gpu_check --hour --work build/gpu-hour bin build/gpu-hour $(STEPS); code=$$?; \
 	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
 
 SITE_SEEDS ?= 1 2
-site: build python ## a folder for any web server: front page, gallery of views, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
+site: build python ## a web site: front page, gallery, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
 	@tools/site bin build/site $(SITE_SEEDS)
 
 install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
-clean: ## removes what was built (at once)
+clean: ## remove everything that was built (at once)
 	rm -rf build bin demo mandelbulb mandelbox video*.mp4.parts
 
-setup: ## installs what building and testing need (2 min, estimated)
+setup: ## install the packages needed to build and test (2 min, estimated)
 	@tools/setup
 
 python: ## the report's pinned Python packages, into build/venv (1 min, estimated)

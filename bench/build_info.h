@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How this program was built. Generated when the project is configured. core/base/version.h has its version.
+// How bench was built. Generated at configure time. The version is in core/base/version.h.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace mandelmarch::bench {
 struct BuildInfo {
     std::string type;      // CMAKE_BUILD_TYPE
     std::string compiler;  // name and version
-    std::string flags;     // of all sources
+    std::string flags;     // common to all sources
 };
 
 BuildInfo build_info();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_repetitions = 100'000;
 
-// Google Benchmark's flags; what would change how it measures is refused, as the harness decides that.
+// Parses one of Google Benchmark's flags. Throws InputError for flags that would change the method of measuring.
 void take_google_flag(const std::string& flag, CommandLine& line)
 {
     const auto equals = flag.find('=');
@@ -58,7 +58,7 @@ std::string study_names()
     return names;
 }
 
-// Numbers, as they were given.
+// Numeric options, before parsing.
 struct Texts {
     std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock, limit;
 };
@@ -66,36 +66,37 @@ struct Texts {
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
 {
     Options& o = line.options;
-    app.add_option("--backend", o.backend, "all, or names of backends, openmp,opencl say")->capture_default_str();
-    app.add_option("--fractal", o.fractal,
-                   fmt::format("all ({}), or one fractal's name", fmt::join(fractals_of("all"), " and ")))
+    app.add_option("--backend", o.backend, "backend to measure: all, or a list such as openmp,opencl")
         ->capture_default_str();
-    app.add_option("--precision", o.precision, "all, float or double")
+    app.add_option("--fractal", o.fractal,
+                   fmt::format("fractal to measure: all ({}), or one name", fmt::join(fractals_of("all"), " and ")))
+        ->capture_default_str();
+    app.add_option("--precision", o.precision, "precision to measure: all, float or double")
         ->check(CLI::IsMember({"all", "float", "double"}))
         ->capture_default_str();
-    app.add_option("--mode", o.mode, "all, exact or fast (default: all; in sweeps exact)")
+    app.add_option("--mode", o.mode, "mode to measure: all, exact or fast (default: all; in sweeps exact)")
         ->check(CLI::IsMember({"all", "exact", "fast"}));
-    app.add_option("--size", o.size, "WxH in pixels (default 540x540)");
-    app.add_option("--study", o.study, study_names())->capture_default_str();
+    app.add_option("--size", o.size, "picture size, WxH in pixels (default 540x540)");
+    app.add_option("--study", o.study, "what to vary: " + study_names())->capture_default_str();
     app.add_option("--repetitions", texts.repetitions,
-                   "rounds, exactly so many (default: until the intervals are narrow)");
-    app.add_option("--launches", texts.launches, "processes that measure one after the other (default 1)");
+                   "exact number of rounds (default: until intervals are narrow enough)");
+    app.add_option("--launches", texts.launches,
+                   "number of processes that repeat the study, one after the other (default 1)");
     app.add_option("--budget", texts.budget,
-                   "seconds that the timed rounds may take without --repetitions (default: so that all ends in three "
-                   "minutes)");
-    app.add_option("--seed", texts.seed, "of the order of rows in each round (default 1)");
-    app.add_option("--json", o.json, "write everything to this file (- is standard output)");
-    app.add_option("--csv", o.csv, "write a line a row to this file (- is standard output)");
-    app.add_flag("--list", o.list, "list rows and studies, measure nothing");
-    app.add_flag("--wide", o.wide, "print everything that was measured, in long lines");
-    app.add_flag("--peaks,!--no-peaks", o.peaks, "measure what multiply-adds reach on every device (default), or not");
+                   "seconds for the timed rounds, without --repetitions (default: about three minutes in all)");
+    app.add_option("--seed", texts.seed, "seed for the order of configurations in each round (default 1)");
+    app.add_option("--json", o.json, "write all results and samples as JSON to this file (-: standard output)");
+    app.add_option("--csv", o.csv, "write one line per configuration to this file (-: standard output)");
+    app.add_flag("--list", o.list, "list configurations and studies; measure nothing");
+    app.add_flag("--wide", o.wide, "print all columns, in long lines");
+    app.add_flag("--peaks,!--no-peaks", o.peaks, "measure (default) or skip the multiply-add peak of every device");
     app.add_option("--launch", texts.launch)->group("");
     app.add_flag("--quiet", line.quiet)->group("");
     app.add_flag("--on-demand")->group("");
     app.add_flag("--unproven", line.unproven)->group("");
 }
 
-// Further launches write no files of their own and start no launches.
+// Returns the arguments for further runs: those that write no files and start no runs.
 std::vector<std::string> inherited(const std::vector<std::string>& arguments)
 {
     std::vector<std::string> kept;
@@ -112,7 +113,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     return kept;
 }
 
-// What a duel takes of a run's options.
+// Sets a duel's options from those of a plain run. Throws InputError for options that a duel does not support.
 void take_duel(CommandLine& line, bool launches, const std::string& margin, const std::string& clock)
 {
     const Options& o = line.options;
@@ -129,7 +130,7 @@ void take_duel(CommandLine& line, bool launches, const std::string& margin, cons
     if (!margin.empty()) line.duel.margin = real_option("margin", margin, 0, 1);
 }
 
-// What a race takes of a run's options.
+// Sets a race's options from those of a plain run. Throws InputError for options that a race does not support.
 void take_race(CommandLine& line, bool launches, const std::string& limit)
 {
     const Options& o = line.options;
@@ -160,7 +161,7 @@ CommandLine parse_command_line(int argc, char** argv)
     }
     line.arguments = inherited({argv + 1, argv + argc});
 
-    CLI::App app("bench: proves that all backends draw the same picture, then times them.");
+    CLI::App app("bench: verifies that all backends render the same picture, then times them.");
     Texts texts;
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.set_version_flag("--version", version_line("bench"));
@@ -168,67 +169,79 @@ CommandLine parse_command_line(int argc, char** argv)
     add_isolation_option(app);
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    CLI::App* compare = app.add_subcommand("compare", "faster, slower, the same or undecided: OLD.json NEW.json");
-    compare->add_option("FILES", line.files, "two result files of --json")->expected(2)->required();
+    CLI::App* compare =
+        app.add_subcommand("compare", "compare two result files, OLD.json NEW.json; exit code 1 on a regression");
+    compare->add_option("FILES", line.files, "two result files written by --json")->expected(2)->required();
     CLI::App* duel = app.add_subcommand(
-        "duel", "two builds of bench in alternation, picture by picture: OLD NEW, and options that choose rows");
-    duel->add_option("OLD", line.duel.old_program, "a program, build/old/bin/bench say")->required();
-    duel->add_option("NEW", line.duel.new_program, "another")->required();
-    duel->add_option("--margin", texts.margin, "a ratio within this of 1 is the same (default 0.01)");
+        "duel", "measure two builds of bench in alternation: OLD NEW, and options that select configurations");
+    duel->add_option("OLD", line.duel.old_program, "old build of bench, for example build/old/bin/bench")->required();
+    duel->add_option("NEW", line.duel.new_program, "new build of bench")->required();
+    duel->add_option("--margin", texts.margin,
+                     "largest difference from 1 of a ratio that counts as same (default 0.01)");
     duel->add_option("--clock", texts.clock,
-                     "wall (default): kernel time; processor: that of all threads, for a machine that others use")
+                     "wall (default): kernel time; processor: time of all threads, for a shared machine")
         ->check(CLI::IsMember({"wall", "processor"}));
     duel->fallthrough();
     duel->footer(
-        "--backend, --fractal, --precision, --mode, --size, --study, --benchmark_filter choose rows, --launches (10) "
-        "and --repetitions (20) say how often, --json where to.");
-    CLI::App* race = app.add_subcommand(
-        "race", "any programs beside ours: PROGRAM..., each run as PROGRAM scene.dat, which names the picture's file");
-    race->add_option("PROGRAM", line.race.programs, "files that can be run")->required();
-    race->add_option("--scene", line.race.scene, "a parameter file, of --fractal (default: the official scene)");
-    race->add_option("--limit", texts.limit, "seconds that a program may take for a picture (default 60)");
+        "Select configurations with --backend, --fractal, --precision, --mode, --size, --study and --benchmark_filter. "
+        "--launches N: processes (default 10); --repetitions N: rounds in each (default 20); --json FILE: write the "
+        "result.");
+    CLI::App* race =
+        app.add_subcommand("race", "time other renderers next to ours: PROGRAM..., each run as `PROGRAM scene.dat`");
+    race->add_option("PROGRAM", line.race.programs, "executable files")->required();
+    race->add_option("--scene", line.race.scene, "parameter file for --fractal (default: the official scene)");
+    race->add_option("--limit", texts.limit, "time limit per picture, in seconds (default 60)");
     race->fallthrough();
     race->footer(
-        "--fractal (mandelbulb), --size, --backend of ours (openmp), --repetitions (7), --seed, --json. docs/race.md "
-        "explains the table.");
-    CLI::App* csv = app.add_subcommand("csv", "a stored result as --csv writes it, on standard output: FILE.json");
-    csv->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
-    CLI::App* json = app.add_subcommand(
-        "json", "a stored result with its figures derived anew from its samples, on standard output: FILE.json");
-    json->add_option("FILE", line.files, "a result file of --json")->expected(1)->required();
-    CLI::App* peak = app.add_subcommand("peak", "measures the multiply-add peak of every device");
-    CLI::App* portability = app.add_subcommand("portability", "Pennycook's performance portability over result files");
-    portability->add_option("FILES", line.files, "result files of --json, and folders that have some")->required();
-    portability->add_option("--json", line.options.json, "write it, cascades included, to this file");
+        "Also used: --fractal NAME (default mandelbulb), --size WxH, --backend NAME of our renderer (default openmp), "
+        "--repetitions N (default 7), --seed N, --json FILE. See docs/race.md for the table.");
+    CLI::App* csv = app.add_subcommand("csv", "print a stored result, FILE.json, as --csv does");
+    csv->add_option("FILE", line.files, "result file written by --json")->expected(1)->required();
+    CLI::App* json =
+        app.add_subcommand("json", "print a stored result, FILE.json, with all figures recomputed from its samples");
+    json->add_option("FILE", line.files, "result file written by --json")->expected(1)->required();
+    CLI::App* peak = app.add_subcommand("peak", "measure the multiply-add peak of every device");
+    CLI::App* portability =
+        app.add_subcommand("portability", "compute Pennycook's performance portability over result files: FILES...");
+    portability->add_option("FILES", line.files, "result files written by --json, or folders of them")->required();
+    portability->add_option("--json", line.options.json,
+                            "write the metric, with cascades, as JSON to this file (-: standard output)");
     portability->add_option("--csv", line.options.csv,
-                            "write the rows behind it to this file, for p3-analysis-library");
-    CLI::App* divergence = app.add_subcommand(
-        "divergence", "code divergence: how many lines of code of what a backend needs are its own, from the sources");
-    divergence->add_option("FOLDER", line.folder, "the program's sources (default: the current folder)");
-    divergence->add_option("--json", line.options.json, "write it to this file (- is standard output)");
+                            "write the underlying rates for p3-analysis-library (-: standard output)");
+    CLI::App* divergence =
+        app.add_subcommand("divergence", "count the source lines shared between backends (code divergence)");
+    divergence->add_option("FOLDER", line.folder, "source tree (default: the current folder)");
+    divergence->add_option("--json", line.options.json, "write the result as JSON to this file (-: standard output)");
     divergence->add_option("--csv", line.options.csv,
-                           "write which lines each backend needs to this file, for p3-analysis-library");
-    CLI::App* random = app.add_subcommand("random", "fast mode's pictures of random scenes beside canonical ones");
-    random->add_option("--backend", line.random.backend,
-                       "the backend that draws them (default: the text's on this machine's cores)");
-    random->add_option("--fractal", line.random.fractal, "all, as above, or one fractal's name")->capture_default_str();
-    random->add_option("--without", line.random.without, "techniques to switch off, `trial` say");
-    random->add_option("--scenes", texts.scenes, "scenes of a fractal in each set (default 60)");
-    random->add_option("--sets", line.random.sets, "seeds, one for each set")->delimiter(',')->capture_default_str();
-    random->add_option("--json", line.options.json, "write every scene to this file (- is standard output)");
-    CLI::App* equivalence =
-        app.add_subcommand("equivalence", "exact pictures of random scenes by every backend, bit for bit");
-    equivalence->add_option("--backend", line.equivalence.backend, "all, or names of backends, openmp,opencl say")
+                           "write the lines each backend needs, for p3-analysis-library (-: standard output)");
+    CLI::App* random = app.add_subcommand("random", "measure fast mode's error on random scenes");
+    random->add_option("--backend", line.random.backend, "backend to test (default: openmp)");
+    random->add_option("--fractal", line.random.fractal, "fractals of the scenes: all, as above, or one name")
         ->capture_default_str();
-    equivalence->add_option("--fractal", line.equivalence.fractal, "all, or one fractal's name")->capture_default_str();
-    equivalence->add_option("--scenes", texts.extremes, "scenes in all (default 1000)");
-    equivalence->add_option("--seed", texts.extreme_seed, "of the scenes (default 1)");
-    equivalence->add_option("--folder", line.folder, "write the parameter files of scenes that differ here");
-    equivalence->add_option("--json", line.options.json, "write everything to this file (- is standard output)");
+    random->add_option("--without", line.random.without, "optimisations to disable, for example trial");
+    random->add_option("--scenes", texts.scenes, "scenes per fractal and set (default 60)");
+    random->add_option("--sets", line.random.sets, "seeds, one per set, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    random->add_option("--json", line.options.json,
+                       "write the results of all scenes as JSON to this file (-: standard output)");
+    CLI::App* equivalence =
+        app.add_subcommand("equivalence", "check exact mode bit for bit on random scenes, with every backend");
+    equivalence
+        ->add_option("--backend", line.equivalence.backend, "backend to check: all, or a list such as openmp,opencl")
+        ->capture_default_str();
+    equivalence->add_option("--fractal", line.equivalence.fractal, "fractals of the scenes: all, or one name")
+        ->capture_default_str();
+    equivalence->add_option("--scenes", texts.extremes, "number of scenes in all (default 1000)");
+    equivalence->add_option("--seed", texts.extreme_seed, "seed for the scenes (default 1)");
+    equivalence->add_option("--folder", line.folder, "folder for parameter files of scenes that differ");
+    equivalence->add_option("--json", line.options.json, "write all results as JSON to this file (-: standard output)");
     app.footer(
-        "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests work, too.\n"
-        "Exit codes: 0 fine, 1 a wrong picture, a regression or a failure, 2 wrong arguments, 77 the one backend asked "
-        "for is not available. docs/benchmarking.md explains every figure.");
+        "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests are "
+        "supported.\n"
+        "Exit codes: 0 success, 1 wrong picture, regression or failure, 2 wrong arguments, 77 the only selected "
+        "backend "
+        "is not available. docs/benchmarking.md explains every figure.");
     try {
         std::ranges::reverse(words);
         app.parse(words);

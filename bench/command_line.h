@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of `bench`. Internal to the program.
+// Command line of `bench`.
 #pragma once
 
 #include <string>
@@ -32,20 +32,20 @@ enum class Command {
 struct CommandLine {
     Command command = Command::run;
     Options options;
-    std::vector<std::string> files;  // of compare, csv, json and portability
+    std::vector<std::string> files;  // for compare, csv, json and portability
     DuelPlan duel;
     RacePlan race;
     RandomOptions random;
     EquivalenceOptions equivalence;
-    std::string folder;                  // of equivalence: for scenes that differ; of divergence: the sources
-    std::vector<std::string> arguments;  // of a run, without those that only the first launch obeys
-    bool unproven = false;               // of on_demand: a launch of a duel that proves no pictures
-    bool quiet = false;                  // no table and no progress: a further launch
+    std::string folder;                  // equivalence: where to write scenes that differ; divergence: the sources
+    std::vector<std::string> arguments;  // of a run, to pass on to further runs
+    bool unproven = false;               // on_demand: skip verification, as in further runs of a duel
+    bool quiet = false;                  // print no table and no progress, as in further runs
     bool list_names = false;             // --benchmark_list_tests
-    int exit_code = 0;                   // of help
+    int exit_code = 0;                   // for help
 };
 
-// Throws InputError for what is not understood.
+// Throws InputError for invalid arguments.
 CommandLine parse_command_line(int argc, char** argv);
 
 }  // namespace mandelmarch::bench

@@ -30,7 +30,7 @@ std::vector<double> units_of(const Row& row, bool by_launch)
     return by_launch ? launch_medians(row) : group_medians(kernel_times(row));
 }
 
-// Why a row has nothing to compare; empty if it has.
+// Returns why a configuration cannot be compared; empty if it can.
 std::string lack_of(const Row& row, bool by_launch)
 {
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
@@ -53,7 +53,7 @@ bool same_setting(const Setting& a, const Setting& b)
            a.block == b.block && a.frames == b.frames && a.without == b.without;
 }
 
-// Everything but the verdict of rows that can be tested.
+// Returns everything but the final verdict, which judge_all() sets if the configurations can be tested.
 Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
 {
     Compared c{.name = new_row.name(), .platform = new_row.platform};
@@ -82,11 +82,10 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     c.old_units = static_cast<int>(old_units.size());
     c.new_units = static_cast<int>(new_units.size());
     c.difference = difference(old_units, new_units, margin);
-    c.verdict = Verdict::undecided;  // until it is judged
+    c.verdict = Verdict::undecided;  // until judged
     return c;
 }
 
-// For messages.
 std::string platform_names(const Result& result)
 {
     std::string text;
@@ -97,12 +96,12 @@ std::string platform_names(const Result& result)
     return text.empty() ? "no platform" : printable(text, 200);
 }
 
-// A row of the old result that the new one lacks.
+// A configuration of the old result that the new one does not have.
 Compared missing(const Row& row, const Result& new_result, bool by_launch)
 {
     Compared c{.name = row.name(), .platform = row.platform, .why = "not in the new result"};
     if (lack_of(row, by_launch).empty()) c.verdict = Verdict::lost;
-    // A backend without a device is one row.
+    // A backend without a device appears as one row without a platform.
     for (const Row& other : new_result.rows) {
         if (other.backend == row.backend && other.platform.empty() && !other.unavailable.empty()) {
             c.why = "new: unavailable: " + other.unavailable;

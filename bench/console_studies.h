@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's tables of single studies, and how numbers and lines are printed. Internal to what prints on a console.
+// Console tables of single studies, and helpers that format numbers and lines for the console.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace mandelmarch::bench {
 
-// Lines of tables, in characters, and of warnings, in bytes.
+// Maximum length of a table's line, in characters, and of a warning, in bytes.
 inline constexpr std::size_t console_columns = 120;
 inline constexpr std::size_t longest_note = 1000;
 
-// Four digits or so.
+// Formats a value with about four significant digits.
 std::string digits(double value);
 
-// At most `most` characters.
+// Truncates a line to `most` characters.
 std::string clipped(const std::string& line, std::size_t most);
 
-// What the studies profile and box-vs-bulb found; empty for others.
+// Returns the tables of the studies profile and box-vs-bulb; empty for other studies.
 std::string study_tables(const Result& result);
 
 }  // namespace mandelmarch::bench

@@ -17,15 +17,15 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 
-extern char** environ;  // NOLINT: POSIX leaves its declaration to the program
+extern char** environ;  // NOLINT: POSIX requires the program to declare it
 
 namespace mandelmarch::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Those of this process, but threads that wait sleep. OpenMP's would spin, on the cores that the other program draws
-// on, and count as processor time.
+// Returns this process's environment with OMP_WAIT_POLICY=passive. Otherwise waiting OpenMP threads would spin, on the
+// cores that the other program uses, and count as processor time.
 std::vector<std::string> variables_of_contenders()
 {
     std::vector<std::string> variables{"OMP_WAIT_POLICY=passive"};
@@ -80,7 +80,7 @@ Contender::Contender(const std::string& program, const std::vector<std::string>&
 
 Contender::~Contender()
 {
-    socket_.reset();  // it ends by itself, unless it hangs
+    socket_.reset();  // tells the process to exit
     for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
     if (ended()) return;
     kill(process_, SIGKILL);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program of `bench duel`, while it runs.
+// One of the two bench processes of `bench duel`.
 #pragma once
 
 #include <sys/types.h>
@@ -17,43 +17,43 @@ namespace mandelmarch::bench {
 
 class Contender {
 public:
-    // A row as the program has it.
+    // A configuration as the process reports it.
     struct Ready {
         std::string fingerprint;  // of its picture
         std::string failure;      // why it has no speed; empty if it has one
-        bool in_process = true;   // its work is this process's
+        bool in_process = true;   // false: work runs outside this process
     };
 
-    // What a picture took by the clock of the duel, or why there is none.
+    // Time of a picture by the duel's clock, or why there is none.
     struct Drawn {
         std::optional<double> seconds;
         std::string failure;
     };
 
-    // Starts `program` with the arguments and `--on-demand`. Throws Error where it cannot be started.
+    // Starts `program` with the arguments and `--on-demand`. Throws Error if it cannot be started.
     Contender(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
-    // Ends it.
+    // Ends the process.
     ~Contender();
     Contender(const Contender&) = delete;
     Contender& operator=(const Contender&) = delete;
 
-    // Waits until its rows are ready. Throws Error where it ends before, or says what no bench of this version says.
+    // Waits until the configurations are ready. Throws Error if the process ends first or sends an invalid message.
     void wait();
 
     const std::map<std::string, Ready>& rows() const { return rows_; }
     const nlohmann::ordered_json& environment() const { return environment_; }
 
-    // Throws Error where it ends.
+    // Has the process draw one picture. Throws Error if the process ends.
     Drawn draw(const std::string& row);
 
 private:
     nlohmann::ordered_json receive();
     bool ended();
-    std::string how_it_ended();  // waits a little until it has
+    std::string how_it_ended();  // waits up to two seconds for the end
 
     DuelClock clock_;
     pid_t process_ = 0;
-    std::optional<int> status_;  // as waitpid() gives it, once it has ended
+    std::optional<int> status_;  // from waitpid(), once the process has ended
     std::optional<LineSocket> socket_;
     std::map<std::string, Ready> rows_;
     nlohmann::ordered_json environment_;

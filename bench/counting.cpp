@@ -20,7 +20,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// The counts of one block.
+// Counts of one patch.
 struct BlockCount {
     PixelCount pixels;
     std::vector<LaneCount> lanes{};

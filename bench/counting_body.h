@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixel that counts, over the text in one precision. Included in a namespace of its own; no guard.
+// Counts one pixel, in one precision. Include inside a namespace; no include guard.
 
-// Runs `work` and adds what it cost to a stage.
+// Runs `body` and adds the operations it took to `to`.
 template <class Body>
 auto counted(Operations& to, Body body)
 {

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between counting.cpp and the kernel text that counts. Internal.
+// Interface between counting.cpp and the counting kernels.
 #pragma once
 
 #include "bench/counting.h"
 
 namespace mandelmarch::bench {
 
-// What pixels add to a Count, before anything is divided.
+// Sums over pixels that go into a Count.
 struct PixelCount {
     std::array<Operations, stage_count> stages;
     Work work;
     std::uint64_t hits = 0;
 };
 
-// Draws pixel (i, j), and appends its ray's steps. `scene` is the text's Scene.
+// Draws pixel (i, j) and appends the iterations of each of its ray's steps. `scene` points to the kernel's Scene.
 using CountPixel = void (*)(const void* scene, int i, int j, PixelCount& to, RaySteps& steps);
 
 struct CountingKernel {
     CountPixel in_double, in_float;
 };
 
-// nullptr for a fractal without a text. Generated.
+// Returns nullptr for a fractal without a kernel. Generated.
 const CountingKernel* counting_kernel(std::string_view fractal);
 
 }  // namespace mandelmarch::bench

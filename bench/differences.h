@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What differs between the machines, builds and drivers that two results come from.
+// Differences between the machines, builds and drivers of two results.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,8 @@
 
 namespace mandelmarch::bench {
 
-// A line for each difference of two environments that may explain other times: revision, compilers, flags, CPU,
-// system, drivers, variables.
+// Returns a line for each difference of two environments that may explain different times: revision, compilers, flags,
+// CPU, system, drivers, variables.
 std::vector<std::string> differences_of(const nlohmann::ordered_json& old_environment,
                                         const nlohmann::ordered_json& new_environment);
 

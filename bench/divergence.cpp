@@ -26,7 +26,7 @@ int count(const Coverage& coverage, std::string_view folder)
     return lines;
 }
 
-// The lines that both have.
+// Returns the number of lines common to both.
 std::size_t shared_lines(const Coverage& one, const Coverage& other)
 {
     std::size_t shared = 0;
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    // The list that the build reads.
+    // Returns the list in backends/CMakeLists.txt.
     std::vector<std::string> backends() const
     {
         const std::string list = text("backends/CMakeLists.txt");
@@ -66,7 +66,7 @@ public:
         return names;
     }
 
-    // What the backend's sources name, and what that names in turn.
+    // Returns the lines of the files that the backend's sources name, directly or indirectly.
     Coverage coverage(const std::string& backend) const
     {
         const std::string own = "backends/" + backend + "/";
@@ -74,7 +74,7 @@ public:
         for (const auto& entry : fs::directory_iterator(root_ / own))
             visit(own + entry.path().filename().string(), own, found);
         if (count(found, job_folder) == 0) return found;
-        // core/job is one thing, but for templates that the backend has its own of.
+        // A backend that uses core/job needs all of it, except templates that it replaces by its own.
         for (const auto& entry : fs::directory_iterator(root_ / job_folder)) {
             const std::string name = entry.path().filename().string();
             const bool replaced = name.ends_with(".in") && fs::exists(root_ / own / name);
@@ -97,7 +97,7 @@ private:
         const bool inside = file.starts_with(own) || file.starts_with(kernel_folder) || file.starts_with(job_folder);
         if (!inside || found.contains(file) || !fs::is_regular_file(root_ / file)) return;
         const std::string source = text(file);
-        // How it is built is not what it is made of; which texts are, is said there.
+        // CMakeLists.txt names the sources but does not count itself.
         if (!file.ends_with("CMakeLists.txt")) found[file] = lines_of_code(source);
         static const std::regex path(R"([A-Za-z0-9_./-]+\.(?:h|cpp|cl|comp|cu|in)\b)");
         for (std::sregex_iterator at(source.begin(), source.end(), path), end; at != end; ++at) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code divergence: how much of what a backend needs is its own (Harrell and Kitson, "Effective Performance
-// Portability", P3HPC 2018), and code convergence, which is 1 less that (Pennycook, Sewall and others, "Navigating
-// Performance, Portability and Productivity", Computing in Science & Engineering 23, 2021).
+// Code divergence: the fraction of the code needed by a backend that other backends do not share (Harrell and Kitson,
+// "Effective Performance Portability", P3HPC 2018), and code convergence, which is 1 - divergence (Pennycook, Sewall
+// and others, "Navigating Performance, Portability and Productivity", Computing in Science & Engineering 23, 2021).
 //
-// An application is this program, a platform one of its backends, and what a platform needs are the lines of its
-// folder, of core/kernel and of core/job, as far as its sources name them. A line is one with more than blanks and
-// comments. Of two backends with the sets of lines a and b the distance is 1 - |a n b| / |a u b|; the divergence is the
-// mean over all pairs.
+// The application is this program, and each backend is a platform. A platform needs the lines of its folder, of
+// core/kernel and of core/job that its sources name. Blank lines and comments do not count. For two backends with sets
+// of lines a and b the distance is 1 - |a n b| / |a u b|; the divergence is the mean over all pairs.
 #pragma once
 
 #include <map>
@@ -18,16 +17,16 @@
 
 namespace mandelmarch::bench {
 
-// The numbers, from 1, of the lines of a C or C++ source that are more than blanks and comments.
+// Returns the numbers, from 1, of the lines of a C or C++ source that hold code.
 std::vector<int> lines_of_code(std::string_view text);
 
-// By file, from the source tree's folder.
+// Lines of code by file; paths are relative to the source tree.
 using Coverage = std::map<std::string, std::vector<int>>;
 
-// The share of the lines of both that one of them is without; 0 where there are none.
+// Returns the fraction of all lines of both that only one of them has; 0 without lines.
 double distance(const Coverage& one, const Coverage& other);
 
-// The mean of the distances of all pairs; 0 where there are fewer than two.
+// Returns the mean distance over all pairs; 0 for fewer than two.
 double mean_distance(const std::vector<Coverage>& all);
 
 struct ModelLines {
@@ -39,19 +38,19 @@ struct ModelLines {
 struct Divergence {
     std::vector<ModelLines> models;  // in the order of backends/CMakeLists.txt
     double divergence = 0;
-    double without_one_text = 0;  // what it were if each backend had a core/kernel of its own
+    double without_one_text = 0;  // divergence if each backend had its own copy of core/kernel
 };
 
-// Of a source tree. Backends that do not compile core/kernel are no platforms of it: the reference. Throws InputError
-// where the folder holds no such tree.
+// Measures a source tree. Backends that do not compile core/kernel (the reference) are left out. Throws InputError if
+// the folder does not hold such a tree.
 Divergence divergence_of(const std::string& folder);
 
 nlohmann::ordered_json json_of(const Divergence& divergence);
 
-// The columns problem, application, platform and coverage, as p3-analysis-library's divergence() reads them.
+// Returns the columns problem, application, platform and coverage, as read by p3-analysis-library's divergence().
 std::string to_csv(const Divergence& divergence);
 
-// The table of `bench divergence`.
+// Returns the table of `bench divergence`.
 std::string to_console(const Divergence& divergence);
 
 }  // namespace mandelmarch::bench

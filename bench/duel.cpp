@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The medians of the pairs' ratios, by launch.
+// Returns the median of the pairs' ratios for each run.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
     Launches launches;
@@ -26,7 +26,7 @@ std::map<int, double> ratios_of(const DuelRow& row)
     return ratios;
 }
 
-// Why nothing can be tested; empty where it can.
+// Returns why nothing can be tested; empty if it can.
 std::string lack_of(const DuelRow& row)
 {
     const auto positive = [](const DuelPair& pair) { return pair.old_seconds > 0 && pair.new_seconds > 0; };
@@ -61,7 +61,7 @@ Judged judged(const DuelRow& row, double margin)
     return j;
 }
 
-// The geometric mean of the rows that were tested, in the launches that have all of them.
+// Returns the geometric mean over the tested configurations, for the runs that have all of them.
 std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& rows)
 {
     std::map<int, double> logarithms;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench duel: two programs measured in alternation, picture by picture, and what that says.
+// bench duel: compares two builds that were measured in alternation, picture by picture.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,14 +11,14 @@
 
 namespace mandelmarch::bench {
 
-// Which seconds a duel compares.
+// Time that a duel compares.
 enum class DuelClock {
-    wall,      // of the kernel, as bench's own figures
-    processor  // of all threads: what other programs take from the machine costs none
+    wall,      // of the kernel, as in bench's tables
+    processor  // of all threads; load from other programs does not count
 };
 std::string_view name_of(DuelClock clock);
 
-// What was measured. A pair is one picture of each program, one right after the other; which is first is drawn by lot.
+// One picture by each program, back to back, in random order.
 struct DuelPair {
     int launch = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;
@@ -27,7 +27,7 @@ struct DuelPair {
 struct DuelRow {
     std::string name;
     std::vector<DuelPair> pairs{};
-    std::string old_failure{}, new_failure{};  // why a program has no speed here; empty if it has one
+    std::string old_failure{}, new_failure{};  // why a program has no speed; empty if it has one
     bool same_picture = true;                  // byte for byte
 };
 
@@ -40,16 +40,16 @@ struct Duel {
     DuelSide old_side{}, new_side{};
     DuelClock clock = DuelClock::wall;
     double margin = 0.01;  // a ratio within this of 1 is the same
-    int launches = 0;      // of each program, that were measured to their end
-    int rounds = 0;        // in each
+    int launches = 0;      // complete runs of each program
+    int rounds = 0;        // in each run
     std::vector<std::string> warnings{};
     std::vector<DuelRow> rows{};
 };
 
 struct Judged {
-    std::string name;  // of the row; all_rows for the mean of all
+    std::string name;  // of the configuration; all_rows for the mean of all
     Verdict verdict = Verdict::no_speed;
-    std::string why{};        // where nothing was tested
+    std::string why{};        // if nothing was tested
     Difference difference{};  // of times, new / old
     double p = 1;             // after Holm's correction
     int launches = 0, pairs = 0;
@@ -58,17 +58,16 @@ struct Judged {
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Judges each row and, if several were tested, also their geometric mean, which comes last (judge_all()). For each
-// launch, take the median of the pairs' ratios; Student's t of the logarithms of these medians tests whether the ratio
-// lies beyond the margin.
+// Judges each configuration and, if several were tested, also their geometric mean, which comes last (judge_all()).
+// Student's t on the logarithms of each run's median pair ratio tests whether the ratio lies beyond the margin.
 std::vector<Judged> judge(const Duel& duel);
 
-// A row is slower or broken.
+// Returns true if a configuration is slower or broken.
 bool regression(const std::vector<Judged>& judged);
 
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged);
 
-// As bench/schemas/duel.schema.json says.
+// Returns JSON that follows bench/schemas/duel.schema.json.
 nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged);
 
 }  // namespace mandelmarch::bench

@@ -24,7 +24,7 @@ void check_program(const std::string& program)
     }
 }
 
-// What chooses the rows, for the programs' command lines.
+// Returns the options that select configurations, as arguments for both programs.
 std::vector<std::string> arguments_of(const Options& o, bool first)
 {
     std::vector<std::string> words{"--backend",   o.backend,   "--fractal", o.fractal,
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    // Errors say which side they are of.
+    // Adds the side to the messages of errors.
     template <class Work>
     static auto of(const char* side, const Work& work)
     {
@@ -114,7 +114,8 @@ private:
         }
     }
 
-    // What a program says of a row in this launch, beside what it said in the first.
+    // Returns why a program has no valid picture of a configuration in this run; empty if it has. `first`: the same
+    // program's configurations in the first run.
     std::string failure_of(const std::string& name, const Contender& now,
                            const std::map<std::string, Contender::Ready>& first) const
     {

@@ -35,7 +35,7 @@ std::string text_of(const fs::path& path)
 
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-// The value behind `name` and a separator in a file of such lines; empty if there is none.
+// Returns the value after `name` and a separator in a file of such lines; empty if there is none.
 std::string value_in(const fs::path& path, const std::string& name, char separator)
 {
     std::ifstream file(path);
@@ -95,7 +95,7 @@ Json memory()
     return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
 }
 
-// The file that a library's name leads to in the end: it carries the version.
+// Returns the name of the file that a library's links lead to; it contains the version.
 std::string resolved(const std::string& library)
 {
     std::error_code none;
@@ -107,7 +107,7 @@ std::string resolved(const std::string& library)
     return {};
 }
 
-// The drivers that backends' loaders offer, and these loaders.
+// Returns the drivers installed for the backends' loaders, and their libraries.
 Json icds(const Registry& registry)
 {
     Json found = Json::array();
@@ -148,7 +148,7 @@ Json backends(const Registry& registry)
     return found;
 }
 
-// What changes how backends run, where it is set.
+// Returns the environment variables in effect that change how backends run.
 Json variables(const Registry& registry)
 {
     Json set = Json::object();

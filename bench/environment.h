@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a result comes from: the program, the machine, the drivers, the date.
+// Environment of a result: program, machine, drivers, date.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace mandelmarch::bench {
 
-// Reads /proc, /sys and the drivers. What cannot be read is null.
+// Reads /proc, /sys and the drivers. Values that cannot be read are null.
 nlohmann::ordered_json environment(const Registry& registry);
 
 }  // namespace mandelmarch::bench

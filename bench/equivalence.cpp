@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
-constexpr double most_iterations = 2e6;  // of a scene, about: less than a tenth of a second on one core
+constexpr double most_iterations = 2e6;  // per scene, approximately: less than a tenth of a second on one core
 
 struct Drawn {
     Image image;
@@ -38,7 +38,7 @@ Drawn drawn(Renderer& renderer, const Scene& scene)
     return result;
 }
 
-// What is different, or nothing.
+// Describes the difference; empty if there is none.
 std::string difference(const Drawn& expected, const Drawn& got)
 {
     const Comparison c = compare(expected.image, got.image);
@@ -53,12 +53,12 @@ std::string difference(const Drawn& expected, const Drawn& got)
     return fmt::format("the same picture by other work: {} steps/estimates/iterations, expected {}", work, right);
 }
 
-// A subject with its renderer, which draws scene after scene; after an error it is made anew.
+// A tested configuration with its renderer, which is reused from scene to scene and created again after an error.
 class Contestant {
 public:
     Contestant(const Backend& backend, Subject& subject) : backend_(backend), subject_(subject) {}
 
-    // What is wrong with the picture, or nothing.
+    // Describes the error in the picture; empty if there is none.
     std::string draw(const Scene& scene, const Drawn& expected)
     {
         try {
@@ -85,7 +85,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
 };
 
-// The pack widths that the yardstick's backend knows beside its own choice and the scalar text.
+// Returns the pack widths that the host's backend supports besides its default and 1.
 std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precision precision)
 {
     std::vector<int> widths;
@@ -97,7 +97,7 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
             backend.create({.precision = precision, .pack = pack})->render(scene, image);
             widths.push_back(pack);
         } catch (const InputError&) {
-            // No such width.
+            // Width not supported.
         }
     }
     return widths;
@@ -108,7 +108,7 @@ std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOpti
 {
     std::vector<Subject> subjects;
     for (const auto& backend : registry.backends()) {
-        // The reference shares no formula with the text, and no bits.
+        // The reference is a separate implementation: its bits differ.
         if (backend->facts().role == Role::reference) continue;
         if (!names_backend(options.backend, backend->name())) continue;
         const Listing listing = listing_of(*backend);
@@ -140,14 +140,14 @@ Scene scaled(Scene scene, double factor)
     return scene;
 }
 
-// The scene, smaller where it would be too much work, and with fewer iterations where even one pixel would. It is drawn
-// in packs, which are fast: first a few of its pixels, then all.
+// Returns the scene, smaller if it would be too much work, and with fewer iterations if even one pixel would be.
+// Measures the work by rendering in packs, which are fast: first a few pixels, then more.
 Scene affordable(std::span<const std::unique_ptr<Renderer>> packs, const Scene& scene)
 {
     const auto pixels = [](const Scene& s) { return static_cast<double>(s.width) * s.height; };
     Scene tried = scaled(scene, std::min(1.0, std::sqrt(few_pixels / pixels(scene))));
     for (;;) {
-        double each = 1;  // iterations a pixel
+        double each = 1;  // iterations per pixel
         for (const auto& renderer : packs) {
             each = std::max(each, static_cast<double>(drawn(*renderer, tried).work.iterations) / pixels(tried));
         }
@@ -203,7 +203,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
         packs.push_back(right.create({.precision = precision}));
         scalar.push_back(right.create({.precision = precision, .pack = 1}));
     }
-    // Fractal by fractal, as devices compile a text for each.
+    // Fractal by fractal, as devices compile a kernel for each.
     int done = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const auto count = static_cast<int>(of.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `bench equivalence`: exact pictures of extreme scenes by every backend, device and pack width, bit for bit.
+// `bench equivalence`: compares exact pictures of extreme scenes bit for bit across backends, devices and SIMD widths.
 #pragma once
 
 #include <functional>
@@ -15,50 +15,51 @@ struct EquivalenceOptions {
     std::string backend = "all";
     std::string fractal = "all";
     int scenes = 1000;  // in all
-    unsigned seed = 1;  // core/scene/extreme_scene.h
+    unsigned seed = 1;  // see core/scene/extreme_scene.h
 };
 
-// What draws, in one precision, and how it did.
+// A tested configuration of a backend, in one precision, and its tally.
 struct Subject {
     std::string backend;
     RendererOptions options;
-    std::string device;     // its name
-    int pictures = 0;       // that were drawn
-    int unavailable = 0;    // scenes that it refuses
-    int wrong = 0;          // pictures with other bits or other work, or none because of an error
-    std::string refusal{};  // the first one's reason
+    std::string device;     // name
+    int pictures = 0;       // drawn
+    int unavailable = 0;    // scenes that it does not support
+    int wrong = 0;          // pictures whose bits or work counts differ, or that failed with an error
+    std::string refusal{};  // reason given for the first unsupported scene
 
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that is not that of the host's scalar text (--pack 1).
+// A picture that differs from that of the scalar kernel (--pack 1).
 struct Discrepancy {
-    std::string scene;       // "box-1-17": fractal, seed, number
-    std::string parameters;  // the text of its parameter file
+    std::string scene;       // "box-1-17": fractal, seed, index
+    std::string parameters;  // contents of its parameter file
     std::string subject;
     std::string what;  // the first differing pixel with both values, or the error
 };
 
 struct EquivalenceResult {
     EquivalenceOptions options;
-    std::string yardstick;  // the backend with the role of the host
+    std::string yardstick;  // backend with the role of the host
     nlohmann::ordered_json environment;
     std::vector<Subject> subjects;
     std::vector<std::string> missing;   // backends without a device, and why
-    std::vector<std::string> failures;  // of backends that could not list their devices
+    std::vector<std::string> failures;  // backends that could not list their devices
     std::vector<Discrepancy> discrepancies;
 };
 
-// Draws each scene in both precisions by the host's scalar text and by every subject; a scene that is too much work is
-// drawn smaller. `found` is called with each discrepancy at once, `progress` with the finished share. Throws InputError
-// for an unknown backend or fractal; where nothing is left to compare Error, or Unavailable without a device.
+// Renders each scene in both precisions with the scalar kernel and with every tested configuration; scenes with too
+// much work are rendered smaller. Calls `found` with each discrepancy at once, and `progress` with the completed
+// fraction. Throws InputError for an unknown backend or fractal. If nothing is left to compare, throws Error if a
+// backend failed, else Unavailable.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);
 
 nlohmann::ordered_json json_of(const EquivalenceResult& result);
 
-// A line for each subject.
+// Returns a table with a line for each tested configuration.
 std::string to_console(const EquivalenceResult& result);
 
 }  // namespace mandelmarch::bench

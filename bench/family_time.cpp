@@ -19,8 +19,8 @@ struct Usage {
     double ticks = 0;
 };
 
-// /proc/PID/stat: the name in brackets may hold anything; behind it the parent is field 4, user and system time, own
-// and of children waited for, are fields 14 to 17 (proc(5)).
+// Parses /proc/PID/stat. The name in parentheses may contain any character. After it, the parent is field 4; user and
+// system time, of the process and of children waited for, are fields 14 to 17 (proc(5)).
 Usage usage_of(const std::filesystem::path& process)
 {
     std::ifstream file(process / "stat");

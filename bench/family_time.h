@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processor time of this program and of the processes that it has started.
+// Processor time of this program and of the processes that it started.
 #pragma once
 
 namespace mandelmarch::bench {
 
-// Seconds of user and system time since they began: of this process, its children, and theirs, ended ones included
-// where their parent has waited for them.
+// Returns seconds of user and system time of this process and all its descendants since they started. Ended processes
+// count once their parent has waited for them.
 double family_seconds();
 
 }  // namespace mandelmarch::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many lanes of a vector, or of a GPU's warp, do something while rays march.
+// Lane utilisation of vectors and of GPU warps during the march.
 #pragma once
 
 #include <optional>
@@ -9,37 +9,36 @@
 
 namespace mandelmarch::bench {
 
-// Shares of lanes that do something, 0 to 1: of the steps, and of the estimator's iterations, each of which takes as
-// many as its slowest lane.
+// Fractions of active lanes, 0 to 1, among the steps and among the DE iterations. A step takes as many iterations as
+// its slowest lane.
 struct ActiveLanes {
     double in_steps = 1, in_iterations = 1;
 };
 
 struct LaneUse {
     int lanes = 0;
-    ActiveLanes together;  // neighbouring pixels go on until the last is done
-    // A lane whose ray has ended takes the next pixel of its block at once: persistent threads (Aila and Laine,
-    // "Understanding the efficiency of ray traversal on GPUs", HPG 2009).
-    // Not known of results of older builds.
+    ActiveLanes together;  // neighbouring pixels march until the last one is done
+    // With refill: a lane whose ray has ended takes the next pixel of its patch at once (persistent threads; Aila and
+    // Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Unknown in results of older builds.
     std::optional<ActiveLanes> refilled;
-    // Standard errors of `together` and `refilled` if they come from a sample of blocks; 0 if every pixel was counted.
+    // Standard errors of `together` and `refilled` if they come from a sample of patches; 0 if every pixel was counted.
     // Unknown in results of older builds.
     std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 
-// For each of a ray's steps, in order, the iterations of its estimate.
+// DE iterations of each step of a ray, in order.
 using RaySteps = std::vector<int>;
 
-// Slots that vectors had, and those in which a lane did something.
+// Counts the lane slots of vectors, and the active ones among them.
 class LaneCount {
 public:
     explicit LaneCount(int lanes) : lanes_(lanes) {}
 
-    // The rays of a block of neighbouring pixels; consecutive ones lie side by side.
+    // Adds the rays of a patch; consecutive rays belong to neighbouring pixels.
     void add(std::span<const RaySteps> block);
 
-    // The lane use of several blocks of a picture, each counted in one LaneCount, all with the same number of lanes.
-    // `every_pixel`: they cover the whole picture.
+    // Returns the lane utilisation of several patches, each counted in one LaneCount, all with the same number of
+    // lanes. `every_pixel`: they cover the whole picture.
     static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
 
 private:
@@ -47,9 +46,9 @@ private:
         double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
     };
 
-    // The share of active lanes over the slots of all blocks, and its standard error.
+    // Returns the fraction of active lanes over all patches, and its standard error.
     static std::pair<ActiveLanes, ActiveLanes> active(std::span<const LaneCount> blocks, Slots LaneCount::*slots);
-    // Rays march in a vector; a lane whose ray has ended takes the next of those that wait.
+    // Marches rays in a vector; a lane whose ray has ended takes the next waiting ray.
     void march(std::span<const RaySteps> rays, Slots& slots) const;
 
     int lanes_;

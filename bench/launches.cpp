@@ -17,12 +17,12 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 
-extern char** environ;  // NOLINT: POSIX leaves its declaration to the program
+extern char** environ;  // NOLINT: POSIX requires the program to declare it
 
 namespace mandelmarch::bench {
 namespace {
 
-// A file in memory, without a name: nothing is left of it, however this program ends.
+// An anonymous file in memory, which vanishes with this process.
 class MemoryFile {
 public:
     MemoryFile() : descriptor_(memfd_create("launch", MFD_CLOEXEC))
@@ -50,8 +50,7 @@ private:
     int descriptor_;
 };
 
-// Runs this program, by the name that it was called, with its standard output in `output`; returns the exit code, or
-// 128 and a signal's number.
+// Starts this program again, with its standard output in `output`. Returns the exit code, or 128 + the signal's number.
 int run(const std::vector<std::string>& arguments, int output)
 {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -133,7 +132,7 @@ Result launch_again(const std::vector<std::string>& arguments, int launch)
     for (const char* word : {"--quiet", "--json", "-", "--launch"}) words.emplace_back(word);
     words.push_back(std::to_string(launch));
     const int code = run(words, file.descriptor());
-    // A wrong picture leaves a result, too; nothing else does.
+    // bench leaves a result with these two exit codes only (failure: a wrong picture).
     if (code != exit_fine && code != exit_failure) throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();
     if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));

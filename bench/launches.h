@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several launches: the study run by fresh processes of this program, their samples put together.
+// Repeats a study in several runs, each a fresh process of bench, and merges their samples.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,19 @@
 
 namespace mandelmarch::bench {
 
-// Runs one launch and returns the result that it left. Throws Error where it left none.
+// Executes one run and returns its result. Throws Error if it left none.
 using Launch = std::function<Result(int launch)>;
 
-// The samples of all launches, tagged by launch, in one result; everything else from the first launch, peaks the
-// highest of all. A row that fails in any launch fails.
+// Merges results: all samples, tagged by run; the highest peaks; everything else from the first run. A configuration
+// that fails in any run fails.
 Result merged(std::vector<Result> results);
 
-// `first` merged with what the launches 1 to count - 1 leave. A launch that leaves nothing is a warning of the result
-// and a line on stderr; Result::launches counts those that left something.
+// Merges `first` with the results of runs 1 to count - 1. A run without a result adds a warning and a line on stderr;
+// Result::launches counts the runs with a result.
 Result with_further_launches(Result first, int count, const Launch& launch);
 
-// Runs this program again with the given arguments and `--launch N --json - --quiet`, and reads what it prints. Throws
-// Error where the process leaves no result.
+// Starts this program with the given arguments and `--launch N --json - --quiet`, and parses its output. Throws Error
+// if the process leaves no result.
 Result launch_again(const std::vector<std::string>& arguments, int launch);
 
 }  // namespace mandelmarch::bench

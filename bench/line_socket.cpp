@@ -14,7 +14,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int patience = 200;  // milliseconds between two looks whether the other side is gone
+constexpr int patience = 200;  // milliseconds between checks whether the peer is gone
 constexpr std::size_t longest = std::size_t{16} << 20;
 
 }  // namespace
@@ -45,7 +45,7 @@ bool LineSocket::receive(std::string& line, const std::function<bool()>& gone)
         pollfd waiting{.fd = descriptor_, .events = POLLIN, .revents = 0};
         const int ready = poll(&waiting, 1, patience);
         if (ready == 0) {
-            // What it has sent before it went is read all the same.
+            // Read data that the peer sent before it ended.
             if (!gone()) continue;
             waiting.revents = 0;
             last = poll(&waiting, 1, 0) <= 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of text over a socket between two processes.
+// Exchanges lines of text over a socket between two processes.
 #pragma once
 
 #include <functional>
@@ -16,20 +16,20 @@ public:
     LineSocket(const LineSocket&) = delete;
     LineSocket& operator=(const LineSocket&) = delete;
 
-    // Sends a line, without its end. Throws Error where the other side is gone.
+    // Sends a line, given without its newline. Throws Error if the peer is gone.
     void send(const std::string& line);
 
-    // Waits for a line. False where the other side has closed, or where `gone`, asked every now and then, says that
-    // nothing will come. Throws Error for a line of more than 16 MiB.
+    // Waits for a line. Returns false if the peer has closed, or if `gone`, which is polled, returns true. Throws Error
+    // for a line of more than 16 MiB.
     bool receive(
         std::string& line, const std::function<bool()>& gone = [] { return false; });
 
 private:
     int descriptor_;
-    std::string left_;  // received, of lines to come
+    std::string left_;  // received part of later lines
 };
 
-// JSON in one line. Bytes that are no UTF-8 are replaced.
+// Returns JSON on one line. Invalid UTF-8 is replaced.
 std::string text_of_line(const nlohmann::ordered_json& json);
 
 }  // namespace mandelmarch::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench: proves that every backend draws the same picture, then times them.
+// bench: verifies that all backends render the same picture, then times them.
 #include "backends/all.h"
 #include "bench/program.h"
 #include "core/base/error.h"

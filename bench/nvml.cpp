@@ -11,7 +11,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// As NVML's API reference has them; the library's own header is not needed to build.
+// Declarations from NVML's API reference, so that its header is not needed to build.
 using Device = void*;
 constexpr int success = 0;
 constexpr unsigned sm_clock = 1, memory_clock = 2, gpu_temperature = 0;
@@ -30,7 +30,7 @@ public:
     explicit Library(const std::string& name) : handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL), dlclose) {}
     explicit operator bool() const { return handle_ != nullptr; }
 
-    // Calls a function of the library; false where it lacks it or the call fails.
+    // Calls a function of the library. Returns false if the library lacks it or the call fails.
     template <class... Arguments>
     bool call(const char* name, Arguments... arguments) const
     {

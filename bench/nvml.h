@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NVIDIA's management library, where it is installed.
+// Queries NVIDIA's management library (NVML), if installed.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@ struct GpuState {
     std::string name;
     std::optional<double> joules;               // since the driver was loaded
     std::optional<double> watts, celsius;       // now
-    std::optional<double> sm, most_sm, memory;  // clocks, MHz
-    std::optional<std::string> throttled;       // why the clock is lower than it could be, "none" if it is not
+    std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz
+    std::optional<std::string> throttled;       // reason for a reduced clock frequency; "none" if not reduced
 };
 
 struct GpuStates {
     std::vector<GpuState> gpus;
-    std::string missing;  // why there are none; empty if there are
+    std::string missing;  // why there are none; else empty
 };
 
-// `library`: the file's name, as the linker finds it.
+// `library`: file name for the dynamic linker.
 GpuStates gpu_states(const std::string& library);
 
 }  // namespace mandelmarch::bench

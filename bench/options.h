@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user asked of `bench`.
+// Options of `bench`, as given by the user.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,22 @@ namespace mandelmarch::bench {
 
 struct Options {
     std::string backend = "all";
-    std::string fractal = "all";  // all: those that are studied; or a fractal's name or nickname
+    std::string fractal = "all";  // all: those studied by default; or a fractal's name or nickname
     std::string precision = "all";
     std::string mode;  // empty: all in the standard study, exact in sweeps
-    std::string size;  // WxH; empty: the study's own
+    std::string size;  // WxH; empty: default of the study
     std::string study = "standard";
-    std::string
-        filter;  // as Google Benchmark's: a regular expression that is looked for in a row's name; -: all others
-    std::optional<int> repetitions;  // exactly so many rounds; without it the stop rule decides
+    std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
+    std::optional<int> repetitions;  // exact number of rounds; empty: the stop rule decides
     int launches = 1;
-    int launch = 0;                // of this process, from 0
-    std::uint64_t seed = 1;        // of the order of rows in each round
-    std::optional<double> budget;  // seconds that the timed rounds may take
-    std::string json, csv;         // files; - is standard output
+    int launch = 0;                // index of this run, from 0
+    std::uint64_t seed = 1;        // for the order of configurations in each round
+    std::optional<double> budget;  // seconds for the timed rounds
+    std::string json, csv;         // files; -: standard output
     bool list = false, wide = false;
-    bool peaks = true;      // measured before and after the rounds; without them there are no shares of peak
-    bool baselines = true;  // with the rows that others are compared with, in the standard study
-    // Google Benchmark's own.
+    bool peaks = true;      // measured before and after the rounds; needed for the share of peak
+    bool baselines = true;  // include the baselines of the standard study
+    // Google Benchmark's options.
     std::string format, out, out_format = "json";
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the results of a command go.
+// Output files of a command.
 #pragma once
 
 #include <functional>
@@ -8,26 +8,27 @@
 
 namespace mandelmarch::bench {
 
-// Throws InputError where `path` lies in the folder of the results that the project keeps and the program's sources
-// have changes that no commit has: such a result could not be made again.
+// Throws InputError if `path` lies in the project's folder of kept results and the sources have uncommitted changes:
+// such a result could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
-// Files and standard output ("-"), checked before the work and written after it, each whatever becomes of the others.
+// Files and standard output ("-"), checked before the work and written after it. One failure does not affect the
+// others.
 class Outputs {
 public:
-    // `option` is what the user wrote; an empty path is no output. `text` is asked for when it is written.
+    // `option`: the option as written by the user; an empty path adds nothing. `text` is called when the output is
+    // written.
     void add(std::string option, std::string path, std::function<std::string()> text);
 
-    // Throws InputError where an output certainly cannot be written, is one of the files that are read, or two are one
-    // file or both standard output.
+    // Throws InputError if an output cannot be written or is one of the `read` files, or if two outputs are the same.
     void check(const std::vector<std::string>& read = {}) const;
 
     bool on_stdout() const;
 
-    // Writes the files. One that fails is a line on stderr, and makes it false.
+    // Writes the files. Returns false if one fails, after a line on stderr.
     bool write_files() const;
 
-    // Throws Error where standard output cannot be written.
+    // Throws Error if standard output cannot be written.
     void write_stdout() const;
 
 private:

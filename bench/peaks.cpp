@@ -15,7 +15,7 @@ bool same_device(const Peak& a, const Peak& b)
     return a.platform == b.platform && a.backend == b.backend && a.device == b.device && a.precision == b.precision;
 }
 
-// The two highest rates; the second is 0 where there is one.
+// Returns the two highest rates; the second is 0 if there is only one.
 std::pair<double, double> highest(const std::vector<Peak>& peaks)
 {
     std::pair<double, double> found{0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks that were measured several times: whether the best of them is to be believed.
+// Peaks measured several times, and whether the best of them is credible.
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace mandelmarch::bench {
 
-// A disturbance only lowers a rate, and hardly twice by as much: a best rate that no other comes near stands alone
-// among spoilt ones, or is spoilt itself.
+// Measured peaks. A disturbance only lowers a rate, and rarely twice by the same amount: a best rate without a second
+// one close to it is doubtful.
 class PeakRecord {
 public:
     void add(const std::vector<Peak>& peaks);
 
-    // The highest rate of each backend, device and precision.
+    // Returns the highest rate of each backend, device and precision.
     std::vector<Peak> best() const;
 
-    // Those whose two highest rates are more than 5 % apart, or that were measured once.
+    // Returns the peaks whose two highest rates are more than 5 % apart, or that were measured once.
     std::vector<Peak> doubtful() const;
 
-    // A line for each of these.
+    // Returns a warning for each doubtful peak.
     std::vector<std::string> warnings() const;
 
 private:
-    // Of one backend, device and precision, in the order in which they came.
+    // One list for each backend, device and precision, in the order of measurement.
     std::vector<std::vector<Peak>> measured_;
 };
 

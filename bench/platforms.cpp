@@ -27,7 +27,7 @@ bool is_cpu(const Result& result, const std::string& platform)
     return std::ranges::any_of(result.rows, [&](const Row& row) { return row.platform == platform && !row.is_gpu; });
 }
 
-// Whether both are known to be of one boot of one system.
+// Returns true if both results are known to come from one boot of one system.
 bool same_boot(const Result& a, const Result& b)
 {
     const Json::json_pointer boot("/os/boot");
@@ -35,7 +35,7 @@ bool same_boot(const Result& a, const Result& b)
            a.environment.at(boot) == b.environment.at(boot);
 }
 
-// What only one of them knows is no difference.
+// Compares CPU facts; a fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {
@@ -74,14 +74,14 @@ void rename(Result& result, const std::string& platform, const std::string& name
 std::vector<Result> told_apart(std::span<const Result> results)
 {
     std::vector<Result> renamed(results.begin(), results.end());
-    std::map<std::string, std::vector<std::size_t>> holders;  // of each platform: the results that have it
+    std::map<std::string, std::vector<std::size_t>> holders;  // results that have the platform
     for (std::size_t i = 0; i < results.size(); ++i) {
         for (const std::string& name : platforms_of(results[i])) holders[name].push_back(i);
     }
     for (const auto& [name, indices] : holders) {
-        const std::string& platform = name;     // a lambda of clang 14 takes no binding
+        const std::string& platform = name;     // clang 14 cannot capture a structured binding
         std::vector<std::size_t> machines;      // the first result of each
-        std::map<std::size_t, std::size_t> of;  // result: its machine
+        std::map<std::size_t, std::size_t> of;  // machine of each result
         for (const std::size_t i : indices) {
             const auto same = std::ranges::find_if(machines, [&](std::size_t j) {
                 const bool cpu = is_cpu(results[i], platform) && is_cpu(results[j], platform);

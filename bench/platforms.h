@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Platforms of several results: those of one name that are not the same machine get names of their own.
+// Tells platforms of several results apart that have one name but are different machines.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace mandelmarch::bench {
 
-// Peaks of one platform, each the highest of many runs, agree within this factor.
+// Maximum factor between peaks of one platform, each the highest of many runs.
 inline constexpr double same_peak = 1.5;
 
-// The results, with platforms renamed where two of one name differ: a CPU in its stepping, flags, caches or usable
-// cores, as far as both results know them, or any device in its measured peak, by more than the factor same_peak. CPUs
-// of one boot of one system are one machine, whatever load did to their peaks. Their names have the number of the
-// machine behind them, from 1: "AMD EPYC (family 26 model 2), machine 2".
+// Returns the results, with platforms of one name renamed if they differ: CPUs in stepping, flags, caches or usable
+// cores, as far as both results have them; any device in its measured peak, by more than the factor same_peak. CPUs of
+// one boot of one system are one machine, whatever their peaks. The machine's number, from 1, is appended: "AMD EPYC
+// (family 26 model 2), machine 2".
 std::vector<Result> told_apart(std::span<const Result> results);
 
 }  // namespace mandelmarch::bench

@@ -22,8 +22,8 @@ constexpr int draws = 1000;
 struct Entry {
     const Result* result;
     const Row* row;
-    std::vector<double> times;         // of the one launch
-    std::vector<double> logarithms{};  // of the medians of several
+    std::vector<double> times;         // kernel times of all runs
+    std::vector<double> logarithms{};  // of the runs' medians, if there are several runs
 };
 
 struct Problem {
@@ -42,10 +42,10 @@ struct Efficiencies {
     double application = 0, architecture = 0;
 };
 
-// A random draw of the time that the row might have. With several launches: their mean logarithm plus Student's t times
-// its standard error, so that 95 % of the draws lie within launch_interval() (Weerahandi's generalized interval, JASA
-// 88, 1993, which also holds for quantities computed from several rows). With one launch: the median of its times
-// resampled with replacement, which shows only the scatter within that launch.
+// Returns a random sample of the time that the configuration might have. With several runs: their mean logarithm plus
+// Student's t times its standard error, so that 95 % of the samples lie within launch_interval() (Weerahandi's
+// generalized interval, JASA 88, 1993, which also holds for quantities computed from several configurations). With one
+// run: the median of its times resampled with replacement, which shows only the scatter within that run.
 double drawn(const Entry& entry, std::mt19937_64& random)
 {
     const std::vector<double>& x = entry.logarithms;
@@ -63,7 +63,7 @@ double drawn(const Entry& entry, std::mt19937_64& random)
     return std::exp(mean + t(random) * std::sqrt(squares / (n - 1) / n));
 }
 
-// The times of each backend on each platform for one problem, and what they come to.
+// Times of all backends on all platforms for one problem, and the efficiencies derived from them.
 class Field {
 public:
     void add(const Result& result, const Row& row)
@@ -82,7 +82,7 @@ public:
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
-    // Notes that the result has this backend without any device: it runs on none of the result's platforms.
+    // Records that the result has this backend without a device: it supports none of the result's platforms.
     void add_unavailable(const Result& result, const std::string& application)
     {
         if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
@@ -90,7 +90,7 @@ public:
 
     const std::set<std::string>& platforms() const { return platforms_; }
 
-    // True if a result that has this platform also has this application, on any platform.
+    // Returns true if a result with this platform also has this application, on any platform.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
         return std::ranges::any_of(platforms_of_, [&](const auto& of) {
@@ -98,7 +98,7 @@ public:
         });
     }
 
-    // The platforms on which the application was measured.
+    // Returns the platforms on which the application was measured.
     std::vector<std::string> measured(const std::string& application) const
     {
         std::vector<std::string> found;
@@ -108,7 +108,7 @@ public:
         return found;
     }
 
-    // Medians of the kernel times; drawn anew where `random` is given.
+    // Returns the medians of the kernel times; random samples of them if `random` is given.
     std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
     {
         std::map<std::pair<std::string, std::string>, double> found;
@@ -153,7 +153,7 @@ Efficiencies means(const Field& field, const std::string& application,
     return {performance_portability(by_application), performance_portability(by_architecture)};
 }
 
-// The middle 95 %, made wide enough for the value itself.
+// Returns the middle 95 % of the values, widened to contain `value`.
 Interval middle_of(std::vector<double> values, double value)
 {
     std::ranges::sort(values);
@@ -196,7 +196,7 @@ Portability of(const Problem& problem, const Field& field, const std::string& ap
     const Efficiencies mean = means(field, application, seconds);
     p.application_portability = mean.application;
     p.architecture_portability = mean.architecture;
-    // Percentiles of what comes out where every row's time is drawn anew.
+    // Percentiles of the metric over random samples of all times.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;
@@ -233,7 +233,7 @@ std::vector<Portability> portability(std::span<const Result> given)
         for (const Row& row : result.rows) {
             if (!row.point.empty() || row.backend == reference) continue;
             applications.insert(row.backend);
-            if (row.platform.empty()) continue;  // a backend without any device
+            if (row.platform.empty()) continue;  // a backend without a device
             fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);
         }
     }

@@ -9,7 +9,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// What the proof of one row needs: its picture with values and that of its yardstick, and one more for the timing.
+// Checks the memory for verification: the configuration's picture and the expected one, with values, and one for
+// timing.
 void check_memory(const Scene& scene)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
@@ -33,7 +34,7 @@ void describe(Row& row, const RenderReport& report)
     row.work = report.work;
 }
 
-// What `draw` throws becomes the row's reason to have no speed.
+// Calls `draw`. An exception becomes the reason why the configuration has no speed.
 template <class Draw>
 std::optional<Live> prepared(Case& one, const Draw& draw)
 {
@@ -47,7 +48,7 @@ std::optional<Live> prepared(Case& one, const Draw& draw)
     } catch (const Unavailable& error) {
         row.unavailable = error.what();
     } catch (const InputError& error) {
-        // A pack width that this machine does not have, say.
+        // For example, a pack width that this machine does not support.
         row.unavailable = error.what();
     } catch (const Error& error) {
         row.failure = error.what();

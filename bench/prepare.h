@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows before they are timed: made ready, and their pictures proven.
+// Prepares configurations for timing and verifies their pictures.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace mandelmarch::bench {
 
-// Draws the row's picture once and compares it. What comes back can be timed; where nothing does, the row says why.
+// Renders the configuration's picture once and verifies it. Returns nullopt if it cannot be timed; its row says why.
 std::optional<Live> proven(Case& one, Yardsticks& yardsticks);
 
-// The same without a comparison, for a further process of a program that has proven the picture: whoever asks compares
-// the fingerprints.
+// The same without verification, for further processes of a program that has verified the picture. The caller compares
+// fingerprints.
 std::optional<Live> unproven(Case& one);
 
 }  // namespace mandelmarch::bench

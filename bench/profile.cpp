@@ -18,7 +18,7 @@ namespace {
 constexpr int usual_repetitions = 7;
 constexpr std::array<const char*, openmp::stages> stage_names{"begin", "march", "refine", "normal", "shade", "output"};
 
-// The picture that openmp draws by itself.
+// Renders the picture with the openmp backend.
 Image own_picture(const Registry& registry, const Scene& scene, Precision precision, Mode mode)
 {
     const Backend* backend = registry.find("openmp");
@@ -52,7 +52,7 @@ void add(std::vector<StageTime>& times, const Registry& registry, const Scene& s
         Image image(scene.width, scene.height, Image::Layers::bytes);
         const openmp::StageSeconds seconds = profiler->draw(image);
         prove(image, own, name);
-        if (i == 0) continue;  // it warmed up
+        if (i == 0) continue;  // warm-up
         for (std::size_t stage = 0; stage < seconds.of.size(); ++stage) {
             times[first + stage].seconds.push_back(seconds.of.at(stage));
         }

@@ -27,12 +27,12 @@
 namespace mandelmarch::bench {
 namespace {
 
-// What is being done, on stderr: a bar on a terminal, else a line for each new thing.
+// Progress on stderr: a bar on a terminal, else a line for each new phase.
 class Display {
 public:
     explicit Display(bool quiet) : quiet_(quiet) {}
 
-    // `since`: the time at which the step began; the time left is computed from it.
+    // `since`: start of the phase, for the remaining time.
     void show(const Step& step, Clock::time_point since = Clock::now())
     {
         if (quiet_) return;
@@ -104,7 +104,7 @@ int run(const Registry& registry, const CommandLine& line)
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
     fine = fine && !result.failed() && result.launches == options.launches;
-    // Data and table do not mix.
+    // With a format, standard output is for data alone.
     if (!line.quiet && options.format.empty()) {
         const std::string table = to_console(result, options.wide);
         if (outputs.on_stdout()) {
@@ -244,7 +244,7 @@ int on_demand(const Registry& registry, const CommandLine& line)
     return exit_fine;
 }
 
-// Each discrepancy at once, on stderr, with what draws it again.
+// Prints each discrepancy at once on stderr, with the parameters that reproduce it.
 int equivalence(const Registry& registry, const CommandLine& line)
 {
     namespace fs = std::filesystem;

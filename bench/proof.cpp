@@ -69,12 +69,12 @@ const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
 void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick& yardstick)
 {
     const Agreement found = agreement(yardstick.image, image, row.precision);
-    // The reference is a second program: its exact picture is close to the text's, not the same.
+    // The reference is a separate implementation: its exact picture is close to the kernel's, not identical.
     const Level required = role == Role::reference ? Level::perceptual : level_required(row.mode);
     Proof& proof = row.proof;
     proof.drawn = true;
     proof.fine = found.level <= required;
-    // Without refinement the same rays hit, not quite where they should.
+    // Without refinement the same rays hit, but at slightly different points.
     if (!techniques_without(row.setting.without).root) {
         proof.fine = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
     }

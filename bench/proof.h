@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proof before timing: what a row draws, compared with what it should draw.
+// Verification before timing: compares the picture of a configuration with the expected one.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace mandelmarch::bench {
 
-// Draws the pictures that others are compared with, and keeps the last one of each kind.
-//   exact rows: the host's scalar text (--pack 1), in the row's precision; the same bits are required.
-//   fast rows: the reference's canonical picture in double, or the host's scalar text where the reference would take
-//   minutes (more than a million pixels) or does not draw the scene; at most 2 % of the pixels may be visibly off. The
-//   reference itself in exact mode: the host's scalar text in double; at most 2 % of the pixels visibly off.
+// Renders the expected pictures, and keeps the last one of each kind.
+//   exact configurations: the scalar kernel on the host (--pack 1), in the same precision; the bits must be the same.
+//   fast configurations: the reference's canonical picture in double; or the scalar kernel if the reference would take
+//     minutes (more than a million pixels) or does not support the scene. At most 2 % of the pixels may differ visibly.
+//   the reference itself in exact mode: the scalar kernel in double; at most 2 % of the pixels may differ visibly.
 class Yardsticks {
 public:
     explicit Yardsticks(const Registry& registry) : registry_(registry) {}
@@ -25,18 +25,18 @@ public:
         RenderReport report;
     };
 
-    // Throws Unavailable where this build has nothing to compare with.
+    // Throws Unavailable if this build has no suitable backend to compare with.
     const Yardstick& for_case(const Case& one);
 
-    // True if the row is a yardstick itself: it has nothing to be compared with.
+    // Returns true if the configuration renders the expected picture itself, so that there is nothing to compare with.
     bool is_yardstick(const Case& one) const;
 
-    // Rows that share a yardstick have the same key; drawing cases in the order of their keys draws each yardstick
-    // once.
+    // Returns the same key for configurations with the same expected picture. Rendering cases in the order of their
+    // keys renders each expected picture once.
     std::string key(const Case& one) const;
 
 private:
-    // What draws the yardstick of a row.
+    // Backend and options that render the expected picture.
     struct Source {
         const Backend* backend;
         RendererOptions options;
@@ -48,10 +48,10 @@ private:
     Yardstick exact_, fast_;
 };
 
-// Compares the picture of a row, which a backend of this role drew, and fills the proof in.
+// Compares a picture, rendered by a backend of this role, with the expected one and fills in row.proof.
 void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick& yardstick);
 
-// A number of the picture's bytes that tells it from others (FNV-1a, 64 bits).
+// Returns a hash of the picture's bytes (FNV-1a, 64 bits).
 std::uint64_t fingerprint(const Image& image);
 
 }  // namespace mandelmarch::bench

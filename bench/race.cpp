@@ -26,7 +26,7 @@ std::vector<double> seconds_of(const Racer& racer)
 
 bool timed(const Racer& racer) { return is_right(racer.verdict) && !racer.samples.empty(); }
 
-// Ours, that others are compared with.
+// Returns our program, the baseline of the times; nullptr if it was not timed.
 const Racer* pace_of(const Race& race)
 {
     const auto found = std::ranges::find_if(race.racers, [](const Racer& r) { return r.ours && timed(r); });
@@ -40,7 +40,7 @@ std::optional<Quotient> times_ours(const Race& race, const Racer& racer)
     return quotient({{0, seconds_of(racer)}}, {{0, seconds_of(*pace)}});
 }
 
-// The end of a long name says more.
+// Truncates a long name at its start, as the end tells more.
 std::string name_in_table(const Racer& racer)
 {
     std::string name = printable(racer.name);

@@ -36,8 +36,8 @@ namespace fs = std::filesystem;
 constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
-// For a round's view the eye moves by a share of its distance to the target: first_move, doubled until least_change of
-// the pixels change visibly or the share exceeds last_move.
+// For a round's view the eye moves by a fraction of its distance to the target: first_move, doubled until least_change
+// of the pixels change visibly or the fraction exceeds last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;
@@ -88,7 +88,7 @@ Scene scene_of(const RacePlan& plan, const Options& options)
     return scene;
 }
 
-// The scene with its eye moved in a random direction, by `share` of its distance to the target.
+// Returns the scene with its eye moved in a random direction by `share` of its distance to the target.
 Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 {
     std::normal_distribution<double> normal;
@@ -168,7 +168,7 @@ private:
         RaceSample sample;
     };
 
-    // A scene for the programs to draw, and our scalar text's picture of it.
+    // A scene to render, and the scalar kernel's picture of it.
     struct View {
         std::string parameters;
         Image expected;
@@ -183,7 +183,7 @@ private:
         return std::move(*drawn.image);
     }
 
-    // A view that no program has drawn yet, for which a picture kept from an earlier run is wrong.
+    // Returns a new view, for which a picture kept from an earlier view is wrong.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    // Runs the program; where there is no picture, the racer says why.
+    // Runs the program. Without a picture, sets the racer's verdict and reason.
     Drawn draw(Racer& racer, const std::vector<std::string>& words)
     {
         const Folder folder;
@@ -239,7 +239,7 @@ private:
         try {
             drawn.image = read_image(picture.string());
         } catch (const InputError& error) {
-            std::string what = error.what();  // begins with the path, which is gone soon
+            std::string what = error.what();  // starts with the path of a temporary folder
             if (what.starts_with(picture.string())) what = image_name + what.substr(picture.string().size());
             return fails(RaceVerdict::no_image, what);
         }
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // Runs a program, whose first picture was right, on the round's view.
+    // Runs a program whose first picture was correct on the round's view.
     void again(std::size_t i, int round)
     {
         Racer& racer = race_.racers[i];
@@ -309,12 +309,12 @@ private:
     const RacePlan& plan_;
     const std::function<void(double)>& progress_;
     Scene scene_;
-    std::mt19937_64 random_;                          // decides the order
-    std::mt19937_64 chance_{std::random_device{}()};  // decides the views, which nobody can predict
+    std::mt19937_64 random_;                          // for the order
+    std::mt19937_64 chance_{std::random_device{}()};  // for the views, which must be unpredictable
     Race race_;
     std::vector<std::string> yardstick_;
-    std::vector<std::vector<std::string>> words_;  // of each racer
-    View view_;                                    // being drawn
+    std::vector<std::vector<std::string>> words_;  // command line of each racer
+    View view_;                                    // current view
 };
 
 }  // namespace

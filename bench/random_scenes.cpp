@@ -34,7 +34,7 @@ struct DrawnScene {
     Image canonical{picture_width, picture_height, Image::Layers::all};
 };
 
-// The same scenes as tests/scenes.cpp draws: one stream of numbers goes through the fractals in their order.
+// Generates the same scenes as tests/scenes.cpp: one random stream for all fractals, in their order.
 std::vector<DrawnScene> scenes_of(const RandomOptions& options)
 {
     std::vector<DrawnScene> scenes;
@@ -49,7 +49,7 @@ std::vector<DrawnScene> scenes_of(const RandomOptions& options)
     return scenes;
 }
 
-// What draws the canonical pictures: the reference, or the host's scalar text with every shortcut off.
+// Creates the renderer of canonical pictures: the reference, or the scalar kernel with all optimisations disabled.
 std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
 {
     const Backend& reference = registry.with(Role::reference);
@@ -61,7 +61,7 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
                  .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
 }
 
-// A renderer is one thread here: as many scenes at once as there are cores.
+// Renders as many scenes at once as there are cores, each on one thread.
 void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
                     const std::function<void(double)>& progress)
 {

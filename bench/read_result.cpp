@@ -14,11 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t most_counted = std::uint64_t{1} << 53;  // JSON's numbers are whole up to here
-constexpr double most_seconds = 1e9;                            // thirty years
+constexpr std::uint64_t most_counted = std::uint64_t{1} << 53;  // JSON's numbers are exact integers up to here
+constexpr double most_seconds = 1e9;                            // about thirty years
 constexpr double most_rate = 1e30;                              // operations per second
 
-// What a result holds, by key. Messages do not name the file yet.
+// Returns a member of an object. Error messages do not contain the file name yet.
 const Json& at(const Json& json, const char* key)
 {
     if (!json.is_object()) throw InputError(fmt::format("{} in the place of an object", json.type_name()));
@@ -78,14 +78,14 @@ double number_at(const Json& json, const char* key, double low, double high)
     return number(key, at(json, key), low, high);
 }
 
-// Older files do not have every number, and newer ones not in every row.
+// Returns nullopt for a missing member: older files lack some numbers, and newer ones do in some rows.
 std::optional<double> known_number_at(const Json& json, const char* key, double low, double high)
 {
     if (!json.contains(key) || at(json, key).is_null()) return std::nullopt;
     return number_at(json, key, low, high);
 }
 
-// Of a sample: bench compare says of which row they are not above 0.
+// Times of samples may be 0 or less: bench compare then names the configuration.
 double seconds_at(const Json& json, const char* key) { return number_at(json, key, -most_seconds, most_seconds); }
 
 double number_or_infinity_at(const Json& json, const char* key)
@@ -94,7 +94,7 @@ double number_or_infinity_at(const Json& json, const char* key)
     return at(json, key).is_null() ? infinity : number_at(json, key, -infinity, infinity);
 }
 
-// Calls read(element) for each element of a list; what it throws names the element.
+// Calls read(element) for each element of a list. Exceptions name the element.
 template <class Read>
 void each_at(const Json& json, const char* key, const Read& read)
 {
@@ -176,7 +176,7 @@ Sample sample_of(const Json& json)
             .wall = seconds_at(json, "wall"),
             .upload = seconds_at(json, "upload"),
             .readback = seconds_at(json, "readback"),
-            // Before devices had clocks of their own, kernels had the host's.
+            // Older files have the kernel's time by the host's clock only.
             .host = seconds_at(json, json.contains("host") ? "host" : "kernel")};
 }
 
@@ -203,7 +203,7 @@ Row row_of(const Json& json)
     row.proof = proof_at(json, "proof");
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
-    // Files of version 1 may be older than these two.
+    // Missing in old files of version 1.
     row.stride = known_number_at(json, "stride", 0, 1).value_or(0);
     if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");

@@ -19,7 +19,7 @@ std::string nickname(const std::string& fractal)
     return fractal == "all" ? fractal : std::string(fractal_named(fractal).nickname);
 }
 
-// "[12.30, 12.45]", or why there is none.
+// Returns "[12.30, 12.45]", or why there is no interval.
 std::string interval(const Summary& s, double unit)
 {
     if (!s.interval) return fmt::format("n = {}", s.count);
@@ -44,7 +44,7 @@ std::string head(const Result& result, const Row& row)
                        name_of(row.mode), application_of(result, row), row.device);
 }
 
-// A sweep shows its point where other studies show the share of peak and the speed-up.
+// In a sweep, the sweep value replaces the share of peak and the speed-up.
 std::string main_table(const Result& result, bool sweep)
 {
     const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
@@ -81,7 +81,7 @@ std::string main_table(const Result& result, bool sweep)
     return text;
 }
 
-// Everything that was measured, a row a line.
+// All figures, one line per configuration.
 std::string wide_table(const Result& result)
 {
     std::string text = fmt::format(
@@ -133,7 +133,7 @@ std::string devices(const Result& result)
     return text;
 }
 
-// Rows of whose wall time the parts leave more than a little.
+// Lists configurations whose upload, host and readback leave a notable part of the wall time.
 std::string incomplete_parts(const Result& result)
 {
     constexpr double little = 0.05;
@@ -148,13 +148,13 @@ std::string incomplete_parts(const Result& result)
                        text);
 }
 
-// The point that ends a line of a sweep, or nothing.
+// Returns the sweep value for the end of a line; empty outside sweeps.
 std::string point_of(const Result& result, const Row& row)
 {
     return row.point.empty() || result.study == standard_study ? "" : " " + row.point;
 }
 
-// A ratio and its interval in 28 columns.
+// Returns a ratio and its interval in 28 columns.
 std::string cells(const std::optional<Quotient>& quotient)
 {
     if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
@@ -165,7 +165,7 @@ std::string cells(const std::optional<Quotient>& quotient)
                                                 : "too few samples");
 }
 
-// How many times as fast as the two baselines.
+// Returns the table of speed-ups over both baselines.
 std::string speed_ups(const Result& result)
 {
     std::string text;

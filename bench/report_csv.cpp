@@ -12,7 +12,7 @@ namespace {
 
 std::string or_empty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
 
-// The ratio and the ends of its interval.
+// Returns the ratio and both ends of its interval.
 std::array<std::string, 3> three_cells(const std::optional<Quotient>& quotient)
 {
     if (!quotient) return {};
@@ -39,7 +39,7 @@ std::string csv_cell(const std::string& text)
     return made + "\"";
 }
 
-// An unsupported row has an empty fom.
+// An unsupported configuration has an empty fom.
 std::string to_csv(const Result& result)
 {
     std::string text =
@@ -56,7 +56,7 @@ std::string to_csv(const Result& result)
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
         const std::string application = application_of(result, row);
-        // The scalar text is another application of the same problem; each point of a sweep is a problem by itself.
+        // The scalar kernel is another application of the same problem; each sweep value is a separate problem.
         const bool one_problem = row.point.empty() || application != row.backend;
         const std::string problem = problem_name(row.fractal, row.precision, row.mode, s.width, s.height) +
                                     (one_problem ? "" : " " + row.point);

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// As p3-analysis-library's coverage.schema wants it.
+// Formats lines as defined by p3-analysis-library's coverage.schema.
 std::string coverage_text(const Coverage& coverage)
 {
     Json list = Json::array();

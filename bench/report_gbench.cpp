@@ -20,7 +20,7 @@ std::unique_ptr<benchmark::BenchmarkReporter> reporter_of(const std::string& for
     if (format == "console") return std::make_unique<benchmark::ConsoleReporter>(benchmark::ConsoleReporter::OO_None);
     if (format == "json") return std::make_unique<benchmark::JSONReporter>();
     if (format == "csv") {
-        // Google Benchmark calls it deprecated and keeps it; its users' scripts read it.
+        // Google Benchmark deprecates its CSV reporter, but scripts still read that format.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
         return std::make_unique<benchmark::CSVReporter>();
@@ -29,7 +29,7 @@ std::unique_ptr<benchmark::BenchmarkReporter> reporter_of(const std::string& for
     throw InputError(fmt::format("--benchmark_format: '{}' given, expected console, json or csv", format));
 }
 
-// One picture as one repetition. Its CPU time is not measured; the kernel's time stands for it.
+// One picture as one repetition. CPU time is not measured; the kernel time replaces it.
 Run run_of(const Row& row, const Sample& sample)
 {
     Run run;
@@ -55,8 +55,8 @@ double median_of(const Row& row, double Sample::*part)
     return median(std::move(values));
 }
 
-// The medians of a row's repetitions, as Google Benchmark's own aggregates: the iterations are the repetitions, and the
-// reporters divide times, but no counters, by them.
+// The medians of a configuration's repetitions, like Google Benchmark's aggregates. Iterations are the repetitions; the
+// reporters divide times by them, but not counters.
 Run median_of(const Row& row)
 {
     Run run = run_of(row, {.kernel = median_of(row, &Sample::kernel) * static_cast<double>(row.samples.size()),

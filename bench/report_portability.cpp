@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// All platforms, in the order in which the table numbers them.
+// Returns all platforms, in the order of their numbers in the table.
 std::vector<std::string> platforms_of(const std::vector<Portability>& portabilities)
 {
     std::vector<std::string> found;
@@ -30,7 +30,7 @@ std::vector<std::string> platforms_of(const std::vector<Portability>& portabilit
     return found;
 }
 
-// H by the table's numbers: "1,3".
+// Returns the platforms of H as numbers of the table: "1,3".
 std::string numbers_of(const Portability& p, const std::vector<std::string>& platforms)
 {
     std::string text;
@@ -41,7 +41,7 @@ std::string numbers_of(const Portability& p, const std::vector<std::string>& pla
     return text;
 }
 
-// A line for each application and each platform on which it was not measured, with the problems that are missing.
+// Returns a line for each application and each platform on which it was not measured, with the missing problems.
 std::string not_measured(const std::vector<Portability>& portabilities)
 {
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> problems;

@@ -8,7 +8,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// `otherwise`: in results without roles, which are older.
+// `otherwise`: default for older results, which have no roles.
 std::string backend_with(const nlohmann::ordered_json& environment, Role role, const char* otherwise)
 {
     const auto backends = environment.find("backends");

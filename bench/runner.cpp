@@ -15,7 +15,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Seconds that all threads of this process have used.
+// Returns the processor seconds used by all threads of this process.
 double processor_seconds()
 {
     timespec used{};
@@ -23,8 +23,8 @@ double processor_seconds()
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-// Pictures faster than this are drawn once, unmeasured, before the measured one: the row before has left its own
-// threads, caches and clock behind. Seconds.
+// Seconds. A faster picture is rendered once without timing before the timed one, to restore threads, caches and clock
+// frequency after the previous configuration.
 constexpr double warmed_below = 0.1;
 
 bool narrow_enough(const Row& row, double half_width)
@@ -102,7 +102,8 @@ private:
         return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
     }
 
-    // The finished share: of a fixed number of rounds; else the largest of the shares of rounds, rows and time budget.
+    // Returns the completed fraction: of a fixed number of rounds, else the largest of the fractions of rounds,
+    // configurations and time budget.
     double share(double of_rounds) const
     {
         if (rules_.repetitions) return of_rounds;
@@ -134,7 +135,7 @@ Sample draw_sample(Live& row, Image& image)
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
     if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // No picture of another row may pass for this one's.
+    // Overwrite the last configuration's picture, so that it cannot pass for this one's.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();

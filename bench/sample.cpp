@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-// The position of a block on Morton's curve: the bits of its column and row interleaved.
+// Returns the patch's position on Morton's curve: the bits of its column and row interleaved.
 std::uint64_t place(const Block& block)
 {
     std::uint64_t bits = 0;
@@ -21,7 +21,8 @@ std::uint64_t place(const Block& block)
     return bits;
 }
 
-// One number from each stratum of 0 ... count - 1, in rising order. Neighbouring strata may share a number at an end.
+// Samples one number from each stratum of 0 ... count - 1, in rising order. Neighbouring strata may share a number at
+// an end.
 std::vector<std::size_t> one_of_each(std::int64_t strata, std::size_t count)
 {
     const double length = static_cast<double>(count) / static_cast<double>(strata);

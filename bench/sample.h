@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of a picture that stand for all of it: single pixels, and blocks of neighbouring pixels, as vectors and warps
-// take them.
+// Random samples of a picture: single pixels, and square patches of neighbouring pixels, as vectors and warps take
+// them.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace mandelmarch::bench {
 
 inline constexpr int block_side = 16;  // pixels
 
-// A square of pixels. Those that lie outside the picture do not belong to it.
+// A square patch of pixels. Pixels outside the picture do not belong to it.
 struct Block {
-    int column = 0, row = 0;  // of its first pixel
+    int column = 0, row = 0;  // of the first pixel
     int side = block_side;    // a power of two
 };
 
-// Calls each(column, row) for the block's pixels inside the picture, along Morton's curve: each group of 2^n pixels
+// Calls each(column, row) for the patch's pixels inside the picture, along Morton's curve: each group of 2^n pixels
 // fills a rectangle with as many columns as rows, or twice as many.
 template <class Each>
 void each_pixel(const Block& block, int width, int height, Each each)
@@ -32,12 +32,12 @@ void each_pixel(const Block& block, int width, int height, Each each)
     }
 }
 
-// All blocks of a picture, along Morton's curve: neighbours in the list are neighbours in the picture.
+// Returns all patches of a picture, along Morton's curve: neighbours in the list are neighbours in the picture.
 std::vector<Block> all_blocks(int width, int height);
 
-// Stratified random samples of about `most` pixels of a picture that has more: whole blocks, or single pixels. The list
-// of all blocks or pixels along Morton's curve is cut into strata of equal length, and one is drawn from each, so that
-// all are equally likely to be in the sample. The sample is the same each time.
+// Return a stratified random sample of about `most` pixels, as whole patches or as single pixels, if the picture has
+// more. The list of all patches or pixels along Morton's curve is cut into strata of equal length. One element is
+// sampled from each, so that all are equally likely to be in the sample. The sample is reproducible.
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most);
 std::vector<Block> sample_of_pixels(int width, int height, std::int64_t most);
 

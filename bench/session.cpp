@@ -20,21 +20,20 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int most_repeats = 3;  // of a peak that is doubtful
-// Seconds that the timed rounds may take: what is left of two and a half minutes for everything, but not too little and
-// not too much.
+constexpr int most_repeats = 3;  // of a doubtful peak
+// Seconds for the timed rounds: the rest of whole_budget after the other phases, within the limits below.
 constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-// Counts each picture once, and gives every row that draws it its operations.
+// Counts each picture once, and sets the operations of all configurations that render it.
 void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
     for (Live& live : rows) {
         phase({"counting operations", static_cast<double>(done++) / static_cast<double>(rows.size())});
         Row& row = live.one->row;
-        // The reference shares no formula with the text: what the text does says nothing of it.
+        // The reference is a separate implementation with other operations.
         if (live.one->backend->facts().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
@@ -64,7 +63,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     };
     std::vector<Asked> asked;
     for (const auto& backend : registry.backends()) {
-        // Any backend may reach the most of a device: all are asked, whichever rows are timed.
+        // Any backend may reach a device's peak; all are measured, including those that are not timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : precisions_of(options)) {
@@ -85,7 +84,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
             peak.rate = *rate;
             peaks.push_back(std::move(peak));
         } catch (const Error&) {
-            continue;  // no double, for example; the rows of a device that fails name the cause
+            continue;  // no support for double, for example; a failing device is reported in its rows
         }
     }
     return peaks;
@@ -124,7 +123,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
     std::vector<Live> live;
-    // In the order of the yardsticks, so that each is drawn once.
+    // In the order of expected pictures, so that each is rendered once.
     std::vector<Case*> order;
     for (Case& one : cases) {
         if (one.backend != nullptr) order.push_back(&one);
@@ -147,7 +146,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const Telemetry telemetry;
     run_rounds(live, rules, [&](double share, const std::string& round) { phase({"timing", share, round}); });
     const nlohmann::ordered_json told = telemetry.since_start();
-    // Once more: a machine that was slow before must not make the shares look better. What disagrees is spoilt.
+    // Measure peaks again: if the machine was slower before, a low peak would make the shares look better.
     record.add(peaks(every_peak));
     record = settled_peaks(std::move(record), peaks);
     result.peaks = record.best();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole study: plan, proof, counting, peaks, timed rounds.
+// Runs a whole study: plan, verification, counting, peaks, timed rounds.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace mandelmarch::bench {
 
-// The present phase, the finished share of it, 0 to 1, and the position within it, "round 3 of 40".
+// The current phase, its completed fraction, 0 to 1, and the position within it, "round 3 of 40".
 struct Step {
     std::string what;
     double share = 0;
@@ -21,18 +21,18 @@ struct Step {
 };
 using Phase = std::function<void(const Step&)>;
 
-// Measures the study that the options name. Every row's picture is drawn and compared before anything is timed; a row
-// whose picture fails is not timed. Throws InputError where the options are wrong, Unavailable where the one backend
-// that was asked for is not there.
+// Runs the study that the options name. All pictures are verified before anything is timed; a configuration with a
+// wrong picture is not timed. Throws InputError if the options are invalid, Unavailable if the only selected backend is
+// not available.
 Result measure(const Registry& registry, const Options& options, const Phase& phase);
 
-// The multiply-add peak of every device in the precisions asked for, of those that are wanted (by all but their rate).
-// Backends that measure none are left out.
+// Measures the multiply-add peak of every device in the selected precisions, if `wanted`, called with everything but
+// the rate, returns true. Backends without a peak kernel are left out.
 inline bool every_peak(const Peak&) { return true; }
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted = every_peak);
 
-// The record, with those peaks measured again, three times at most, that are doubtful.
+// Measures doubtful peaks again, at most three times, and returns the completed record.
 using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
 PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
 

@@ -16,7 +16,7 @@ struct Moments {
     double degrees = 0;
 };
 
-// Of the logarithms: times are positive and their disturbances multiply.
+// Computes moments of the logarithms: times are positive, and disturbances multiply.
 Moments moments(std::span<const double> values)
 {
     const auto n = static_cast<double>(values.size());
@@ -29,7 +29,7 @@ Moments moments(std::span<const double> values)
     return m;
 }
 
-// How sure a shift of logarithms is to be beyond the margin.
+// Tests whether a shift of logarithms is beyond the margin.
 Difference tested(const Moments& shift, double margin)
 {
     const double within = std::log1p(margin);
@@ -37,7 +37,7 @@ Difference tested(const Moments& shift, double margin)
     d.ratio = std::exp(shift.mean);
     d.degrees = shift.degrees;
     if (!(shift.variance_of_mean > 0)) {
-        // Every number equal: a difference is certain, or there is none.
+        // All values are equal: the result is certain.
         d.interval = {d.ratio, d.ratio};
         d.p = std::abs(shift.mean) > within ? 0 : 1;
         return d;
@@ -65,7 +65,7 @@ std::vector<double> together(const Launches& launches)
     return all;
 }
 
-// The interval made wide enough for the value. It is of the mean of logarithms, the value a median.
+// Widens the interval to contain the value. The interval is of the mean of logarithms, the value a median.
 std::optional<Interval> holding(std::optional<Interval> interval, double value)
 {
     if (!interval) return interval;
@@ -89,15 +89,16 @@ double median(std::vector<double> values)
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-// The median lies above the k-th smallest of n numbers unless fewer than k of them fell below it, and each falls below
-// with probability 1/2: P(below k) is a sum of binomial probabilities. By symmetry the interval from the k-th smallest
-// to the k-th largest misses the median with twice that (Conover, Practical Nonparametric Statistics, 3.2).
+// The median lies above the k-th smallest of n values unless fewer than k of them fell below it, and each falls below
+// it with probability 1/2: P(below k) is a sum of binomial probabilities. By symmetry the interval from the k-th
+// smallest to the k-th largest misses the median with twice that probability (Conover, Practical Nonparametric
+// Statistics, 3.2).
 std::optional<Interval> median_interval(std::span<const double> values)
 {
     std::vector<double> sorted(values.begin(), values.end());
     std::ranges::sort(sorted);
     const std::size_t n = sorted.size();
-    double probability = std::pow(0.5, static_cast<double>(n));  // of exactly j numbers below the median
+    double probability = std::pow(0.5, static_cast<double>(n));  // of exactly j values below the median
     double below = 0;
     std::size_t k = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -146,9 +147,9 @@ std::vector<double> group_medians(std::span<const double> values)
     return medians;
 }
 
-// The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3): what
-// differs between launches is in the scatter of their figures already, so that these are all that the interval needs;
-// samples within a launch only make each figure surer. On logarithms, as disturbances multiply.
+// The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3). The scatter
+// of the runs' medians already contains all differences between runs, so the interval needs only the medians; more
+// samples within a run only make each median more precise. Computed on logarithms, as disturbances multiply.
 std::optional<Interval> launch_interval(std::span<const double> medians)
 {
     if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
@@ -189,8 +190,8 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     return q;
 }
 
-// Welch (Biometrika 34, 1947): the difference of two means, with variances that need not be equal. The null hypothesis
-// is not "equal" but "within the margin": p is taken at the margin's edge, where it is largest.
+// Welch (Biometrika 34, 1947): the difference of two means with possibly unequal variances. The null hypothesis is not
+// "equal" but "within the margin": p is evaluated at the margin's edge, where it is largest.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin)
 {
     const Moments a = moments(old_values);
@@ -206,8 +207,8 @@ Difference difference(std::span<const double> old_values, std::span<const double
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
 // The error of a ratio is that of the sum of the residuals part - ratio * whole (Cochran, Sampling Techniques, 6.3).
-// One block from a stratum cannot show the variance within it. Half the squared difference of two neighbours replaces
-// it, which is rather too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+// One patch per stratum cannot show the variance within it. Half the squared difference of two neighbours replaces it,
+// which tends to be too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
 PartRatio ratio_of_sums(std::span<const Part> blocks)
 {
     Part sum;
@@ -230,7 +231,7 @@ PartRatio ratio_of_sums(std::span<const Part> blocks)
 }
 
 // Holm (Scandinavian Journal of Statistics 6, 1979): the smallest of m p-values is multiplied by m, the next by m - 1,
-// and so on; none may come out below the one before.
+// and so on; each result is at least the previous one.
 std::vector<double> holm(std::span<const double> p)
 {
     std::vector<std::size_t> order(p.size());

@@ -17,12 +17,12 @@
 namespace mandelmarch::bench {
 namespace {
 
-// What is worth a warning.
-constexpr double much_load = 0.3;     // running threads for each core, before the start
-constexpr double much_stolen = 0.01;  // share of the processors' time
-constexpr double much_other = 0.05;   // share of the processors' time that other processes used
-constexpr double much_drift = 0.05;   // of the clock
-constexpr double much_spread = 0.05;  // median absolute deviation, of the median
+// Thresholds of warnings.
+constexpr double much_load = 0.3;     // running threads per core, before the start
+constexpr double much_stolen = 0.01;  // fraction of the processors' time
+constexpr double much_other = 0.05;   // fraction of the processors' time, used by other processes
+constexpr double much_drift = 0.05;   // of the clock frequency
+constexpr double much_spread = 0.05;  // median absolute deviation / median
 
 std::string first_line(const std::string& path)
 {
@@ -45,8 +45,7 @@ double fastest_clock()
     return fastest;
 }
 
-// "openmp 1, opencl 2": the numbers of threads of the CPU backends that were to take all threads; empty if the numbers
-// are equal.
+// Returns "openmp 1, opencl 2": the numbers of threads of CPU backends that used their default; empty if equal.
 std::string unlike_threads(const Result& result)
 {
     std::vector<std::pair<std::string, int>> known;
@@ -74,7 +73,7 @@ Steadiness::Look Steadiness::look()
     Look now;
     std::istringstream(first_line("/proc/loadavg")) >> now.load;
     now.frequency = fastest_clock();
-    // cpu user nice system idle iowait irq softirq steal, in ticks since boot.
+    // Fields: cpu user nice system idle iowait irq softirq steal, in ticks since boot.
     std::istringstream line(first_line("/proc/stat"));
     std::string name;
     double ticks[8] = {};
@@ -108,7 +107,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
-    const double cores = mine.machine;  // the load counts on all cores of the machine
+    const double cores = mine.machine;  // the load is that of the whole machine
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));

@@ -20,7 +20,7 @@ namespace mandelmarch::bench {
 namespace {
 
 constexpr int usual_side = 540;   // pixels
-constexpr int frames_side = 270;  // a hundred pictures of this size are affordable
+constexpr int frames_side = 270;  // small enough to render a hundred pictures
 
 constexpr std::array<Study, 13> all_studies{{
     {standard_study, "", "every fractal, precision, mode, backend and device at one size"},
@@ -39,10 +39,10 @@ constexpr std::array<Study, 13> all_studies{{
      "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
 }};
 
-// A point of a sweep, applied to a case.
+// A sweep value, applied to a case.
 struct Point {
     std::string name;
-    Setting change;  // only what differs from 0
+    Setting change;  // only members other than 0 apply
 };
 
 std::vector<Point> points_of(std::string_view study, std::string_view nickname)
@@ -109,8 +109,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     return {{"", {}}};
 }
 
-// The text as scalar C++ beside its packs: what a speed-up is of that is due to neither another program nor more
-// threads.
+// Adds the scalar kernel: a speed-up over it does not come from another program or from more threads.
 std::vector<Point> points_for(const Options& options, std::string_view nickname, const Facts& facts)
 {
     std::vector<Point> points = points_of(options.study, nickname);
@@ -119,14 +118,14 @@ std::vector<Point> points_for(const Options& options, std::string_view nickname,
     return points;
 }
 
-// A row of the standard study that another is compared with: it is there whichever backend is asked for.
+// Returns true for baselines of the standard study, which --backend does not exclude.
 bool is_baseline(const Facts& facts, const Point& point, Precision precision, Mode mode)
 {
     if (facts.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
     return facts.role == Role::host && point.change.pack == 1;
 }
 
-// Only backends that have what the study varies.
+// Returns true if the backend has what the study varies.
 bool takes_part(std::string_view study, const Facts& facts)
 {
     if (study == "tiles") return facts.chunk;
@@ -134,9 +133,9 @@ bool takes_part(std::string_view study, const Facts& facts)
     if (study == "blocks") return facts.block;
     if (study == "threads") return facts.threads;
     if (study == "packs") return facts.pack;
-    // Its stages are openmp's (profile.h).
+    // The profiled stages are those of openmp (profile.h).
     if (study == "profile") return facts.role == Role::host;
-    // Sweeps ask how a row changes, not how it compares with the reference, which would take minutes.
+    // Sweeps leave out the reference, which would take minutes.
     if (study != standard_study) return facts.role != Role::reference;
     return true;
 }
@@ -165,7 +164,7 @@ Case case_of(const std::string& nickname, const Point& point, std::pair<int, int
     return made;
 }
 
-// The row of a backend without a device.
+// Returns the row of a backend without a device.
 Case missing(const Backend& backend, Listing listing)
 {
     Case made;
@@ -176,7 +175,7 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// As Google Benchmark reads its filter.
+// Follows the syntax of Google Benchmark's filter.
 bool chosen(const std::string& filter, const std::string& name)
 {
     if (filter.empty() || filter == "all") return true;
@@ -223,7 +222,7 @@ std::vector<Mode> modes_of(const Options& options)
 {
     const std::string& mode = options.mode;
     if (mode == "fast") return {Mode::fast};
-    // Relaxation is fast mode's.
+    // Relaxation exists in fast mode only.
     if (mode.empty() && options.study == "ablation") return {Mode::fast};
     if (mode == "exact" || (mode.empty() && !study_named(options.study).varies.empty())) return {Mode::exact};
     return {Mode::exact, Mode::fast};
@@ -232,7 +231,7 @@ std::vector<Mode> modes_of(const Options& options)
 std::pair<int, int> size_of(const Options& options)
 {
     if (options.size.empty()) {
-        if (options.study == "bands") return {1920, 1080};  // several bands
+        if (options.study == "bands") return {1920, 1080};  // large enough for several bands
         const int side = options.study == "frames" ? frames_side : usual_side;
         return {side, side};
     }
@@ -317,7 +316,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
             }
         }
     }
-    // As the table shows them: every backend's row for one picture together, then those that are not there.
+    // The order of the table: all backends for one picture together, then unavailable backends.
     std::ranges::stable_sort(cases, {}, [](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
         return std::tuple(fractal - fractals().data(), one.row.precision, one.row.mode);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The named studies: which rows there are.
+// Named studies and the configurations that each contains.
 #pragma once
 
 #include <memory>
@@ -16,42 +16,42 @@ namespace mandelmarch::bench {
 
 struct Study {
     std::string_view name;
-    std::string_view varies;  // what is drawn on the x axis; empty where nothing varies
+    std::string_view varies;  // quantity on the x axis; empty if nothing varies
     std::string_view about;
 };
 
 std::span<const Study> studies();
 
-// Throws InputError with the known names.
+// Throws InputError, with the known names.
 const Study& study_named(std::string_view name);
 
-// A row that is to be measured, and how it is drawn.
+// A configuration to measure, with the scene and options to render it.
 struct Case {
     Row row;
     Scene scene;
     RendererOptions options;
-    const Backend* backend = nullptr;  // nullptr in a row of a backend without devices
+    const Backend* backend = nullptr;  // nullptr if the backend has no device
 };
 
-// True if `asked`, the value of --backend (`all` or names separated by commas), includes the backend.
+// Returns true if `asked`, the value of --backend (`all` or names separated by commas), includes the backend.
 bool names_backend(std::string_view asked, std::string_view backend);
 
-// Throws InputError for a name that the registry does not know.
+// Throws InputError for a name that is not in the registry.
 void check_backends(const Registry& registry, std::string_view asked);
 
-// Every row of the study that the options choose. A backend without any device is one row, which says why.
-// Throws InputError for an unknown name or a bad size.
+// Returns all configurations of the study that the options select. A backend without a device is one configuration,
+// which holds the reason. Throws InputError for an unknown name or an invalid size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);
 
-// The fractals that --fractal chooses, by nickname: for all, those whose rows say that they are studied.
+// Returns the nicknames of the fractals that --fractal selects; for all, those studied by default.
 std::vector<std::string> fractals_of(std::string_view option);
 std::vector<Precision> precisions_of(const Options& options);
 std::vector<Mode> modes_of(const Options& options);
 
-// Width and height, in pixels, of the option or else of the study. Throws InputError.
+// Returns width and height, in pixels, from the option or else from the study. Throws InputError.
 std::pair<int, int> size_of(const Options& options);
 
-// The name of the platform that a device is: a GPU's own, or Cpu::platform() for all devices that run on the CPU.
+// Returns the name of the device's platform: the GPU's name, or Cpu::platform() for any device that runs on the CPU.
 std::string platform_of(const Device& device);
 
 }  // namespace mandelmarch::bench

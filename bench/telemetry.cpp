@@ -51,7 +51,7 @@ Json missing(const std::string& why) { return {{"missing", why}}; }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-// Of a thread in user space, and of threads and processes that it starts from now on.
+// Counts a thread in user space, and threads and processes that it starts from now on.
 int open_counter(std::uint64_t event, int thread)
 {
     perf_event_attr attributes{};
@@ -81,8 +81,8 @@ Telemetry::~Telemetry()
     }
 }
 
-// Linux' powercap interface (Documentation/power/powercap): a folder for each domain, AMD's among them, of which those
-// with one colon in their name are whole packages, and the others parts of them.
+// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Those with one
+// colon in their name are whole packages, the others parts of them.
 void Telemetry::look_for_domains()
 {
     std::error_code error;
@@ -154,7 +154,7 @@ Json Telemetry::counters() const
                 std::uint64_t value, enabled, running;
             } told{};
             if (read(descriptor, &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
-            // Where there are more events than counters, each counts a share of the time.
+            // With more events than counters, each event counts only a fraction of the time.
             sum +=
                 static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
             counted = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine tells of itself while it is measured: energy, processors' counters, clocks and throttling of GPUs.
+// Sensor readings during the measurement: energy, processor counters, clock frequencies and throttling of GPUs.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace mandelmarch::bench {
 
-// Where Linux tells it. Tests give folders of their own.
+// Sources on Linux. Tests replace them.
 struct TelemetrySources {
     std::filesystem::path powercap = "/sys/class/powercap";
     std::string nvml = "libnvidia-ml.so.1";
 };
 
-// Looks when it is made, and again when it is asked. Nothing is estimated: what the machine does not tell is "missing",
-// with the reason.
+// Takes readings on construction and at each query. Values that the system does not provide are "missing", with the
+// reason; nothing is estimated.
 class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});
@@ -25,24 +25,23 @@ public:
     Telemetry& operator=(const Telemetry&) = delete;
 
     // {"energy", "counters", "gpus"}, each {"missing": why} or
-    //   energy: {"seconds", "domains": [{"name", "joules"}]}, by RAPL, of the whole machine's processors
-    //   counters: {"cycles", "instructions", ...} of the threads of this process, and of what they start, by perf; each
-    //   may
-    //     be null
+    //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
+    //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all that they start;
+    //     each may be null
     //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
-    //     "throttled"}], by NVML, of the whole GPU; joules since the first look, all others now; null where unknown.
-    //     throttled: why the clock is lower than it could be, "none" if it is not.
+    //     "throttled"}], from NVML, for the whole GPU; joules since construction, all others now; null if unknown.
+    //     throttled: reason for a reduced clock frequency, "none" if not reduced.
     nlohmann::ordered_json since_start() const;
 
 private:
     struct Domain {
         std::string name;
         std::filesystem::path file;
-        double start = 0, range = 0;  // microjoules; it begins again at 0 behind the range
+        double start = 0, range = 0;  // microjoules; wraps around to 0 after range
     };
     struct Counter {
         std::string name;
-        std::vector<int> descriptors;  // one for each thread of this process
+        std::vector<int> descriptors;  // one per thread of this process
         std::string missing;
     };
     void look_for_domains();
@@ -51,11 +50,11 @@ private:
     nlohmann::ordered_json counters() const;
 
     TelemetrySources sources_;
-    double start_ = 0;  // seconds of a steady clock
+    double start_ = 0;  // seconds, steady clock
     std::vector<Domain> domains_;
     std::string no_energy_;
     std::vector<Counter> counters_;
-    std::vector<double> gpu_joules_;  // at the start; below 0 where unknown
+    std::vector<double> gpu_joules_;  // at the start; below 0: unknown
 };
 
 }  // namespace mandelmarch::bench

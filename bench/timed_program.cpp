@@ -24,14 +24,14 @@ namespace mandelmarch::bench {
 namespace {
 
 constexpr rlim_t largest_file = 1 << 30;         // bytes
-constexpr std::streamoff most_complaint = 4096;  // bytes that are read of what it said
+constexpr std::streamoff most_complaint = 4096;  // bytes read from the end of standard error
 
-// In the child, where only what is safe in a signal handler may be called. Comes back where the program does not start.
+// Runs in the child, where only async-signal-safe functions may be called. Returns if the program does not start.
 void become(char* const* argv, const char* folder, const char* complaints, pid_t parent)
 {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(exit_failure);  // it has ended already
+    if (getppid() != parent) _exit(exit_failure);  // the parent has ended already
     const rlimit file{.rlim_cur = largest_file, .rlim_max = largest_file};
     const rlimit core{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_FSIZE, &file);
@@ -61,10 +61,10 @@ double seconds_of(const timeval& time)
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// False where it still runs after so many seconds.
+// Returns false if the process still runs after `limit` seconds.
 bool ends_within(pid_t process, double limit)
 {
-    // The header of glibc 2.36 declares pidfd_open() for C alone.
+    // glibc 2.36 declares pidfd_open() for C only.
     const auto descriptor = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
     if (descriptor < 0) throw Error(fmt::format("cannot be waited for: {}", std::strerror(errno)));
     const auto start = Clock::now();
@@ -94,7 +94,7 @@ Ended run_timed(const std::vector<std::string>& words, const std::string& folder
     Ended ended;
     const auto start = Clock::now();
     const pid_t parent = getpid();
-    // Not posix_spawn: what this process has resident would count as the program's.
+    // fork(), as with posix_spawn() this process's resident memory would count as the program's.
     const pid_t child = fork();
     if (child == 0) {
         become(argv.data(), folder.c_str(), complaints.c_str(), parent);
@@ -114,7 +114,7 @@ Ended run_timed(const std::vector<std::string>& words, const std::string& folder
 
     ended.timed_out = got == 0 && !ends_within(child, limit - seconds_since(start));
     ended.seconds = seconds_since(start);
-    kill(-child, SIGKILL);  // and what it has left running
+    kill(-child, SIGKILL);  // including the processes it started
     int status = 0;
     rusage used{};
     while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) continue;

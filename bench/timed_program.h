@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program of somebody else, run once, and what that took.
+// Runs an external program once and measures it.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 namespace mandelmarch::bench {
 
 struct Ended {
-    double seconds = 0;          // wall, from its start to its end
-    double processor = 0;        // seconds of all its threads, in user and system mode
-    std::uint64_t memory = 0;    // bytes that were resident at most, of the largest of its processes
-    std::optional<int> code;     // its exit code
-    std::optional<int> signal;   // what ended it, if not by itself
-    bool timed_out = false;      // it was ended at the limit
-    std::string complaint = {};  // the last line that it wrote on standard error
+    double seconds = 0;          // wall time from start to end
+    double processor = 0;        // user and system time of all its threads, seconds
+    std::uint64_t memory = 0;    // peak resident bytes of its largest process
+    std::optional<int> code;     // exit code
+    std::optional<int> signal;   // signal that ended it, if any
+    bool timed_out = false;      // killed at the time limit
+    std::string complaint = {};  // last line of its standard error
 };
 
-// Runs words[0], a file, with the others as arguments in `folder`, without input and with its standard output thrown
-// away; its standard error goes through the file `complaints`. What it started is ended with it, and all of it after
-// `limit` seconds, or when this process ends. No file may grow beyond 1 GiB. Throws Error where it cannot be started.
+// Runs the file words[0] with the other words as arguments in `folder`, without input and with its standard output
+// discarded. Its standard error is kept in the file `complaints`. It and its descendants are killed when it ends, after
+// `limit` seconds, or when this process ends. Its files may not exceed 1 GiB. Throws Error if it cannot be started.
 Ended run_timed(const std::vector<std::string>& words, const std::string& folder, const std::string& complaints,
                 double limit);
 

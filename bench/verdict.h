@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts on measured ratios, for compare, duel and the last lines of a study.
+// Verdicts on measured ratios, for compare, duel and the summary of a study.
 #pragma once
 
 #include <span>
@@ -11,18 +11,18 @@
 
 namespace mandelmarch::bench {
 
-inline constexpr double margin = 0.02;        // a ratio within this of 1 is never called a difference
-inline constexpr double significance = 0.05;  // for all ratios that are judged together
+inline constexpr double margin = 0.02;        // ratios this close to 1 are never called different
+inline constexpr double significance = 0.05;  // for all ratios judged together
 
 enum class Verdict {
     faster,        // by more than the margin
     slower,        // by more than the margin
     same,          // within the margin
-    undecided,     // the interval allows both: more launches would decide
-    broken,        // the old result has a speed, the new one has a wrong picture or a failure
-    lost,          // it could be compared in the old result and cannot in the new one
+    undecided,     // the interval allows both; more runs would decide
+    broken,        // the old result has a speed, the new one a wrong picture or a failure
+    lost,          // comparable in the old result, but not in the new one
     added,         // only the new result has a speed
-    not_compared,  // neither has one that can be compared
+    not_compared,  // neither result has a comparable speed
     no_speed       // the old program of a duel has none
 };
 std::string_view name_of(Verdict verdict);
@@ -33,12 +33,13 @@ struct Judgement {
 };
 
 // Judges several ratios new / old together. Faster or slower: the test for a ratio beyond the margin is significant
-// after Holm's correction for all of them, so that at most 5 in 100 studies of equal things report a difference. Same:
-// the ratio's own 95 % interval lies within the margin. The differences must come from tests with the margin `within`.
+// after Holm's correction over all ratios, so that at most 5 in 100 studies of equal programs report a difference.
+// Same: the ratio's own 95 % interval lies within the margin. The differences must come from tests with the margin
+// `within`.
 std::vector<Judgement> judge_all(std::span<const Difference> differences, double within);
 
-// The number of rows with each verdict, and how to decide the undecided ones: "1 faster, 2 same within 2 %, 4 undecided
-// (more launches would tell: --launches)". Empty if there are no verdicts.
+// Returns the number of configurations with each verdict and how to decide the undecided ones: "1 faster, 2 same within
+// 2 %, 4 undecided (more launches would tell: --launches)". Empty without verdicts.
 std::string summary_of(std::span<const Verdict> verdicts, double within);
 
 }  // namespace mandelmarch::bench

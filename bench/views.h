@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that are measured: the official ones and others.
+// Scenes of the studies: the official ones and others.
 #pragma once
 
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace mandelmarch::bench {
 
-// The official scene of a fractal at a size in pixels, as the repository's parameter file has it.
+// Returns the official scene of a fractal, as in the repository's parameter file, at a size in pixels.
 Scene official_scene_of(std::string_view nickname, int width, int height);
 
-// The official view of a fractal and others, for the study box-vs-bulb: fractals have them under the same names.
+// A scene of the study box-vs-bulb. All fractals have views of the same names, "official" among them.
 struct View {
     std::string_view name;
     Scene scene;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The winners of a standard study, which its last lines name.
+// Winners of a standard study, for its summary.
 #pragma once
 
 #include <string>
@@ -10,26 +10,27 @@
 
 namespace mandelmarch::bench {
 
-// A row that was slower than the fastest, or cannot be distinguished from it.
+// A configuration that is slower than the fastest, or indistinguishable from it.
 struct Rival {
     const Row* row = nullptr;
-    bool tested = false;      // at least two launches, or six rounds of one launch, have both
-    Difference difference{};  // of kernel times, this row's / the fastest's; if it was not tested, the ratio alone
-    Judgement judgement{};    // slower, the same or undecided
+    bool tested = false;      // both have at least two common runs, or six rounds of one run
+    Difference difference{};  // of kernel times, this configuration's / the fastest's; untested: the ratio alone
+    Judgement judgement{};    // slower, same or undecided
 };
 
-// One fractal in one precision and mode.
+// The configurations of one fractal in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
-    std::vector<Rival> rivals;     // all others, the fastest of them first
+    std::vector<Rival> rivals;     // all others, fastest first
 };
 
-// The contests among a standard study's timed rows, without the reference, which is no application. Two rows are
-// compared by the ratios of their kernel times in the same launch and round: each launch's median if there are several
-// launches, else the medians of groups of three rounds. The p-values are corrected for all rivals of all contests.
+// Returns the contests among a standard study's timed configurations, without the reference, which is not an
+// application. Two configurations are compared by the ratios of their kernel times in the same run and round: each
+// run's median if there are several runs, else the medians of groups of three rounds. The p-values are corrected over
+// all rivals of all contests.
 std::vector<Contest> contests_of(const Result& result);
 
-// A line for each contest: by how much the fastest won, and how certain that is; and a last line with the number of
+// Returns a line for each contest with the winner's lead and its certainty, and a last line with the number of
 // processors that were free.
 std::string winners(const Result& result);
 

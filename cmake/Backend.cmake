@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a backend's folder says of itself, and the registry that is made of such folders. docs/add-a-backend.md.
+# Functions for the CMakeLists.txt of backends, and the registry of backends (docs/add-a-backend.md).
 
-# The C++ compiler and its flags for all sources, as results name them.
+# The C++ compiler and the flags of all sources, as recorded in results.
 set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MANDELMARCH_CXX_FLAGS)
 
-# mandelmarch_build_facts(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): what compiles the kernels, and its flags in
-# each mode. SOURCE sees them as MANDELMARCH_BUILD_COMPILER, _EXACT and _FAST, for Facts::build.
+# mandelmarch_build_facts(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): defines MANDELMARCH_BUILD_COMPILER,
+# _EXACT and _FAST in SOURCE, for Facts::build: the compiler of the kernels and its flags in each mode.
 function(mandelmarch_build_facts source)
     cmake_parse_arguments(PARSE_ARGV 1 build "" "" "COMPILER;EXACT;FAST")
     foreach(fact COMPILER EXACT FAST)
@@ -21,14 +21,16 @@ function(mandelmarch_build_facts source)
     endif()
 endfunction()
 
-# mandelmarch_find_dependency(ARGUMENT...): what programs that use the installed library must find, for a backend's sake.
+# mandelmarch_find_dependency(ARGUMENT...): adds a find_dependency() that users of the installed library need for a
+# backend.
 function(mandelmarch_find_dependency)
     list(JOIN ARGN " " words)
     set_property(GLOBAL APPEND PROPERTY MANDELMARCH_DEPENDENCIES "find_dependency(${words})")
 endfunction()
 
-# mandelmarch_registry(TARGET NAME...): a library with all_backends() (backends/all.h), which are these, in this order. A
-# folder backends/NAME without the target mandelmarch_NAME lacks its tools: its backend is there, and "not built".
+# mandelmarch_registry(TARGET NAME...): adds a library that defines all_backends() (backends/all.h), which returns these
+# backends in this order. If the target mandelmarch_NAME does not exist, because tools are missing, the backend is
+# listed as "not built".
 function(mandelmarch_registry target)
     set(headers "")
     set(entries "")

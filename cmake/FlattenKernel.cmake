@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# The kernel text for languages whose compilers know no files: one string, every #include replaced by what it names.
-# The report's viewer includes this file in a script (cmake -P), where nothing is configured again.
+# The kernel source as one string with all #includes expanded, for compilers that take strings, not files. Also included
+# by a script of the report's viewer (cmake -P), which does not configure anything.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/kernel/*.h)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_files})
 endif()
 
-# mandelmarch_flatten_kernel(ROOT FRACTAL RESULT): the file ROOT (from the project's root), specialised for a fractal.
+# mandelmarch_flatten_kernel(ROOT FRACTAL RESULT): expands the file ROOT (relative to the project), specialised for a
+# fractal.
 function(mandelmarch_flatten_kernel root fractal result)
     if(NOT CMAKE_SCRIPT_MODE_FILE)
         set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${root})
@@ -25,8 +26,8 @@ function(mandelmarch_flatten_kernel root fractal result)
     set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# mandelmarch_flatten_glsl(ROOT FRACTAL FILE): the text of a shader as one file. glslang pastes no suffix to a number, so
-# literals get theirs here: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
+# mandelmarch_flatten_glsl(ROOT FRACTAL FILE): writes a shader as one file. glslang cannot paste a suffix to a number,
+# so literals get theirs here: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
 function(mandelmarch_flatten_glsl root fractal file)
     mandelmarch_flatten_kernel(${root} "${fractal}" text)
     set(number "(-?[0-9.]+(e-?[0-9]+)?)")

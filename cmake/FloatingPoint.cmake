@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# The floating-point policy, in flags of C++. docs/floating-point.md explains it.
-#   exact  IEEE operations one by one: no contraction to fused multiply-add, no reassociation.
-#   fast   contraction allowed; still no reassociation and no flush to zero.
-# Neither changes the process: no -ffast-math anywhere, whose start-up code would turn on flush-to-zero for all threads.
+# Floating-point policy as C++ flags (docs/floating-point.md).
+#   exact  each IEEE operation by itself: no contraction to fused multiply-add, no reassociation.
+#   fast   contraction allowed; no reassociation, no flush to zero.
+# -ffast-math is not used anywhere: its start-up code would enable flush-to-zero in all threads of the process.
 set(MANDELMARCH_FP_COMMON -fno-math-errno -fno-trapping-math)
 set(MANDELMARCH_FP_exact ${MANDELMARCH_FP_COMMON} -ffp-contract=off)
 set(MANDELMARCH_FP_fast ${MANDELMARCH_FP_COMMON} -ffp-contract=fast)
-# Host code that prepares scenes or draws the reference must not depend on the compiler's mood either.
+# The results of host code that prepares scenes or renders the reference must not depend on the compiler either.
 add_compile_options(-ffp-contract=off)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# The list of fractals: MANDELMARCH_FRACTALS has their names, MANDELMARCH_TEXT_NAME the file of a fractal's kernel text, from
-# the project's root where it is in it, and MANDELMARCH_ROW_NAME that of its row.
+# Lists of fractals: MANDELMARCH_FRACTALS has the names; MANDELMARCH_TEXT_NAME is the file of a fractal's kernel source,
+# relative to the project if inside it; MANDELMARCH_ROW_NAME is the file of its descriptor.
 option(MANDELMARCH_OWN_FRACTALS "The fractals of core/kernel/fractals" ON)
 set(MANDELMARCH_MORE_FRACTALS "" CACHE STRING "Folders with more fractals, each of them NAME.h and NAME.cpp")
 
-# mandelmarch_fractals(TEXTS ROWS): the texts TEXTS/NAME.h, their rows ROWS/NAME.cpp.
+# mandelmarch_fractals(TEXTS ROWS): adds the fractals with kernel sources TEXTS/NAME.h and descriptors ROWS/NAME.cpp.
 function(mandelmarch_fractals texts rows)
     cmake_path(ABSOLUTE_PATH texts BASE_DIRECTORY ${PROJECT_SOURCE_DIR} NORMALIZE)
     cmake_path(ABSOLUTE_PATH rows BASE_DIRECTORY ${PROJECT_SOURCE_DIR} NORMALIZE)
@@ -13,7 +13,7 @@ function(mandelmarch_fractals texts rows)
         cmake_path(GET text STEM name)
         set(row ${rows}/${name}.cpp)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text} ${row})
-        # Whether it is studied: the row knows, and the build asks it.
+        # Fractals of the default study, as set in their descriptors.
         file(STRINGS ${row} studied REGEX "^ *\\.studied = true,$")
         if(studied)
             list(APPEND MANDELMARCH_STUDIED_FRACTALS ${name})

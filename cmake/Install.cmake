@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Programs, and the libraries with their headers as the package mandelmarch: find_package(mandelmarch),
+# Installs the programs, and the libraries with their headers as the package mandelmarch: find_package(mandelmarch),
 # target_link_libraries(x mandelmarch::backends).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_instruction_sets(TARGET): the instruction sets for which Highway compiles a target's packs.
+# mandelmarch_instruction_sets(TARGET): sets the instruction sets for which Highway compiles a target's packs.
 set(MANDELMARCH_INSTRUCTIONS all CACHE STRING
     "Instruction sets of the packs: all (SSE4, AVX2 and AVX-512; the machine's best is taken at run time), or native")
 set_property(CACHE MANDELMARCH_INSTRUCTIONS PROPERTY STRINGS all native)
 
 if(MANDELMARCH_SANITIZER)
-    # One of them and one pack width check the code around the text, which is the same in all.
+    # Checks the code around the kernel, which is the same for all, with one instruction set and one pack width.
     set(instruction_sets HWY_AVX2)
 elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "native")
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/instruction_set.cpp @ONLY CONTENT [[
@@ -29,7 +29,7 @@ else()
     message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS: '${MANDELMARCH_INSTRUCTIONS}' given, expected all or native")
 endif()
 
-# Highway has a bit for every target; those of x86 beyond SSE2 are the lowest fourteen.
+# Highway has a bit for every target; x86 targets beyond SSE2 are the lowest fourteen.
 function(mandelmarch_instruction_sets target)
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
     if(MANDELMARCH_SANITIZER)

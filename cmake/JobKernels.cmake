@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Backends whose kernels are the scalar text in a model's loops (core/job). docs/add-a-backend.md.
+# Backends whose kernels are the scalar kernel in a model's loops (core/job); see docs/add-a-backend.md.
 include(KernelVariants)
 
-# mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES TARGET...]): the target
-# mandelmarch_NAME from its sources, core/job's table of kernels, and the kernels: loops.cpp.in for every fractal, precision
-# and mode, and peak.cpp.in in fast mode's contraction. Both are core/job's, which call loop() of backends/NAME/loop.h, or
-# stand in FOLDER. The kernels become part of TARGET, where it is given; mandelmarch_NAME_kernels(LIBRARY) is then a function
-# that makes such a target, LIBRARY_shared, and the object library LIBRARY that holds it. FLAGs are theirs alone, PACKAGES are linked to all.
+# mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES TARGET...]): adds
+# the target mandelmarch_NAME with its sources, core/job's table of kernels, and the kernels: loops.cpp.in for every
+# fractal, precision and mode, and peak.cpp.in with fast mode's contraction. These two templates come from core/job,
+# where they call loop() of backends/NAME/loop.h, or from FOLDER. The kernels become part of TARGET, if given. FLAGs
+# apply to the kernels alone; PACKAGES are linked to mandelmarch_NAME.
 function(mandelmarch_job_model model)
     cmake_parse_arguments(PARSE_ARGV 1 with "" "KERNELS;TEMPLATES" "OPTIONS;PACKAGES")
     set(target mandelmarch_${model})
@@ -21,7 +21,7 @@ function(mandelmarch_job_model model)
     if(NOT with_TEMPLATES)
         set(with_TEMPLATES ${PROJECT_SOURCE_DIR}/core/job)
     endif()
-    # For the tests, which build the kernels once more, with a text that is broken on purpose.
+    # For tests that build the kernels again from a mutant of the kernel source.
     set_target_properties(${target} PROPERTIES
         MANDELMARCH_TEMPLATES "${with_TEMPLATES}" MANDELMARCH_OPTIONS "${with_OPTIONS}")
     mandelmarch_kernel_variants(${with_KERNELS} ${with_TEMPLATES}/loops OPTIONS ${with_OPTIONS})

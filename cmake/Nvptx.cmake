@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-# g++'s offload compiler for NVIDIA's GPUs, as every backend that offloads with it uses it.
+# Settings of g++'s offload compiler for NVIDIA GPUs, common to all backends that use it.
 
-# Debian's offload compiler calls its assembler `as`; ours stands before it (see nvptx_as.in).
+# Debian's offload compiler calls its assembler `as`; this wrapper is found first (see nvptx_as.in).
 find_program(nvptx_as nvptx-none-as)
 mark_as_advanced(nvptx_as)
-# Device code keeps each source's flags through the link, where it is compiled. Correctly rounded division and square
-# root, and subnormal numbers, are nvptx's defaults; nvptx_as.in pins the rounding of add, sub and mul.
+# Device code is compiled at link time with each source's flags. Correctly rounded division and square root, and
+# subnormal numbers, are nvptx's defaults; nvptx_as.in pins the rounding of add, sub and mul.
 set(MANDELMARCH_NVPTX_OPTIONS -fno-math-errno -fno-trapping-math -misa=sm_35)
-set(MANDELMARCH_NVPTX_ASSEMBLER ${CMAKE_BINARY_DIR}/nvptx)  # the folder
+set(MANDELMARCH_NVPTX_ASSEMBLER ${CMAKE_BINARY_DIR}/nvptx)  # folder
 if(nvptx_as)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/nvptx_as.in ${MANDELMARCH_NVPTX_ASSEMBLER}/as @ONLY
         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 endif()
 list(JOIN MANDELMARCH_NVPTX_OPTIONS " " MANDELMARCH_NVPTX_LINK)
-# For the link; a folder follows.
+# For the link; append the folder.
 set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LINK} -B")
-# Registers decide how many threads a GPU holds, so what keeps values in them over a whole loop is off: invariants that are
-# hoisted, redundancies across blocks. `make k40` shows the result.
+# Registers limit occupancy, so optimisations that keep values in registers over a whole loop are disabled: hoisted
+# invariants, redundancies across blocks. `make k40` reports the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
-# mandelmarch_offloads(RESULT FLAG DIRECTIVE): whether g++ with the flag compiles a loop with the directive for nvptx.
+# mandelmarch_offloads(RESULT FLAG DIRECTIVE): checks whether g++ with the flag compiles a loop with the directive for
+# nvptx.
 function(mandelmarch_offloads result flag directive)
     include(CheckCXXSourceCompiles)
     if(NOT nvptx_as OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): the program NAME. Its sources are the object library program_NAME,
-# where main() is called main_of_NAME(): the bundle has all programs in one file (packaging/).
+# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): adds the program NAME. Its sources form the object library
+# program_NAME, in which main() is renamed to main_of_NAME(): the bundle links all programs into one file (packaging/).
 function(mandelmarch_program name)
     cmake_parse_arguments(PARSE_ARGV 1 program "" "" "LIBRARIES")
     add_library(program_${name} OBJECT ${program_UNPARSED_ARGUMENTS})

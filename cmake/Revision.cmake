@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run at every build (cmake -P): the git revision and whether tracked files differ from it, into OUTPUT, touched only when
-# it changes. Result files (report/results) are no part of the program: measuring again does not make it dirty. Wants
-# SOURCE and OUTPUT.
+# Runs at every build (cmake -P). Writes to OUTPUT the git revision of SOURCE and whether tracked files differ from it;
+# the file is touched only on a change. Result files (report/results) do not count, so measuring does not mark the
+# sources as changed.
 set(revision unknown)
 set(dirty false)
 execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIABLE failed ERROR_QUIET

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-# MANDELMARCH_SANITIZER=address|thread, for every target.
+# MANDELMARCH_SANITIZER=address|thread, for all targets.
 if(MANDELMARCH_SANITIZER STREQUAL "address")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
-    # Packs are checked for addresses outside the stack only, by calls: clang takes minutes for a source of intrinsics with
-    # more, and the scalar sources hold the same text.
+    # In packs, only addresses outside the stack are checked, through calls: with more checks clang takes minutes for a
+    # source of intrinsics. The scalar sources contain the same kernel with all checks.
     set(MANDELMARCH_SANITIZER_packs -fno-sanitize=undefined -mllvm -asan-stack=0
         -mllvm -asan-instrumentation-with-call-threshold=0)
-    # Estimators as calls, not inlined: a fifth of the time to build.
+    # Called, not inlined, estimators take a fifth of the time to build.
     set(MANDELMARCH_SANITIZER_scalar -DFN_CALLED=inline)
 elseif(MANDELMARCH_SANITIZER STREQUAL "thread")
     add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
     add_link_options(-fsanitize=thread)
-    # The kernel text touches nothing that threads share but the constant scene.
+    # Threads share only the constant scene in the kernel.
     set(MANDELMARCH_SANITIZER_packs -fno-sanitize=thread)
     set(MANDELMARCH_SANITIZER_scalar -fno-sanitize=thread)
     set(MANDELMARCH_SANITIZER_ray -fno-sanitize=thread)

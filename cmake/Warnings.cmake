@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Warnings for the project's own targets.
+# Warnings for this project's targets.
 add_library(mandelmarch_warnings INTERFACE)
 target_compile_options(mandelmarch_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -Woverloaded-virtual -Wcast-align -Wunused
-    # The kernel text passes its scene by value; every such call is inlined, so that no ABI is concerned.
+    # The kernel passes its scene by value, but all such calls are inlined, so the ABI does not matter.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
-    # Highway's regions of an instruction set may hold templates alone.
+    # Highway's per-target regions may contain only templates.
     $<$<CXX_COMPILER_ID:Clang>:-Wno-pragma-clang-attribute>)
 if(MANDELMARCH_WERROR)
     target_compile_options(mandelmarch_warnings INTERFACE -Werror)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D SETTINGS=build/release/packaging/settings.cmake -D BUNDLE=FOLDER [-D DRIVERS=OFF] [-D FFMPEG=FILE] -P bundle.cmake:
-# makes the folder anew from what is built and installed here. `make bundle` does that and packs it.
+# cmake -D SETTINGS=build/release/packaging/settings.cmake -D BUNDLE=FOLDER [-D DRIVERS=OFF] [-D FFMPEG=FILE] -P
+# bundle.cmake: makes a new folder from what is built and installed here. `make bundle` also packs it.
 cmake_minimum_required(VERSION 3.25)
 include(${SETTINGS})
 include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
@@ -9,7 +9,7 @@ if(NOT DEFINED DRIVERS)
     set(DRIVERS ON)
 endif()
 
-# What is missing is said before anything is made, in one line.
+# Reports missing packages in one line, before it makes anything.
 find_program(PATCHELF patchelf)
 find_program(DPKG_QUERY dpkg-query)
 set(font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
@@ -43,7 +43,6 @@ endif()
 file(REMOVE_RECURSE ${BUNDLE})
 file(MAKE_DIRECTORY ${BUNDLE}/bin ${BUNDLE}/lib ${BUNDLE}/share)
 
-# The programs.
 set(program ${BUNDLE}/bin/mandelmarch)
 file(COPY_FILE ${FOLDER}/mandelmarch ${program})
 must_run(${CMAKE_STRIP} ${program})
@@ -51,11 +50,11 @@ foreach(name ${programs})
     file(CREATE_LINK mandelmarch ${BUNDLE}/bin/${name} SYMBOLIC)
 endforeach()
 
-# Their libraries: what they link, then what they load by name. libgomp looks for its plugin, OpenCL's loader for PoCL, by
+# Their libraries: those they link, then those they load by name. libgomp finds its plugin, and OpenCL's loader PoCL, by
 # the paths of their own files.
 set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
 carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
-# These stand in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without them.
+# In a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without these libraries.
 if(DEFINED BUNDLE_X11)
     carry_libraries(lib/x11 "$ORIGIN:$ORIGIN/.." "${program}" "${BUNDLE_X11};${BUNDLE_XEXT}")
 endif()
@@ -70,7 +69,7 @@ if(DRIVERS)
     carry_libraries(lib/drivers "$ORIGIN:$ORIGIN/.." ${BUNDLE_LINKER} "")
     carry_library(libexec/pocl "$ORIGIN/../../lib/drivers:$ORIGIN/../../lib" ${BUNDLE_LINKER})
     file(COPY ${CMAKE_CURRENT_LIST_DIR}/ld DESTINATION ${BUNDLE}/libexec/pocl)
-    # PoCL finds its texts at ../../share/pocl from its own folder.
+    # PoCL finds its sources at ../../share/pocl from its own folder.
     carry_files(share/pocl /usr/share/pocl)
     file(WRITE ${BUNDLE}/share/OpenCL/vendors/pocl.icd "libpocl.so.2\n")
     file(WRITE ${BUNDLE}/share/vulkan/icd.d/lvp_icd.json [[
@@ -88,7 +87,7 @@ if(FFMPEG)
         WORLD_EXECUTE)
 endif()
 
-# The scenes, Slurm's scripts.
+# Scenes and Slurm scripts.
 file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
 file(COPY ${scenes} DESTINATION ${BUNDLE})
 file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
@@ -98,7 +97,7 @@ endforeach()
 
 write_licences()
 needed_glibc(glibc)
-# The oldest Debian that has that glibc.
+# The oldest Debian with that glibc.
 set(debian bookworm)
 if(glibc VERSION_GREATER 2.36)
     set(debian trixie)

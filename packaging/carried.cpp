@@ -49,8 +49,8 @@ std::string contents(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A folder of links to all of `files`, or nothing: OpenCL's loader reads one folder, and the bundle's may be read-only.
-// It is the user's alone: in a folder that others can write to, it may be somebody else's.
+// Returns a folder of links to `files`, or an empty path on failure: OpenCL's loader reads one folder, and the bundle's
+// may be read-only. The folder must be the user's alone: in a shared one, others could replace the links.
 fs::path folder_of_links(const std::vector<fs::path>& files)
 {
     std::error_code error;
@@ -68,7 +68,7 @@ fs::path folder_of_links(const std::vector<fs::path>& files)
     for (const fs::path& file : files) {
         const fs::path link = folder / file.filename();
         if (fs::read_symlink(link, error) == file) continue;
-        // Renamed, as another program may read the folder now.
+        // Renamed, as another program may be reading the folder.
         const fs::path fresh = folder / (file.filename().string() + "." + std::to_string(getpid()));
         fs::create_symlink(file, fresh, error);
         fs::rename(fresh, link, error);

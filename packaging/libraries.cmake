@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Libraries into the bundle, with relative paths. Wants BUNDLE, PATCHELF, CMAKE_OBJDUMP.
+# Copies libraries into the bundle, with relative paths. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP.
 
-# say_and_end(TEXT): one line, which is all that packaging/bundle shows of what ends here.
+# say_and_end(TEXT): fails with one line, which packaging/bundle prints.
 function(say_and_end text)
     message(NOTICE "bundle: ${text}")
     message(FATAL_ERROR "${text}")
@@ -11,12 +11,12 @@ function(must_run)
     execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# A file's origin, for the licences: ORIGINS has "file in the bundle|file of the system".
+# Records where a file came from, for the licences: ORIGINS holds "file in the bundle|file of the system".
 function(note_origin file origin)
     set_property(GLOBAL APPEND PROPERTY ORIGINS "${file}|${origin}")
 endfunction()
 
-# carry_library(FOLDER RPATH FILE): with the name by which others ask for it.
+# carry_library(FOLDER RPATH FILE): copies a library under the name that it is loaded by.
 function(carry_library folder rpath file)
     get_filename_component(name ${file} NAME)
     get_filename_component(real ${file} REALPATH)
@@ -28,8 +28,8 @@ function(carry_library folder rpath file)
     note_origin(${folder}/${name} ${real})
 endfunction()
 
-# carry_libraries(FOLDER RPATH PROGRAM FILES): all that PROGRAM and FILES need and is not carried yet, and FILES, but for what
-# glibc's package has.
+# carry_libraries(FOLDER RPATH PROGRAM FILES): copies FILES and all libraries that PROGRAM and FILES need, except those
+# already copied and those of glibc's package.
 function(carry_libraries folder rpath program files)
     file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${program} LIBRARIES ${files}
         PRE_EXCLUDE_REGEXES "^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\\.so"
@@ -47,7 +47,7 @@ function(carry_libraries folder rpath program files)
     endforeach()
 endfunction()
 
-# carry_files(FOLDER PATH): a file or a folder's contents.
+# carry_files(FOLDER PATH): copies a file or a folder's contents.
 function(carry_files folder path)
     set(files ${path})
     set(base ${path})
@@ -65,7 +65,7 @@ function(carry_files folder path)
     endforeach()
 endfunction()
 
-# needed_glibc(VARIABLE): the newest version of glibc's symbols that any file of the bundle wants.
+# needed_glibc(VARIABLE): the newest version of glibc's symbols that any file of the bundle needs.
 function(needed_glibc variable)
     file(GLOB_RECURSE files ${BUNDLE}/bin/mandelmarch ${BUNDLE}/lib/*)
     execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${files} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# The licences of everything that is carried, as Debian's packages state them, and the list of it. Wants BUNDLE, DPKG_QUERY,
+# Copies the licences of all bundled files, as Debian's packages state them, and lists them. Needs BUNDLE, DPKG_QUERY,
 # PROJECT_SOURCE_DIR.
 
-# package_of(VARIABLE FILE): which package has a file. Packages may know it by its path from before /lib became /usr/lib.
+# package_of(VARIABLE FILE): the package that contains a file. Packages may list its path from before /lib became
+# /usr/lib.
 function(package_of variable file)
     string(REGEX REPLACE "^/usr/lib" "/lib" old ${file})
     foreach(path ${file} ${old})
@@ -16,7 +17,7 @@ function(package_of variable file)
     say_and_end("no Debian package has ${file}, so its licence is not known")
 endfunction()
 
-# carry_licence(PACKAGE): share/licences/PACKAGE.
+# carry_licence(PACKAGE): copies the licence to share/licences/PACKAGE.
 function(carry_licence package)
     set(copy ${BUNDLE}/share/licences/${package})
     if(EXISTS ${copy})
@@ -27,7 +28,7 @@ function(carry_licence package)
         say_and_end("${package} has no copyright file")
     endif()
     file(COPY_FILE ${licence} ${copy})
-    # Debian's files name the texts of common licences by their paths.
+    # Debian's copyright files refer to common licences by their paths.
     file(READ ${licence} text)
     string(REGEX MATCHALL "/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]" common "${text}")
     list(REMOVE_DUPLICATES common)
@@ -40,7 +41,7 @@ function(carry_licence package)
     endforeach()
 endfunction()
 
-# row(FILE BYTES PACKAGE VERSION LICENCE): a line of the list.
+# row(FILE BYTES PACKAGE VERSION LICENCE): appends a line to the list.
 function(row)
     list(JOIN ARGN "\t" line)
     file(APPEND ${BUNDLE}/MANIFEST.tsv "${line}\n")
@@ -63,7 +64,7 @@ function(write_licences)
         file(SIZE ${BUNDLE}/${name} bytes)
         row(${name} ${bytes} ${package} ${version} share/licences/${package})
     endforeach()
-    # What is compiled into the programs from headers alone.
+    # Libraries that are compiled in from headers only.
     foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
         if(EXISTS /usr/include/${header})
             package_of(package /usr/include/${header})

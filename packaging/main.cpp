@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every program of the bundle in one file: its name, or else its first argument, says which one it is.
+// All programs of the bundle in one file, selected by the file's name or else by the first argument.
 #include <array>
 #include <cerrno>
 #include <cstdio>

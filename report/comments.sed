@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The project's comments as Doxygen reads them: a file's first (behind its licence's line, which is none), those before
-# what they are about, those behind it.
+# Converts this project's comments to Doxygen's syntax: the first one of a file (after the licence line, which is
+# skipped), those before the code they describe, and those after it.
 1{
     /SPDX-License-Identifier/{
         N

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_label_tests(): every test of this directory gets a label, `slow` or `quick`. Slow ones take more than some
-# four seconds on two cores, and begin first where several run at a time. Tests of gtest are known only when ctest runs, so a
+# mandelmarch_label_tests(): labels every test of this directory `slow` or `quick`. Slow tests take more than about four
+# seconds on two cores; they start first if several run at a time. gtest's tests are known only when ctest runs, so a
 # file that ctest reads labels them.
 set(slow_tests
     "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz "report\\.(front|numbers|report|viewer)"
@@ -26,7 +26,7 @@ function(mandelmarch_label_tests)
             set_tests_properties(${test} PROPERTIES LABELS quick)
         endif()
     endforeach()
-    # gtest_discover_tests() leaves the names of a target's tests in TARGET_TESTS.
+    # gtest_discover_tests() stores the names of a target's tests in TARGET_TESTS.
     get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
     set(slow "^(${slow_tests})$")
     set(file ${CMAKE_CURRENT_BINARY_DIR}/labels.cmake)

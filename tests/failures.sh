@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# For tests that are shell scripts, which source it: an empty folder, gone at the end, and failures that are counted.
+# Sourced by tests in shell: creates an empty folder, deleted on exit, and counts failures.
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -7,7 +7,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# The last line of a test.
+# Must be the last line of a test.
 finish() {
     [ $failures = 0 ] && echo "all well"
     exit $((failures > 0))

@@ -63,7 +63,7 @@ public:
         add("julia, hundreds of iterations", julia).iterations = 300;
     }
 
-    // What only films ask for, of a picture of 1920 x 1080.
+    // Adds a scene with the options of films, as part of a 1920 x 1080 picture.
     void add_film(std::string name, const Scene& of)
     {
         Scene& scene = add(std::move(name), of);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes for tests.
 #pragma once
 
 #include <string>
@@ -9,20 +8,21 @@
 
 namespace mandelmarch {
 
-// An official scene at another size, in pixels.
+// Returns an official scene at another size, in pixels.
 Scene official_scene(const std::string& nickname, int width, int height);
 
-// Scenes away from the official ones: other powers, a negative scale, other radii, other up vectors, a camera inside.
+// A scene that differs from the official ones: other powers, a negative scale, other radii, other up vectors, a camera
+// inside.
 struct NamedScene {
     std::string name;
     Scene scene;
 };
 std::vector<NamedScene> odd_scenes();
 
-// Scenes of every fractal with cameras, shapes and iterations drawn at random; the same seed gives the same scenes.
+// Returns scenes of every fractal with random cameras, shapes and iterations; the same seed gives the same scenes.
 std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed);
 
-// The picture with all layers.
+// Returns the picture with all layers.
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
 
 }  // namespace mandelmarch

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A path file's cameras in Blender, and Blender's as a path file.
+"""Exchanges cameras between path files and Blender.
 
-blender --python tools/blender_path.py -- load PATH.json                # makes a camera with a keyframe a frame
-blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # PATH.json with the scene's camera
+blender --python tools/blender_path.py -- load PATH.json                # make a camera with one keyframe per frame
+blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # write PATH.json with the scene's camera
 
-mandelmarch's y is up where the path says so; axes are taken over as they are. A camera of Blender looks along its -z, its y is
-the picture's up. field_of_view 1 is 65 degrees from the picture's bottom to its top."""
+mandelmarch's y is up if the path says so; axes are not converted. Blender's camera looks along its -z axis, and its y
+axis is the picture's up. field_of_view 1 is 65 degrees from the picture's bottom to its top."""
 import json
 import math
 import sys
@@ -28,7 +28,8 @@ def unit(a):
 
 
 def matrix_of(frame):
-    """The camera's axes right, up and back, and its place: the columns of its matrix to the world, as rows of four."""
+    """Returns the camera's matrix to the world, as rows of four: its columns are the axes right, up and back, and the
+    position."""
     back = unit(minus(frame["location"], frame["look_at"]))
     right = unit(cross(frame["up"], back))
     columns = [right, cross(back, right), back, frame["location"]]
@@ -36,7 +37,7 @@ def matrix_of(frame):
 
 
 def camera_of(matrix):
-    """Location, look_at and up of such a matrix."""
+    """Returns location, look_at and up for such a matrix."""
     column = [[matrix[row][index] for row in range(3)] for index in range(4)]
     return {"location": column[3], "look_at": minus(column[3], unit(column[2])), "up": unit(column[1])}
 

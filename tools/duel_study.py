@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""duel_study.py BENCH_SLOWED [--duels N] [--slower PERCENT] [--load N] [--table FILE]: how often bench duel is right, on this
-machine: N duels of a program with itself, and as many with one that takes PERCENT longer (tests/bench/slowed_bench.cpp), on a
-quiet machine and on one where --load processes keep cores busy, by both clocks. A duel has ten launches of two rows. Exit
-codes: 0 measured, 1 a duel failed."""
+"""duel_study.py BENCH_SLOWED [--duels N] [--slower PERCENT] [--load N] [--table FILE]: measures how often bench duel is
+right on this machine. Runs N duels of a program with itself, and N with one that takes PERCENT longer
+(tests/bench/slowed_bench.cpp), on an idle machine and with --load busy processes, by both clocks. A duel has ten runs
+of two configurations. Exit codes: 0 measured, 1 a duel failed."""
 import argparse
 import json
 import os
@@ -15,11 +15,11 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from table_file import put
 
 ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "320x180", "--launches", "10", "--repetitions", "20"]
-COLUMNS = {"SLOWER": 8, "faster": 8, "same": 8, "undecided": 11}  # verdicts, and the widths of their columns
+COLUMNS = {"SLOWER": 8, "faster": 8, "same": 8, "undecided": 11}  # verdicts and the widths of their columns
 
 
 def duel(folder, old, new, clock):
-    """{row: (verdict, ratio)} of a duel, and the environment of the second program."""
+    """Returns {row: (verdict, ratio)} of a duel, and the environment of the second program."""
     target = os.path.join(folder, "duel.json")
     run = subprocess.run([f"./{old}", "duel", f"./{old}", f"./{new}", *ROWS, "--clock", clock, "--json", target], cwd=folder,
                          capture_output=True, text=True, check=False)
@@ -31,7 +31,7 @@ def duel(folder, old, new, clock):
 
 
 def duels(folder, slower, arguments, load, clock):
-    """{program: [duel]} of --duels each, while `load` processes keep cores busy."""
+    """Returns {program: [duel]} with --duels of each, run while `load` processes keep cores busy."""
     busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(load)]
     try:
         return {new: [duel(folder, "slowed_0", new, clock) for _ in range(arguments.duels)] for new in ("slowed_0", slower)}
@@ -42,7 +42,7 @@ def duels(folder, slower, arguments, load, clock):
 
 
 def lines_of(found, slower):
-    """The table's lines of what duels() returned; `slower` is what the slower program is called in them."""
+    """Returns the table's lines for the result of duels(); `slower`: label of the slower program."""
     for new, judged in found.items():
         what = "equal" if new == "slowed_0" else slower
         for row in judged[0][0]:

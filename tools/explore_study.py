@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""explore_study.py EXPLORE FLYTHROUGH FOLDER: how fast the explorer is: frame times of scripted flights through the official
-scenes and along the tours of seeds 1 and 2 of both studied fractals, at 960 x 540 and 1920 x 1080, fast float on openmp.
+"""explore_study.py EXPLORE FLYTHROUGH FOLDER: measures frame times of the explorer for scripted flights through the
+official scenes and along the tours of seeds 1 and 2 of both studied fractals, at 960 x 540 and 1920 x 1080, in fast
+float on openmp.
 
-Writes FOLDER/explore.json, every flight's percentiles, and FOLDER/explore.txt, a table. DISPLAY's server shows the window, or
-none where SDL_VIDEODRIVER=dummy is given; the table says which. Run it on a machine that does nothing else."""
+Writes FOLDER/explore.json, with every flight's percentiles, and FOLDER/explore.txt, a table. The window opens on
+DISPLAY, or nowhere with SDL_VIDEODRIVER=dummy; the table says which. Run it on an idle machine."""
 
 from __future__ import annotations
 
@@ -18,9 +19,9 @@ from pathlib import Path
 SIZES = ["960x540", "1920x1080"]
 FRACTALS = ["mandelbulb", "mandelbox"]
 SEEDS = [1, 2]
-FRAMES = 1800  # of a tour, at 30 a second
+FRAMES = 1800  # per tour, at 30 a second
 PLAYED = 900  # frames of the window
-# Towards the fractal, along it and round, by the keys that a person would press.
+# Towards the fractal, along it and around it, by key presses.
 BY_HAND = ["key W 120", "press A", "key Left 90", "release A", "press D", "key Right 90", "release D", "key R 60", "key W 60"]
 
 
@@ -48,7 +49,6 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     explore, flythrough, folder = (Path(word) for word in sys.argv[1:])
-    # It says itself what is missing, a display say.
     if (code := subprocess.run([explore, "--script", os.devnull], check=False).returncode) != 0:
         return code
     runs, rows = [], []
@@ -58,7 +58,7 @@ def main() -> int:
         for fractal in FRACTALS:
             for seed in SEEDS:
                 path = paths[fractal, seed] = Path(scratch) / f"{fractal}-{seed}.json"
-                # A broken promise is told by its exit code; the flight is as long all the same.
+                # A broken promise gives another exit code, but the path is complete.
                 subprocess.run([flythrough, "plan", path, "--fractal", fractal, "--seed", str(seed), "--frames", str(FRAMES)], stdout=subprocess.DEVNULL, check=False)
         played = Path(scratch) / "script.txt"
         played.write_text(script(paths), encoding="utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files as tools/figures.py reads them: rows of bench by what they measure, random scenes, texts."""
+"""Result files for tools/figures.py: timed rows of bench, random scenes, text files."""
 import json
 import os
 
@@ -7,21 +7,21 @@ FRACTALS = {"bulb": "mandelbulb", "box": "mandelbox"}
 
 
 class FigureError(Exception):
-    """What is wrong with a place or a result file, in one line."""
+    """An error in a place or in a result file, in one line."""
 
 
 def digits(value):
-    """Four of them."""
+    """Formats a value with four significant digits."""
     return f"{value:#.4g}".rstrip(".")
 
 
 def with_interval(value, interval, form="{:.2f}".format):
-    """1.23 [1.20, 1.26]; without an interval the number alone."""
+    """Formats "1.23 [1.20, 1.26]"; without an interval the value alone."""
     return form(value) + ("" if interval is None else " [" + ", ".join(map(form, interval)) + "]")
 
 
 class Row:
-    """A timed row of bench."""
+    """A timed configuration of bench."""
 
     def __init__(self, data):
         self.data = data
@@ -36,7 +36,7 @@ class Row:
 
     @property
     def interval_ms(self):
-        """Of the kernel time; None where there is none."""
+        """Returns the interval of the kernel time, or None."""
         interval = self.figures["kernel_seconds"]["interval"]
         return interval and [1e3 * end for end in interval]
 
@@ -51,7 +51,7 @@ class Row:
 
 
 class Results:
-    """The files of a folder, each read once. Names are paths below it without .json."""
+    """The result files of a folder, each read once. Names are relative paths without .json."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -73,11 +73,12 @@ class Results:
         return self.read[name]
 
     def rows(self, name):
-        """All timed rows of a study."""
+        """Returns all timed configurations of a study."""
         return [Row(row) for row in self.json(name)["rows"] if row["figures"] is not None]
 
     def row(self, name, fractal, precision, mode, *more):
-        """One timed row: fractal (bulb, box), precision, mode, and, in any order, a backend (else openmp) and a point."""
+        """Returns one timed configuration: fractal (bulb, box), precision, mode, and in any order a backend (default
+        openmp) and a sweep value."""
         point = next((word for word in more if "=" in word), "")
         backend = next((word for word in more if "=" not in word), "openmp")
         fractal = FRACTALS.get(fractal, fractal)
@@ -89,7 +90,8 @@ class Results:
         return found[0]
 
     def work_over_scalar(self, name, row):
-        """A row's counted operations over those of openmp's scalar text; None where one of them is unknown."""
+        """Returns a configuration's counted operations over those of openmp's scalar kernel, or None if one is
+        unknown."""
         try:
             scalar = self.row(name, row["fractal"], row["precision"], row["mode"], "pack=1")
         except FigureError:
@@ -97,12 +99,12 @@ class Results:
         return row["operations"] / scalar["operations"] if row["operations"] and scalar["operations"] else None
 
     def ratio(self, name, question, row):
-        """A row's ratio of kernel times, paired by round, with its interval: (median, interval or None)."""
+        """Returns (median, interval or None) of a configuration's ratio of kernel times, paired by round."""
         for entry in self.json(name)["questions"].get(question, []):
             if entry["numerator"] == row["name"] and entry["ratio"]["count"]:
                 return entry["ratio"]["median"], entry["ratio"]["interval"]
         raise FigureError(f"{name}.json says nothing of {row['name']} in {question}")
 
     def peak(self, name, precision):
-        """The machine's measured multiply-add peak, in operations a second."""
+        """Returns the machine's measured multiply-add peak, in operations per second."""
         return max(p["operations_per_second"] for p in self.json(name)["peaks"] if p["precision"] == precision)

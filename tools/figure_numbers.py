@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single numbers of the documents, by name. Each takes the results and the words of its place."""
+"""Single numbers for the documents, by name. Each function takes the results and the arguments of its place."""
 import re
 
 from figure_data import FRACTALS, FigureError, with_interval
 
 
 def ms(results, study, *row):
-    """Kernel time of a row, a median in milliseconds."""
+    """Kernel time of a configuration: the median in milliseconds."""
     return f"{results.row(study, *row).kernel_ms:.1f}"
 
 
 def frames(results, study, *row):
-    """Pictures a second, kernel and all else."""
+    """Pictures per second, from the wall time."""
     return f"{1e3 / results.row(study, *row).wall_ms:.0f}"
 
 
 def worth(results, technique, fractal, precision):
-    """Kernel time of a fast picture without a technique over the time with all, with the interval."""
+    """Kernel time of a fast picture without a technique over the time with all techniques, with the interval."""
     row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
     return with_interval(*results.ratio("ablation", "to_first_point", row))
 
@@ -27,7 +27,7 @@ def convergence(results, key="convergence"):
 
 
 def cost(results, technique, fractal, precision):
-    """What a technique adds to the kernel time of a fast picture, in percent."""
+    """Percentage that a technique adds to the kernel time of a fast picture."""
     row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
     without, interval = results.ratio("ablation", "to_first_point", row)
     low, high = interval or (without, without)
@@ -35,18 +35,19 @@ def cost(results, technique, fractal, precision):
 
 
 def off(results, study, *row):
-    """Pixels that are visibly off the picture that the row was proven against, in percent."""
+    """Percentage of pixels that differ visibly from the expected picture."""
     return f"{results.row(study, *row).off_percent:.1f}"
 
 
 def speed_up(results, study, *row):
-    """Over the reference in exact mode, with the interval: wall times."""
+    """Speed-up over the reference in exact mode, with the interval, from wall times."""
     figures = results.row(study, *row).figures
     return with_interval(figures["speed_up"], figures["speed_up_interval"], "{:.0f}".format)
 
 
 def over_scalar(results, packs, fractal, precision, mode):
-    """openmp's widest packs over the same text in scalar C++ on the same threads, with the interval: wall times."""
+    """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
+    times."""
     rows = [row for row in results.rows(packs) if row["backend"] == "openmp" and row.figures.get("over_scalar") is not None and
             (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
     if not rows:
@@ -56,7 +57,7 @@ def over_scalar(results, packs, fractal, precision, mode):
 
 
 def model_cost(results, study, *backends):
-    """Speeds of backends that compile the text as it is, over openmp's scalar text: the least and the most, thread for thread."""
+    """Range of the speeds of backends with the scalar kernel over openmp's scalar kernel, per thread."""
     speeds = []
     for row in results.rows(study):
         if row["backend"] in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
@@ -68,7 +69,7 @@ def model_cost(results, study, *backends):
 
 
 def native(results, mode):
-    """The scalar text's speed with -march=native over its present one, in a mode: the least and the most."""
+    """Range of the scalar kernel's speed-up from -march=native, in a mode."""
     lines = [line.split() for line in results.text("native_scalar.txt").splitlines()]
     ratios = [float(words[3]) for words in lines if len(words) >= 7 and words[0] in FRACTALS.values() and words[2] == mode]
     if not ratios:
@@ -77,12 +78,12 @@ def native(results, mode):
 
 
 def share(results, study, *row):
-    """Of the measured multiply-add peak, in percent."""
+    """Percentage of the measured multiply-add peak."""
     return f"{100 * results.row(study, *row).figures['share_of_peak']:.0f}"
 
 
 def peak(results, study, precision):
-    """GFLOP/s."""
+    """Multiply-add peak in GFLOP/s."""
     return f"{results.peak(study, precision) / 1e9:.0f}"
 
 
@@ -92,7 +93,7 @@ def range_of(values, places=1):
 
 
 def over_openmp(results, study, backend):
-    """Kernel times of a backend over openmp's, the least and the greatest of a study."""
+    """Range of a backend's kernel times over openmp's in a study."""
     found = [row for row in results.rows(study) if row["backend"] == backend]
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
@@ -100,7 +101,7 @@ def over_openmp(results, study, backend):
 
 
 def work_over_openmp(results, study, backend):
-    """Counted operations of a backend over openmp's, the least and the greatest of a study."""
+    """Range of a backend's counted operations over openmp's in a study."""
     found = [row for row in results.rows(study) if row["backend"] == backend and row["operations"]]
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
@@ -109,7 +110,7 @@ def work_over_openmp(results, study, backend):
 
 
 def one_register(results):
-    """Kernel times of openmp in packs of one register over those in its widest packs."""
+    """Range of openmp's kernel times in packs of one register over those in its widest packs."""
     ratios = []
     for fractal in FRACTALS:
         for precision, pack in (("float", 16), ("double", 8)):
@@ -121,14 +122,14 @@ def one_register(results):
 
 
 def backends_with_same_bits(results, study):
-    """How many backends draw the bits of the scalar kernel text in all their exact rows."""
+    """Number of backends that give the bits of the scalar kernel in all their exact configurations."""
     exact = [row for row in results.json(study)["rows"] if row["mode"] == "exact"]
     fine = {row["backend"] for row in exact if row["proof"]["level"] == "same bits"}
     return str(len(fine - {row["backend"] for row in exact if not row["proof"]["fine"]}))
 
 
 def rows_proven(results, study):
-    """How many rows' pictures were compared and found good before they were timed."""
+    """Number of configurations whose pictures were verified before they were timed."""
     rows = results.rows(study)
     if not all(row["proof"]["fine"] for row in rows):
         raise FigureError(f"{study}.json has a timed row whose picture is wrong")
@@ -136,19 +137,19 @@ def rows_proven(results, study):
 
 
 def random_off(results, study, fractal, precision):
-    """Pixels of random scenes that are visibly off the canonical picture, in percent, set by set."""
+    """Percentage of pixels of random scenes that differ visibly from the canonical picture, for each set."""
     sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
     return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
 
 
 def far_off(results, study, fractal, precision):
-    """How many random scenes are more than 2 % off."""
+    """Number of random scenes in which more than 2 % of the pixels differ visibly."""
     sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
     return str(sums["all"]["scenes_far_off"])
 
 
 def audit(results, flight, name):
-    """A row of a flight's audit."""
+    """A line of a flight's audit."""
     for row in results.json(flight)["rows"]:
         if row["name"] == name.replace("_", " "):
             return f"{row['value']:.3g}"
@@ -156,15 +157,15 @@ def audit(results, flight, name):
 
 
 def film(results, key):
-    """A whole number of the film's summary."""
+    """An integer from the film's summary."""
     return f"{results.json('film')[key]:.0f}"
 
 
-K40_MILLISECONDS = -2  # of a line's words: the expected time, from; the last is to
+K40_MILLISECONDS = -2  # index of the lower expected time in a line's words; the upper one is last
 
 
 def k40(results, fractal, precision, mode):
-    """Milliseconds that the march of a frame of 1920 x 1080 should take on a Tesla K40 at least."""
+    """Minimum milliseconds expected for the march of a 1920 x 1080 frame on a Tesla K40."""
     for line in results.text("k40_expected.txt").splitlines():
         words = line.split()
         if words[:3] == [FRACTALS[fractal], precision, mode]:
@@ -173,7 +174,8 @@ def k40(results, fractal, precision, mode):
 
 
 def duels(results, machine, clock, programs):
-    """How many duels call any row faster or slower: on a `quiet` or `loaded` machine, of `equal` programs or a `slower` one."""
+    """Number of duels that call any configuration faster or slower, on a `quiet` or `loaded` machine, for `equal`
+    programs or a `slower` one."""
     section = what = None
     for line in results.text("duel_study.txt").splitlines():
         called = re.search(r"^ .*: (\d+ of \d+)$", line)

@@ -1,34 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of the documents, by name. Each takes the results and the words of its place."""
+"""Tables for the documents, by name. Each function takes the results and the arguments of its place."""
 import re
 
 from figure_data import FRACTALS, FigureError, digits, with_interval
 from figure_numbers import random_off
 
-# What openmp is to reach in the standard study at 1080 x 1080, as a speed-up over the reference in exact mode.
+# Goals for openmp in the standard study at 1080 x 1080: speed-up over the reference in exact mode.
 AIMS = {
     ("bulb", "double", "exact"): 30, ("bulb", "float", "exact"): 60,
     ("bulb", "double", "fast"): 150, ("bulb", "float", "fast"): 420,
     ("box", "double", "exact"): 12, ("box", "float", "exact"): 30,
     ("box", "double", "fast"): 60, ("box", "float", "fast"): 180,
 }
-TECHNIQUES = {  # points of the ablation study
+TECHNIQUES = {  # sweep values of the ablation study
     "hull": "hull", "relaxation": "over-relaxation", "cones": "cones", "neighbours": "neighbours",
     "all-four": "these four together",
     "trial": "trials", "tail": "tails", "root": "the root refined", "normal": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
-NAME_WIDTH = 46  # characters of a row's name in tools/flight_seeds.py's table
+NAME_WIDTH = 46  # characters of an audit item's name in tools/flight_seeds.py's table
 
 
 def table(head, rows):
-    """Markdown."""
+    """Formats a Markdown table."""
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
 
 
 def measured(results, study):
-    """On what a study was measured, when and of which revision."""
+    """Machine, date and revision of a study."""
     e = results.json(study)["environment"]
     dirty = " with changes that no commit has" if e["git"]["dirty"] else ""
     return (f"Measured on {e['cpu'].get('platform', e['cpu']['model'])}, {e['cpu']['cores_usable']} threads, on "
@@ -36,14 +36,14 @@ def measured(results, study):
 
 
 def lines_of_code(results):
-    """What each backend needs, from bench divergence."""
+    """Lines of code that each backend needs, from bench divergence."""
     rows = [[f"`{m['backend']}`", str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"])]
             for m in results.json("divergence")["models"]]
     return table(["backend", "lines of its own", "of core/job", "of core/kernel"], rows)
 
 
 def beside_openmp(results, study, key, backend):
-    """Kernel times of a backend over openmp's; "-" where it was not timed."""
+    """Kernel time of a backend over openmp's; "-" if it was not timed."""
     try:
         return with_interval(*results.ratio(study, "others_to_host", results.row(study, *key, backend)))
     except FigureError:
@@ -51,7 +51,7 @@ def beside_openmp(results, study, key, backend):
 
 
 def targets(results, study):
-    """openmp beside the reference, its aims, the scalar text and the other backends."""
+    """openmp compared with the reference, its goals, the scalar kernel and the other backends."""
     head = ["fractal", "precision", "mode", "kernel ms", "over serial", "aim", "over scalar", "work over scalar's", "share of peak",
             "opencl / openmp", "vulkan / openmp"]
     rows = []
@@ -65,9 +65,9 @@ def targets(results, study):
 
 
 def instruction_sets(results, *studies):
-    """openmp's speed-ups in several studies, each of which is one instruction set."""
+    """openmp's speed-ups in several studies, one per instruction set."""
     names = [results.row(study, "bulb", "float", "fast")["instruction_set"] for study in studies]
-    head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway's word
+    head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway
     rows = []
     for fractal, precision, mode in AIMS:
         found = [results.row(study, fractal, precision, mode) for study in studies]
@@ -76,7 +76,7 @@ def instruction_sets(results, *studies):
 
 
 def ablation(results):
-    """What each technique of fast mode is worth: the kernel time without it over the time with all."""
+    """Gain from each technique of fast mode: the kernel time without it over the time with all techniques."""
     columns = [(fractal, precision) for fractal in FRACTALS for precision in ("double", "float")]
     rows = []
     for point, name in TECHNIQUES.items():
@@ -96,7 +96,7 @@ def ablation(results):
 
 
 def growth(results):
-    """What four times the pixels cost in fast mode."""
+    """Cost of four times the pixels in fast mode."""
     head = ["fractal, precision", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step of the whole sweep"]
     rows = []
     for fractal in FRACTALS:
@@ -111,7 +111,7 @@ def growth(results):
 
 
 def closeups(results):
-    """Close-ups that are all surface beside the official scenes."""
+    """Close-ups that show only surface, compared with the official scenes."""
     columns = [("closeup", "float", "exact"), ("closeup_fast", "double", "fast"), ("closeup_fast", "float", "fast")]
     rows = []
     for fractal in FRACTALS:
@@ -127,7 +127,7 @@ def closeups(results):
 
 
 def random(results, study):
-    """Fast pictures of random scenes beside the canonical ones."""
+    """Fast pictures of random scenes, compared with the canonical ones."""
     rows = []
     for sums in results.json(study)["sums"]:
         key = (sums["fractal"], sums["precision"])
@@ -140,19 +140,20 @@ def random(results, study):
 
 
 def quotient(row, key):
-    """A speed-up with its interval; "-" where that was not timed, no interval for a baseline beside itself."""
+    """A speed-up with its interval; "-" if it was not timed, without an interval for a baseline compared with
+    itself."""
     value, interval = row.figures.get(key) if row else None, row.figures.get(key + "_interval") if row else None
     return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
 
 
 def work_cell(results, name, row):
-    """A row's counted operations over those of the scalar text; "-" where one of them is unknown."""
+    """A configuration's counted operations over those of the scalar kernel; "-" if one of them is unknown."""
     work = results.work_over_scalar(name, row)
     return "-" if work is None else digits(work)
 
 
 def row_cells(results, name, row, scalar=None):
-    """`scalar`: the row of another study that has the speed-up over the scalar text, where this one's has none."""
+    """`scalar`: configuration of another study with the speed-up over the scalar kernel, if `row` has none."""
     kernel = row.figures["kernel_seconds"]
     interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
     share = row.figures["share_of_peak"]
@@ -168,18 +169,18 @@ ROW_HEAD = ["fractal", "precision", "mode", "backend", "proof", "kernel ms", "95
 
 
 def study(results, name):
-    """All timed rows of a study."""
+    """All timed configurations of a study."""
     return table(ROW_HEAD, [row_cells(results, name, row) for row in results.rows(name)])
 
 
 def four_rows(results, name, packs):
-    """The slowest and the fastest variant of openmp for each fractal; `packs`: a sweep of packs, for the scalar text."""
+    """openmp's slowest and fastest variant for each fractal; `packs`: a sweep of pack widths, for the scalar kernel."""
     chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
     return table(ROW_HEAD, [row_cells(results, name, results.row(name, *key), widest(results, packs, *key)) for key in chosen])
 
 
 def widest(results, packs, fractal, precision, mode):
-    """openmp's fastest row of a sweep of packs; None where it has none of this kind."""
+    """openmp's fastest configuration in a sweep of pack widths, or None."""
     rows = [row for row in results.rows(packs) if row["backend"] == "openmp" and
             (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
     return min(rows, key=lambda row: row.kernel_ms, default=None)
@@ -203,12 +204,12 @@ def aloud(results, name):
 
 
 def first_lines(results, file, count):
-    """The beginning of a text that a program printed."""
+    """The first lines of a program's output."""
     return "```text\n" + "\n".join(results.text(file).splitlines()[: int(count)]) + "\n```"
 
 
 def samples(results):
-    """What samples a pixel are worth, from make flight-study."""
+    """Gain from several samples per pixel, from make flight-study."""
     found = {}
     for words in (line.split() for line in results.text("flight_samples.txt").splitlines()):
         if len(words) == 6 and words[0] in FRACTALS.values() and words[4] == "%":
@@ -218,7 +219,7 @@ def samples(results):
 
 
 def missed(results):
-    """The rows of flights' audits that not every seed keeps, from make flight-study."""
+    """Audit items that some seeds miss, from make flight-study."""
     rows, fractal = [], ""
     for line in results.text("flight_seeds.txt").splitlines():
         kept = re.search(r"(\d+)/(\d+)$", line)

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """figures.py [--check] [--results FOLDER] FILE...: fills the marked places of documents from result files.
 
-A place is `<!-- figures: NAME ARGUMENT... -->`, what stands there, `<!-- end -->`, in a line or around lines.
-figure_tables.py and figure_numbers.py have the names. --check writes nothing and fails with one line for each place that is stale.
-Exit codes: 0 fine, 1 stale places, 2 a place or a result file that is wrong."""
+A place is `<!-- figures: NAME ARGUMENT... -->`, its content, `<!-- end -->`, within a line or around lines. The names
+are functions of figure_tables.py and figure_numbers.py. --check writes nothing, prints one line for each stale place,
+and fails.
+Exit codes: 0 success, 1 stale places, 2 an invalid place or result file."""
 import argparse
 import inspect
 import os
@@ -22,7 +23,7 @@ END = "<!-- end -->"
 
 
 def wanted(results, words):
-    """What belongs into the place that is called `words`: a table, with its line breaks, or a number in a line."""
+    """Returns the content of the place `words`: a table with line breaks, or a number within a line."""
     name, *arguments = words.split()
     figure = TABLES.get(name) or NUMBERS.get(name)
     if figure is None:
@@ -35,7 +36,7 @@ def wanted(results, words):
 
 
 def places(name, text):
-    """(line, words, first, last) of each place's content."""
+    """Yields (line, words, first, last) of each place's content."""
     at = 0
     while begin := BEGIN.search(text, at):
         line = text.count("\n", 0, begin.start()) + 1
@@ -43,7 +44,7 @@ def places(name, text):
         following = BEGIN.search(text, begin.end())
         if end < 0 or (following and following.start() < end):
             raise FigureError(f"{name}:{line}: '{begin[1]}' has no {END}")
-        # Where a comment begins a line Markdown takes the whole line for HTML.
+        # If a comment begins a line, Markdown takes the whole line for HTML.
         if text[: begin.start()].rpartition("\n")[2] == "" and begin[1].split()[0] not in TABLES:
             raise FigureError(f"{name}:{line}: '{begin[1]}' begins a line, expected words before a number")
         yield line, begin[1], begin.end(), end
@@ -51,7 +52,7 @@ def places(name, text):
 
 
 def fill(name, text, results):
-    """The text with every place filled, and a line about each that was stale."""
+    """Returns the text with every place filled, and a line about each stale place."""
     parts, stale, at = [], [], 0
     for line, words, first, last in places(name, text):
         try:
@@ -66,7 +67,7 @@ def fill(name, text, results):
 
 
 def difference(old, new):
-    """The first line that differs, in one line."""
+    """Describes the first line that differs, in one line."""
     lines = zip((old + "\n").split("\n"), (new + "\n").split("\n"))
     a, b = next(((a, b) for a, b in lines if a != b), ("", ""))
     return f"'{a.strip()}' stands there, the results say '{b.strip()}'"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""flight_overhead.py FLYTHROUGH FOLDER: what a segment costs beside its drawing. Makes films so small that drawing is
-next to nothing, of 10 and of 40 segments, in one process and, where mpirun is there, on 1, 2 and 4 ranks; the difference
-over 30 is the cost of a segment, the start of the program left out. Writes FOLDER/flight_overhead.txt."""
+"""flight_overhead.py FLYTHROUGH FOLDER: measures the overhead of a segment. Makes films of 10 and of 40 segments that
+are so small that rendering takes almost no time, in one process and, if mpirun exists, on 1, 2 and 4 ranks. The
+difference over 30 is the overhead of a segment, without that of the program's start. Writes
+FOLDER/flight_overhead.txt."""
 import os
 import shutil
 import subprocess
@@ -12,7 +13,7 @@ import time
 
 from table_file import put
 
-FRAMES = 60  # a segment
+FRAMES = 60  # per segment
 FEW, MANY = 10, 40  # segments
 ROUNDS = 3
 
@@ -27,7 +28,7 @@ def run(*command):
 
 
 def launchers():
-    """What runs the program: nothing, then mpirun with 1, 2 and 4 ranks."""
+    """Returns the commands that start the program: none, then mpirun with 1, 2 and 4 ranks."""
     found = [("one process", [])]
     if shutil.which("mpirun"):
         found += [(f"mpirun -n {n}", ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(n)]) for n in (1, 2, 4)]

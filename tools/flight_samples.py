@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""flight_samples.py FLYTHROUGH IMGDIFF FOLDER: what anti-aliasing is worth and costs. Draws stills of the first film of
-each fractal with 1 (softened), 2.25, 4 and 9 samples a pixel, compares them with 64, and writes FOLDER/flight_samples.txt: root mean
-square difference in bytes (from imgdiff's PSNR), the share of visibly wrong pixels, seconds a frame of drawing."""
+"""flight_samples.py FLYTHROUGH IMGDIFF FOLDER: measures gain and cost of anti-aliasing. Renders stills of the first
+film of each fractal with 1 (softened), 2.25, 4 and 9 samples per pixel and compares them with 64. Writes
+FOLDER/flight_samples.txt: root mean square difference in bytes (from imgdiff's PSNR), the fraction of visibly wrong
+pixels, seconds of rendering per frame."""
 import glob
 import json
 import os
@@ -13,8 +14,8 @@ import time
 
 from table_file import put
 
-EVERY = 720  # frames between stills: ten of the film
-SIDES = (1, 1.5, 2, 3, 8)  # samples a pixel and side, the last is the yardstick
+EVERY = 720  # frames between stills, which gives ten per film
+SIDES = (1, 1.5, 2, 3, 8)  # samples per pixel side; the last one gives the expected picture
 
 
 def run(*command):
@@ -25,14 +26,14 @@ def run(*command):
 
 
 def stills(flythrough, path, side, folder):
-    """Draws every EVERYth frame; seconds a frame."""
+    """Renders every EVERYth frame. Returns seconds per frame."""
     start = time.monotonic()
     run(flythrough, "render", path, "--stills", folder, "--every", str(EVERY), "--samples", str(side), "--backend", "openmp")
     return (time.monotonic() - start) / len(glob.glob(folder + "/*.png"))
 
 
 def compare(imgdiff, a, b):
-    """Mean square difference in bytes and the share of pixels off by more than 2 of 255."""
+    """Returns the mean square difference in bytes and the fraction of pixels off by more than 2 of 255."""
     result = json.loads(run(imgdiff, a, b, "--json"))
     psnr = result["psnr_db"] if isinstance(result["psnr_db"], (int, float)) else float("inf")
     return 255.0 ** 2 / 10 ** (psnr / 10), result["visibly_differing_pixels"] / (result["width"] * result["height"])

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""flight_seeds.py FLYTHROUGH FOLDER [SEEDS]: plans a full film for each seed and fractal and writes FOLDER/flight_seeds.txt,
-a table of every audited row beside its bar, and the audit and map of seed 1. Exit code 1 where a promise is broken."""
+"""flight_seeds.py FLYTHROUGH FOLDER [SEEDS]: plans a full film for each seed and fractal. Writes
+FOLDER/flight_seeds.txt, a table of all audit items with their thresholds, and the audit and map of seed 1. Exit code 1
+if a promise is broken."""
 import json
 import os
 import subprocess
@@ -13,7 +14,7 @@ from table_file import put
 
 
 def plan(program, fractal, seed, scratch, extra):
-    """The audit of one planned path, a dict, and the seconds that planning and auditing took."""
+    """Returns the audit of one planned path, a dict, and the seconds that planning and auditing took."""
     audit = os.path.join(scratch, "audit.json")
     start = time.monotonic()
     done = subprocess.run([program, "plan", os.path.join(scratch, "path.json"), "--fractal", fractal, "--seed", str(seed),
@@ -30,7 +31,7 @@ def number(value):
 
 
 def table(fractal, audits):
-    """One line a row of the audit, one column a seed, the bar, and how many seeds keep it."""
+    """Returns a table with one line per audit item, one column per seed, the threshold, and how many seeds meet it."""
     kept = sum(audit["promises_kept"] for audit, _ in audits)
     lines = [f"{fractal}: {audits[0][0]['frames']} frames, {len(audits)} seeds, {kept} of them with every promise kept; "
              "! is a promise, the others are quality"]

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""gpu_expected.py PROGRAMS LANES.json... [--gpu K40|H100] [--table FILE]: the kernel time that a frame of 1920 x 1080 should take
-on a GPU: from the steps and iterations of each pixel, which PROGRAMS/render draws, the lanes that bench found active (LANES, of the
-study box-vs-bulb in both modes), and the machine code of the kernels in PROGRAMS/render."""
+"""gpu_expected.py PROGRAMS LANES.json... [--gpu K40|H100] [--table FILE]: predicts the kernel time of a 1920 x 1080
+frame on a GPU, from the steps and iterations of each pixel, counted by PROGRAMS/render; the active lanes counted by
+bench (LANES: results of the study box-vs-bulb in both modes); and the machine code of the kernels in
+PROGRAMS/render."""
 import argparse
 import functools
 import json
@@ -21,13 +22,13 @@ from table_file import put
 
 WIDTH, HEIGHT = 1920, 1080
 FRACTALS = {"mandelbulb": ("bulb", "paramsBulb.dat"), "mandelbox": ("box", "paramsBox.dat")}
-LANES = 32  # of a warp
-LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # gcc's kernels go through their threads' numbers in a loop
+LANES = 32  # per warp
+LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # gcc's kernels loop over their threads' pixels
 
 
 class Gpu:
-    """clock: of a multiprocessor, in 1/s. cycles: of a quarter of a multiprocessor, for a warp's instruction in each pipe.
-    latency: cycles until a result can be used."""
+    """clock: of a multiprocessor, in 1/s. cycles: per instruction of a warp in each pipe, on a quarter of a
+    multiprocessor. latency: cycles until a result can be used."""
     def __init__(self, multiprocessors, clock, cycles, latency):
         self.multiprocessors, self.clock, self.cycles, self.latency = multiprocessors, clock, cycles, latency
 
@@ -35,22 +36,22 @@ class Gpu:
         return 4 * self.multiprocessors
 
 
-# Cycles: NVIDIA, "CUDA C++ Programming Guide", table "Throughput of Native Arithmetic Instructions", lanes a cycle and multiprocessor:
-# of capability 9.0 64 for double, for integers, comparisons, minima and selects, 16 for special functions; of 3.5 64 for double and
-# 32 for special functions and conversions. Latency: the same guide's section "Multiprocessor Level": about 11 cycles for 3.x, 4
-# for 7.x and newer.
+# Cycles: NVIDIA, "CUDA C++ Programming Guide", table "Throughput of Native Arithmetic Instructions", lanes per cycle
+# and multiprocessor: for capability 9.0, 64 for double, integers, comparisons, minima and selects, 16 for special
+# functions; for 3.5, 64 for double and 32 for special functions and conversions. Latency: the same guide's section
+# "Multiprocessor Level": about 11 cycles for 3.x, 4 for 7.x and newer.
 HOPPER = {"double": 2, "half": 2, "special": 8}
 GPUS = {
-    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013. A second instruction a cycle is not counted on.
+    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013. Assumes one instruction per cycle, not two.
     "K40": Gpu(15, 745e6, {"double": 2, "special": 4}, 11),
-    # NVIDIA, "NVIDIA H100 Tensor Core GPU", data sheet, 2023, SXM: 132 multiprocessors with 128 fused lanes make its 67 TFLOP/s at
-    # 1.98 GHz. The H200 has the same.
+    # NVIDIA, "NVIDIA H100 Tensor Core GPU", data sheet, 2023, SXM: 132 multiprocessors with 128 fused lanes make its 67
+    # TFLOP/s at 1.98 GHz. The same holds for the H200.
     "H100": Gpu(132, 1.98e9, HOPPER, 4),
 }
 
 
 def code_sizes(cubin):
-    """Instructions per function of an sm_35 cubin: 8 bytes each, and one word in eight tells the scheduler."""
+    """Returns the instructions per function of an sm_35 cubin: 8 bytes each; one word in eight is for the scheduler."""
     at, = struct.unpack_from("<Q", cubin, 40)
     entry, count, names = struct.unpack_from("<HHH", cubin, 58)
     sections = [struct.unpack_from("<IIQQQQ", cubin, at + i * entry) for i in range(count)]
@@ -64,7 +65,7 @@ def code_sizes(cubin):
 
 
 def expansion(operation, suffix):
-    """Instructions that one division or root becomes for sm_35. Each takes its own beside the first, or all call the first's."""
+    """Returns the instructions of one division or square root on sm_35: the smaller of inlined and called code."""
     def kernel(times):
         steps = "".join(f"{operation}.rn.{suffix} %a, {'%a, %b' if operation == 'div' else '%a'};\n" for _ in range(times))
         text = (f".version 3.1\n.target sm_35\n.address_size 64\n.visible .entry k(.param .u64 p) {{\n.reg .u64 %p;\n"
@@ -77,7 +78,7 @@ def expansion(operation, suffix):
 
 
 def marches(render, gpu):
-    """The March of each kernel on the GPU, by backend, fractal, precision and mode."""
+    """Returns the March of each kernel on the GPU, by backend, fractal, precision and mode."""
     found = {}
     for backend, texts in (("openacc", k40.extract(render)), ("cuda", k40.extract_cuda(render))):
         for text in texts:
@@ -102,7 +103,7 @@ Counts = namedtuple("Counts", "total longest")
 
 @functools.cache
 def drawn(render, fractal, precision, mode):
-    """Steps and iterations of each pixel of the official scene."""
+    """Returns steps and iterations of each pixel of the official scene."""
     import OpenEXR
     name, parameters = FRACTALS[fractal]
     with tempfile.TemporaryDirectory() as folder:
@@ -114,21 +115,22 @@ def drawn(render, fractal, precision, mode):
 
 
 def counted(pixels, march):
-    """Counts of the pixels' steps and iterations; the longest ray is the one that takes the most instructions."""
+    """Returns Counts of the pixels' steps and iterations; the longest ray is the one with the most instructions."""
     steps, iterations = pixels
     longest = (march.step_instructions * steps + march.round_instructions * iterations).argmax()
     return tuple(Counts(int(values.sum()), int(values.flat[longest])) for values in pixels)
 
 
 def active_lanes(counts, refills):
-    """Shares of a warp's lanes that are active in steps and in iterations."""
+    """Returns the fractions of a warp's lanes that are active in steps and in iterations."""
     use = next(use for use in counts["lane_use"] if use["lanes"] == LANES)
     prefix = "refilled_" if refills else ""
     return use[f"{prefix}active_in_steps"], use[f"{prefix}active_in_iterations"]
 
 
 def expected(gpu, march, steps, iterations, lanes):
-    """Seconds of the march with every cycle used, and of the longest ray by itself: a warp that waits for each result."""
+    """Returns the seconds of the march if no cycle is idle, and of the longest ray alone, whose warp waits for each
+    result."""
     cycles = march.step_cycles * steps.total / lanes[0] + march.round_cycles * iterations.total / lanes[1]
     alone = (march.step_instructions * steps.longest + march.round_instructions * iterations.longest) * gpu.latency
     return cycles / LANES / gpu.quarters() / gpu.clock, alone / gpu.clock

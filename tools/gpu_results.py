@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""gpu_results.py RESULTS.tgz INTO: unpack what packaging/gpu_check brought home into INTO/DEVICE, with a page, README.md, of what was
-seen: the backends with the same bits, times beside the expected ones, and the last words of what failed."""
+"""gpu_results.py RESULTS.tgz INTO: unpacks the results of packaging/gpu_check into INTO/DEVICE and writes a summary
+page, README.md: backends with the same bits, measured and expected times, and the last output lines of failed steps."""
 import argparse
 import glob
 import json
@@ -30,7 +30,7 @@ def text_of(*path):
 
 
 def unpack(archive, into):
-    """The folder of results in the archive, below `into`."""
+    """Returns the folder of results in the archive, unpacked below `into`."""
     try:
         with tarfile.open(archive) as tar:
             tar.extractall(into, filter="data")
@@ -43,14 +43,14 @@ def unpack(archive, into):
 
 
 def steps_of(folder):
-    """The result, the seconds and the last words of each step."""
+    """Returns the result, the seconds and the last output line of each step."""
     return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(folder, "summary.txt").splitlines())
             if found}
 
 
 def expected_times(device):
-    """The expected range in milliseconds by backend, fractal, precision and mode, for the GPU whose name the device's contains;
-    H200s have the H100's multiprocessors."""
+    """Returns the expected range in milliseconds by backend, fractal, precision and mode, for the GPU named in
+    `device`; an H200 has the H100's multiprocessors."""
     for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
         if any(name in device for name in names):
             lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
@@ -59,7 +59,7 @@ def expected_times(device):
 
 
 def rows_of(folder):
-    """Every timed row on a device of bench's results, by backend."""
+    """Yields the timed configurations on a device from bench's results, with their backends."""
     for path in sorted(glob.glob(os.path.join(folder, "t-*.json"))):
         try:
             rows = json.loads(text_of(path))["rows"]
@@ -69,7 +69,7 @@ def rows_of(folder):
 
 
 def times(folder, device):
-    """A line for each fractal, precision and mode: kernel milliseconds of each backend."""
+    """Returns a line for each fractal, precision and mode: kernel milliseconds of each backend."""
     expected = expected_times(device)
     lines = {}
     for row in rows_of(folder):
@@ -105,7 +105,7 @@ def page(folder, device, steps):
 
 
 def device_of(folder):
-    """The GPU's name as nvidia-smi reports it, or else a backend."""
+    """Returns the GPU's name as reported by nvidia-smi, or else a backend."""
     if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
         return found[1].strip()
     for path in sorted(glob.glob(os.path.join(folder, "seen-*.json"))):
@@ -114,7 +114,7 @@ def device_of(folder):
 
 
 def free_folder(into, name):
-    """INTO/NAME; if an earlier run has that name, with a number."""
+    """Returns INTO/NAME, with a number appended if that exists."""
     for number in range(1, 1000):
         path = os.path.join(into, name if number == 1 else f"{name}-{number}")
         if not os.path.exists(path):
@@ -129,7 +129,7 @@ def main():
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.into):
         fail(f"{arguments.into}: no such folder")
-    # Written beside the target and then renamed, so that the folder appears complete or not at all.
+    # Unpacks next to the target, then renames, so that the folder appears complete or not at all.
     with tempfile.TemporaryDirectory(dir=arguments.into, prefix=".gpu-results-") as temporary:
         folder = unpack(arguments.results, temporary)
         steps = steps_of(folder)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""loop_mix.py FOLDER [--table FILE]: what the loop of the estimators consists of in AVX-512 packs, fast mode. FOLDER has openmp's object files. Counts the instructions of one iteration by what they do, and how near the
-multiply-add peak they can come: a processor with two 512-bit ports starts two of them a cycle, of any kind."""
+"""loop_mix.py FOLDER [--table FILE]: counts the instructions of one iteration of the estimators' loop by kind, in
+AVX-512 packs and fast mode, and the highest share of the multiply-add peak that they allow. FOLDER has openmp's object
+files. A processor with two 512-bit ports starts two such instructions per cycle, of any kind."""
 import argparse
 import heapq
 import os
@@ -11,12 +12,12 @@ import sys
 
 from table_file import put
 
-REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # of a pack: core/kernel/fractals and backends/openmp/packs.h
-# The way round the loop that draws the official scene is the shortest one with so many of these in each register: the
-# sphere fold's reciprocal; the roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power doubles; and
-# whether the orbit has escaped.
+REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # per pack: core/kernel/fractals and backends/openmp/packs.h
+# The official scene takes the shortest path around the loop that has this many of these instructions per register: the
+# sphere fold's reciprocal; the square roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power
+# doubles; the test whether the orbit has escaped.
 MARKS = {"mandelbox": {"vrcp14": 1, "vcmp": 1}, "mandelbulb": {"vrsqrt14": 2, "vfmsub": 6, "vcmp": 1}}
-LONGEST = 400  # instructions of a way that is looked for
+LONGEST = 400  # instructions of the path
 KINDS = (
     ("multiply-add", r"vfn?m(add|sub)"),
     ("sum", r"v(add|sub)p"),
@@ -31,7 +32,7 @@ PORTS = 2
 
 
 def instructions(path):
-    """(address, text) of what takes steps in packs of AVX-512 registers, as timed pictures do: uncounted."""
+    """Returns (address, text) of the code that marches in AVX-512 packs without counting, as in timed pictures."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
@@ -43,8 +44,8 @@ def instructions(path):
 
 
 def way_round(code, at, start, marks, longest):
-    """The shortest way from instruction `start` round to it again with all of `marks` on it; None if there is none of fewer
-    than `longest`."""
+    """Returns the shortest path from instruction `start` back to it that contains all of `marks`; None if it has
+    `longest` or more instructions."""
     wanted = tuple(marks.values())
     first = (start, tuple(0 for _ in marks))
     before = {}
@@ -74,8 +75,8 @@ def way_round(code, at, start, marks, longest):
 
 
 def loop(code, marks):
-    """The shortest way round any loop with all of `marks` on it. A loop of the estimators has a masked multiply-add, which
-    holds what ended lanes have."""
+    """Returns the shortest path around any loop that contains all of `marks`. The estimators' loops have a masked
+    multiply-add, which keeps the values of ended lanes."""
     at = {address: i for i, (address, _) in enumerate(code)}
     starts = [i for i, (_, text) in enumerate(code) if re.match(r"vfn?m(add|sub)\w*\s.*\{%k", text)]
     if not starts:
@@ -90,7 +91,7 @@ def loop(code, marks):
 
 
 def mix(way):
-    """Instructions by kind."""
+    """Returns the number of instructions by kind."""
     return {name: sum(re.match(pattern, text) is not None for text in way) for name, pattern in KINDS}
 
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Loops of a march in NVIDIA's machine code or in PTX, and the cycles that a warp takes for a turn of each on a quarter of a
-multiprocessor, which issues one instruction of one warp a cycle."""
+"""Finds the loops of a march in NVIDIA's machine code or in PTX, and the cycles of a warp per loop iteration on a
+quarter of a multiprocessor, which issues one instruction of one warp per cycle."""
 import re
 import subprocess
 from collections import namedtuple
 
-# label: the name of a place in the code; the other fields are then empty. issue: instructions issued. pipe: the unit
-# that works on it, or None. target: the label it may jump to. falls: whether the next instruction may follow. rare: it leads to a
-# slow path, which few numbers take.
+# label: name of a position in the code; the other fields are then empty. issue: instructions issued. pipe: unit that
+# executes it, or None. target: label of a possible jump. falls: the next instruction may follow. rare: leads to a slow
+# path that few values take.
 Instruction = namedtuple("Instruction", "label name issue pipe target falls rare", defaults=("", "", 0, None, "", True, False))
 
 SASS_FUNCTION = re.compile(r"^\.text\.(\S+):$")
@@ -31,7 +31,7 @@ def pipe_of(name, pipes):
 
 
 def sass(nvdisasm, cubin):
-    """The instructions of each function of a cubin."""
+    """Returns the instructions of each function of a cubin."""
     text = subprocess.run([nvdisasm, "-c", cubin], capture_output=True, text=True, check=True).stdout
     functions, code = {}, None
     for line in text.splitlines():
@@ -53,7 +53,8 @@ def sass(nvdisasm, cubin):
 
 
 def ptx(body, expansions):
-    """The instructions of a PTX kernel's body without copies. `expansions`: how many instructions each division and root becomes."""
+    """Returns the instructions of a PTX kernel's body, without copies. `expansions`: instructions per division and
+    square root."""
     code = []
     for line in body.splitlines():
         if found := PTX_LABEL.match(line):
@@ -71,7 +72,7 @@ def ptx(body, expansions):
 
 
 def blocks_of(code):
-    """Basic blocks: their instructions, and the numbers of the blocks that may follow each."""
+    """Returns the basic blocks: their instructions, and the indices of the blocks that may follow each."""
     blocks, labels, current = [], {}, []
     for one in [*code, Instruction(label="end")]:
         if current and (one.label or current[-1].target or not current[-1].falls or current[-1].rare):
@@ -90,7 +91,8 @@ def blocks_of(code):
 
 
 def loops_of(following):
-    """Natural loops: for each head the set of its blocks. Aho, Sethi and Ullman, "Compilers", 1986, 10.4."""
+    """Returns the natural loops: for each head the set of its blocks. Aho, Sethi and Ullman, "Compilers", 1986,
+    10.4."""
     before = [[] for _ in following]
     for i, after in enumerate(following):
         for j in after:
@@ -117,24 +119,25 @@ def loops_of(following):
 
 
 def cycles(instructions, cycles_of_pipe):
-    """Cycles that a warp's instructions take: those of issuing them, or of the busiest pipe."""
+    """Returns the cycles of a warp's instructions: the larger of issue and the busiest pipe."""
     busy = {}
     for one in instructions:
         busy[one.pipe] = busy.get(one.pipe, 0) + one.issue * cycles_of_pipe.get(one.pipe, 1)
     return max(sum(one.issue for one in instructions), *busy.values(), 0)
 
 
-# Cycles of a round of the estimator's loop and of the rest of a march step, the instructions of both, and whether lanes
-# take new rays before the last ray of their warp has ended.
+# Cycles of an iteration of the estimator's loop and of the rest of a march step, the instructions of both, and whether
+# lanes take new rays before the last ray of their warp has ended.
 March = namedtuple("March", "round_cycles step_cycles round_instructions step_instructions refills")
-LEAST_ARITHMETIC = 0.2  # of a loop's instructions
+LEAST_ARITHMETIC = 0.2  # fraction of a loop's instructions
 ARITHMETIC = re.compile(r"[FD](ADD|MUL|FMA)$|(add|sub|mul|fma|div|sqrt)\..*f(32|64)$")
 
 
 def march_of(code, cycles_of_pipe, loops_outside=0):
-    """The cycles and instructions of a march's code. The estimator's loop is the shortest innermost loop that computes and
-    lies within another; for the Mandelbulb, that of a whole power. The march's loop is the smallest around it, all its
-    paths but slow ones. `loops_outside`: loops around a pixel's march in every kernel; lanes refill if there are more."""
+    """Returns the cycles and instructions of a march's code. The estimator's loop is the shortest innermost loop that
+    computes and lies within another; for the Mandelbulb, that of a whole power. The march's loop is the smallest one
+    around it, with all paths but slow ones. `loops_outside`: loops around a pixel's march in every kernel; lanes refill
+    if there are more."""
     blocks, following = blocks_of(code)
     loops = loops_of(following)
 

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""native_scalar.py BUILD [--rounds N] [--table FILE]: what -march=native gives the scalar text, which is compiled for baseline x86-64.
+"""native_scalar.py BUILD [--rounds N] [--table FILE]: measures the gain from -march=native for the scalar kernel, which
+is compiled for baseline x86-64.
 
-Compiles openmp's scalar kernels of a build again with -march=native, links them into a copy of its bin/render, and draws the official
-scenes with both programs, one right after the other in random order, on one thread. The clock is the user time of the
-process, which waiting for a core does not lengthen; a ratio is one of a pair, and its interval is Student's t of their logarithms."""
+Compiles openmp's scalar kernels of a build again with -march=native, links them into a copy of its bin/render, and
+renders the official scenes with both programs, back to back in random order, on one thread. The clock is the user time
+of the process, which excludes waiting for a core. Ratios are those of pairs; the interval is Student's t of their
+logarithms."""
 import argparse
 import math
 import os
@@ -37,7 +39,7 @@ def shell(line, folder):
 
 
 def native_render(build, scratch):
-    """Builds the second program; its path, the flags of the kernels, and the multiply-adds in them by mode."""
+    """Builds the second program. Returns its path, the flags of the kernels, and their multiply-adds by mode."""
     lines = run(["ninja", "-C", build, "-t", "commands", "bin/render"]).splitlines()
     kernels = [line for line in lines if re.search(r"/openmp/scalar_mandel(bulb|box)_\w+\.cpp$", line)]
     archive, program = "backends/openmp/libmandelmarch_openmp.a", os.path.join(scratch, "render")
@@ -63,14 +65,14 @@ def options(fractal, precision, mode, output):
 
 
 def user_seconds(program, arguments):
-    """User time of a process that draws one picture."""
+    """Returns the user time of a process that renders one picture."""
     before = os.times().children_user
     run([program, *arguments])
     return os.times().children_user - before
 
 
 def measured(programs, case, rounds, scratch):
-    """(ratio, low, high): how many times as fast the second program is."""
+    """Returns (ratio, low, high): how many times as fast the second program is."""
     logs = []
     for _ in range(rounds):
         seconds = {}
@@ -83,7 +85,7 @@ def measured(programs, case, rounds, scratch):
 
 
 def same_bits(programs, case, scratch):
-    """Colours and depths before they are bytes."""
+    """Compares colours and depths before they are rounded to bytes."""
     pictures = []
     for number, program in enumerate(programs):
         pictures.append(os.path.join(scratch, f"{number}.exr"))

@@ -3,12 +3,12 @@
 """path_csv.py export PATH.json FILE.csv
 path_csv.py import PATH.json FILE.csv NEW.json
 
-export writes a path file's cameras as a table, one line a frame: frame, x, y, z of location, look_at and up, field_of_view, and,
-where a frame has one, the three numbers of its shape (line 7 of a parameter file). import makes NEW.json of PATH.json with
-the table's cameras and shapes, ordered by the column frame; what else PATH.json's frame of that number has stays. Frames may be
-fewer or more: what PATH.json has no frame for takes the last one's. Tables as spreadsheets save them are read, too: with a
-byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with empty lines. Exit code 2: a
-file that cannot be read, or is none."""
+export writes a path file's cameras as a table, one line per frame: frame, x, y, z of location, look_at and up,
+field_of_view, and, if a frame has one, the three numbers of its shape (line 7 of a parameter file). import writes
+NEW.json: PATH.json with the table's cameras and shapes, in the order of the column frame. Other members of PATH.json's
+frames are kept by frame number; frames beyond its last one take those of the last. Tables from spreadsheets are
+supported: with a byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with empty lines.
+Exit code 2: a file cannot be read or is invalid."""
 import codecs
 import csv
 import io
@@ -40,14 +40,14 @@ def read_path(name):
 
 
 def line_of(path):
-    """The text of a path file, a line a frame, as flythrough writes it."""
+    """Returns the text of a path file, one line per frame, as flythrough writes it."""
     head = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in path.items() if key != "frames"]
     frames = ",\n".join(json.dumps(frame) for frame in path["frames"])
     return "{\n" + ",\n".join(head) + ',\n"frames": [\n' + frames + "\n]\n}\n"
 
 
 def put(name, text):
-    """The file is complete or not there."""
+    """Writes a file, completely or not at all."""
     try:
         with tempfile.NamedTemporaryFile("w", encoding="utf-8", newline="", dir=os.path.dirname(os.path.abspath(name)),
                                          delete=False) as file:
@@ -70,7 +70,8 @@ def table_of(path):
 
 
 def rows_of(name):
-    """The lines of a table that are not empty, as (number, fields); decimal points, whatever the spreadsheet's language."""
+    """Returns the table's lines that are not empty, as (number, fields), with decimal points for any spreadsheet's
+    language."""
     try:
         with open(name, "rb") as file:
             data = file.read()
@@ -90,7 +91,7 @@ def rows_of(name):
 
 
 def numbers_of(row, width, place):
-    """A line's frame and its other numbers."""
+    """Returns a line's frame and its other numbers."""
     try:
         values = [float(text) for text in row]
     except ValueError as error:

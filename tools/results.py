@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""results.py [FILE...]: measures the committed results anew, all of them or these, on one clean revision.
+"""results.py [FILE...]: measures all committed results again, or the given ones, from one clean revision.
 
-results.txt lists them. It says how long that takes, can be stopped at any time, and goes on where it stopped: what is measured
-stays in WORK/REVISION. When all are there they come into --output together, so that it never holds two revisions.
-Exit codes: 0 all are there, 1 a command failed, 2 programs or sources that are not of one clean revision, 130 stopped."""
+The list is results.txt. Prints the expected time, can be stopped at any time, and resumes there: finished results are
+kept in WORK/REVISION. Once complete, all results go to --output together, so that it never holds two revisions.
+Exit codes: 0 complete, 1 a command failed, 2 programs or sources are not from one clean revision, 130 stopped."""
 import argparse
 import json
 import os
@@ -20,7 +20,7 @@ ROOT = os.path.join(HERE, "..")
 
 
 class Entry:
-    """One line of the list. `minutes`: of all launches, an estimate."""
+    """One line of the list. `minutes`: of all runs, estimated."""
 
     def __init__(self, line, number):
         words = shlex.split(line)
@@ -35,7 +35,8 @@ class Entry:
             sys.exit(fail(f"results.txt:{number}: {error}, expected a file, minutes, launches and a command", 2))
 
     def measure(self, programs, target):
-        """Runs the command; the file is whole or not there. Returns its exit code, 1 for a file of uncommitted sources."""
+        """Runs the command; writes the file completely or not at all. Returns its exit code, or 1 for uncommitted
+        sources."""
         part = target + ".part" + os.path.splitext(target)[1]
         command = [os.path.join(programs, self.command[0]), *(part if word == "{}" else
                    word.replace("{folder}", os.path.dirname(target)) for word in self.command[1:])]
@@ -54,7 +55,7 @@ class Entry:
 
 
 def code_of(command, output, variables):
-    """Where this program is stopped, the other one is, too, with what it has started."""
+    """Runs a command. If this program is stopped, stops the command and all its descendants, too."""
     with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True) as process:
         try:
             return process.wait()
@@ -64,7 +65,7 @@ def code_of(command, output, variables):
 
 
 def of_uncommitted_sources(path):
-    """A result of bench says so itself."""
+    """Returns true if a result of bench records uncommitted sources."""
     if not path.endswith(".json"):
         return False
     with open(path, encoding="utf-8") as file:
@@ -83,7 +84,8 @@ def git(sources, *arguments):
 
 
 def clean_revision(sources, program):
-    """The revision of the sources, if they are committed and `program` was built from them; None and a line if not."""
+    """Returns the revision of the sources if they are committed and `program` was built from them; else prints a line
+    and returns None."""
     revision = git(sources, "rev-parse", "HEAD")
     if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)report/results"):
         fail("the sources differ from the revision: commit first, as one result after the other must be of the same sources")

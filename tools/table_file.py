@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the tools here hand over a text: in a file that is whole or not there, and printed."""
+"""Output of the tools: printed, and written to a file completely or not at all."""
 import os
 import sys
 
 
 def put_file(text, path):
-    """Writes text to a file, which keeps what it has until the new one is whole."""
+    """Writes text to a file, which keeps its old content until the new one is complete."""
     try:
         with open(path + ".part", "w", encoding="utf-8") as file:
             file.write(text)
@@ -15,7 +15,7 @@ def put_file(text, path):
 
 
 def put(text, path):
-    """Prints text and, if a path is given, writes it there too."""
+    """Prints text and, if a path is given, also writes it there."""
     if path:
         put_file(text, path)
     print(text, end="")

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From result files to the report: one HTML page, its PDF, and the documentation beside them."""
+"""Makes the report from result files: one HTML page, its PDF, and the documentation."""

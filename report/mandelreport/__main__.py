@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python -m mandelreport: makes report.html from result files, and report.pdf where a browser is there.
+"""python -m mandelreport: makes report.html from result files, and report.pdf if a browser exists.
 
-Exit codes: 0 fine, 1 a failure, of a device too (the page is there, and says which), 2 wrong arguments or bad input, 77 the page is there, but no browser for its PDF."""
+Exit codes: 0 success, 1 a failure (the page is written and names failed devices), 2 wrong arguments or bad input,
+77 the page is written, but there is no browser for its PDF."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much pictures agree: bytes, bits where there are EXRs, and FLIP against the canonical picture."""
+"""Agreement of pictures: bytes, bits if there are EXR files, and FLIP against the canonical picture."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from PIL import Image
 
 from .pictures import Key, Picture, Studio
 
-VISIBLE = 2  # of 255: a byte that is off by more can be seen (core/image/compare.h)
+VISIBLE = 2  # of 255: larger differences of a byte are visible (core/image/compare.h)
 
 
 @dataclass(frozen=True)
 class Difference:
-    """Of two pictures' bytes. `bits`: the same in every bit of colour and depth, too; None where that was not compared."""
+    """Difference of two pictures' bytes. `bits`: all bits of colour and depth are the same, too; None if not
+    compared."""
 
     pixels: int
     differing: int
     visible: int
     largest: int
-    psnr: float | None  # dB, None: infinite
+    psnr: float | None  # dB; None: infinite
     bits: bool | None
 
     @property
@@ -44,7 +45,7 @@ def compare(studio: Studio, a: Picture, b: Picture) -> Difference:
 
 
 def yardstick(pictures: dict[Key, Picture], picture: Picture, reference: str) -> Picture | None:
-    """What a picture is measured by: the reference's of its mode, in double."""
+    """Returns the expected picture: the reference's in the same mode, in double."""
     key = picture.key
     if key.backend == reference:
         return None
@@ -52,8 +53,9 @@ def yardstick(pictures: dict[Key, Picture], picture: Picture, reference: str) ->
 
 
 def difference_map(a: Picture, b: Picture) -> bytes:
-    """A PNG: white where equal, the darker the larger the difference, black where a byte is off by 255. Every difference
-    is at least as dark as a light grey, and grows by a pixel all around, so that single pixels are seen."""
+    """Returns a PNG: white where equal, darker for larger differences, black where a byte is off by 255. Every
+    difference is at least as dark as a light grey and extends by a pixel all around, so that single pixels are
+    visible."""
     worst = numpy.abs(a.bytes.astype(int) - b.bytes.astype(int)).max(axis=2)
     padded = numpy.pad(worst, 1)
     grown = numpy.max([padded[y : y + worst.shape[0], x : x + worst.shape[1]] for y in range(3) for x in range(3)], axis=0)
@@ -66,7 +68,8 @@ def difference_map(a: Picture, b: Picture) -> bytes:
 
 
 def flip_mean(studio: Studio, canonical: Picture, picture: Picture) -> float | None:
-    """The mean of FLIP (Andersson et al., 2020) at its usual viewing distance; None where the package is missing."""
+    """Returns the mean of FLIP (Andersson et al., 2020) at its default viewing distance, or None if the package is
+    missing."""
     try:
         import flip_evaluator  # pylint: disable=import-outside-toplevel
     except ImportError:
@@ -80,7 +83,7 @@ def flip_mean(studio: Studio, canonical: Picture, picture: Picture) -> float | N
 
 
 def encode(picture: Picture) -> bytes:
-    """The picture without loss, small."""
+    """Returns the picture in a small lossless format."""
     buffer = io.BytesIO()
     Image.fromarray(picture.bytes).save(buffer, format="WEBP", lossless=True, quality=80, method=4)
     return buffer.getvalue()

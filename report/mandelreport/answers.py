@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page's answers: what each sentence needs, from the results. None where there is no data for one."""
+"""Answers on the front page: the values of each sentence, from the results. None if there is no data for one."""
 
 from __future__ import annotations
 
@@ -22,17 +22,18 @@ def _names(items: Iterable[str]) -> list[str]:
 
 
 def counted(file: str, fractal: str, precision: str, what: str, view: str = "official") -> Place:
-    """What was counted of a scene in exact mode."""
+    """Returns the place of a scene's operation count in exact mode."""
     return Place((file,), f"counts:fractal={fractal}&precision={precision}&mode=exact&setting.view={view}:{what}")
 
 
-# The factors of a picture's operations. Calls and iterations are a row's own counts, of all its pixels; operations an iteration were
-# counted in a sample of them.
+# Factors of a picture's operations. DE evaluations and iterations are the configuration's own counts, over all pixels;
+# operations per iteration were counted in a sample of them.
 FACTORS = {"calls": "work.de_calls", "iterations": "work.iterations/work.de_calls", "operations": "operations/work.iterations"}
 
 
 def factors(trace: Trace, file: str, box: str, bulb: str) -> dict[str, Markup]:
-    """Factors of one row's operations over another's of the same size, and `work`, their product."""
+    """Returns the factors of one configuration's operations over another's of the same size, and `work`, their
+    product."""
 
     def over(what: str, style: str) -> Markup:
         above, below = (Place((file,), f"rows:name={name}:{what}") for name in (box, bulb))
@@ -42,12 +43,12 @@ def factors(trace: Trace, file: str, box: str, bulb: str) -> dict[str, Markup]:
 
 
 def named(text: str) -> Markup:
-    """A name, whose digits are no result."""
+    """Formats a name, whose digits are not a result."""
     return Markup('<span class="name">{}</span>').format(text)
 
 
 class Answers:
-    """`primary`: the standard study with the most backends and, of these, launches."""
+    """`primary`: the standard study with the most backends and, among these, the most runs."""
 
     def __init__(self, results: Results, backends: Backends):
         self.results, self.backends = results, backends
@@ -61,7 +62,7 @@ class Answers:
         return self.trace.number(Place(files, path, "count"), "whole")
 
     def same(self) -> dict[str, Any] | None:
-        """How many exact pictures have the same bits, and how far off fast ones are."""
+        """Counts exact pictures with the same bits, and measures the error of fast ones."""
         if self.primary is None:
             return None
         timed = f"figures!=null&point=&backend!={self.backends.reference}"
@@ -82,7 +83,7 @@ class Answers:
         return self.trace.times(self.primary.name, f"questions:{question}:numerator={numerator}:ratio")
 
     def fastest(self) -> dict[str, Any] | None:
-        """Who is fastest on the primary machine, and how long the next best takes, least to most."""
+        """Names the fastest backend on the primary machine, with the range of the next best one's times over it."""
         if self.primary is None or not self.primary.others_to_host():
             return None
         others = self.primary.others_to_host()
@@ -112,11 +113,12 @@ class Answers:
         }
 
     def cost(self) -> dict[str, Any] | None:
-        """Speeds of the models that compile the scalar text as it is, beside that text."""
+        """Compares the models that compile the scalar kernel unchanged with openmp's scalar kernel."""
         return Costs(self.primary, self.backends).answer(self.trace) if self.primary else None
 
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
-        """The host's fastest row that has this speed-up, from the study with the most launches, a standard one first."""
+        """Returns the host's fastest configuration with this speed-up, from the study with the most runs, standard
+        studies first."""
         rows = [
             (bench, row)
             for bench in self.results.benches
@@ -128,8 +130,8 @@ class Answers:
         return rows[order.index(max(order))] if rows else None
 
     def speed_ups(self) -> dict[str, Any] | None:
-        """The host's figures in float by mode, exact first: its speed-ups over the serial reference and the same text
-        as scalar C++ on the same threads, and the scalar text's operations over its own; a number per fractal each."""
+        """Returns the host's figures in float by mode, exact first: speed-ups over the serial reference and over the
+        scalar kernel on the same threads, and the scalar kernel's operations over its own; one number per fractal."""
         modes = {mode: found for mode in ("exact", "fast") if (found := self._speed_ups_of(mode))}
         return {"modes": modes, "host": self.backends.host, "size": self.primary.size} if self.primary and "exact" in modes else None
 
@@ -154,7 +156,8 @@ class Answers:
         }
 
     def box_or_bulb(self) -> dict[str, Any] | None:
-        """How much longer the Mandelbox takes, and the counted factors of its operations, in double and exact mode."""
+        """Returns how much longer the Mandelbox takes, with the counted factors of its operations, in double and exact
+        mode."""
         kinds = [("double", "exact"), ("float", "fast")]
         ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
         if self.primary is None or None in ratios:
@@ -175,7 +178,7 @@ class Answers:
         return next((entry for entry in entries if entry["numerator"] == numerator), None)
 
     def float_or_double(self) -> dict[str, Any] | None:
-        """What double costs on the host, and what float costs in the picture of random scenes."""
+        """Returns the cost of double on the host, and the error of float in pictures of random scenes."""
         ratios = {
             mode: [self._found("double_to_float", f"{f}/double/{mode}/{self.backends.host}/0") for f in FRACTALS]
             for mode in ("exact", "fast")
@@ -199,7 +202,7 @@ class Answers:
         }
 
     def gpu(self) -> dict[str, Any] | None:
-        """A GPU that was measured, or what one is predicted to do, beside the host, both at the film's size."""
+        """Compares a measured GPU, or the prediction for one, with the host, both at the film's size."""
         measured = [(b, r) for b in self.results.benches for r in b.rows if r.timed and r.is_gpu]
         if measured:
             bench, row = min(measured, key=lambda one: one[1].kernel.median / one[1].pixels)
@@ -237,7 +240,7 @@ class Answers:
         return max(rows, key=lambda one: (one[0].data["launches"], one[1].kernel.count), default=None)
 
     def film(self) -> dict[str, Any] | None:
-        """Frames, seconds and seconds a frame of the first film whose summary is there."""
+        """Returns frames, seconds and seconds per frame of the first film with a summary."""
         for name, data in self.results.files.items():
             if isinstance(data, dict) and data.get("schema") == "mandelmarch-film" and data["frames_rendered"]:
                 one = self.trace.one
@@ -256,11 +259,11 @@ class Answers:
         return None
 
 
-MARGIN = 1.02  # as bench compare's
+MARGIN = 1.02  # as in bench compare
 
 
 def verdict(ratio: dict[str, Any] | None) -> Markup:
-    """The words for a ratio of times: slower, faster, the same within the margin, or undecided."""
+    """Describes a ratio of times: slower, faster, the same within the margin, or undecided."""
     interval = ratio["ratio"]["interval"] if ratio else None
     if interval is None:
         return Markup("undecided")

@@ -10,8 +10,8 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Backends:
-    """Text and figures show backends in the order of `names`, and their place in it is their series in every figure. The
-    reference, which is not the text, is the last. Old results state no roles: the names are those of their time."""
+    """The order of `names` is that of text and figures, and gives each backend's series number. The reference, which
+    does not use the kernel, is last. Old results have no roles: their names are used."""
 
     names: tuple[str, ...] = ()
     reference: str = "reference"
@@ -19,7 +19,7 @@ class Backends:
 
     @staticmethod
     def of(registered: list[dict[str, Any]], others: Iterable[str] = ()) -> Backends:
-        """`registered`: environment/backends of results; `others`: names that may be in none of them."""
+        """`registered`: environment/backends of results; `others`: additional names."""
         roles = {backend["role"]: backend["name"] for backend in registered if backend.get("role")}
         reference = roles.get("reference", Backends.reference)
         names = dict.fromkeys([*(backend["name"] for backend in registered), *others])
@@ -27,9 +27,10 @@ class Backends:
         return Backends((*text, reference), reference, roles.get("host", Backends.host))
 
     def number_of(self, backend: str) -> int:
-        """The series number of a backend, the same in every figure."""
+        """Returns a backend's series number, the same in every figure."""
         return self.names.index(backend) if backend in self.names else len(self.names)
 
     def order(self, labels: Iterable[str]) -> list[str]:
-        """Each label once; the first word of a label is its backend, a device's number or a comma may follow."""
+        """Returns each label once, in order. A label starts with its backend; a device's number or a comma may
+        follow."""
         return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].rstrip(",")), label))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: the part of bench/result.schema.json that the report reads, with names and units."""
+"""A result file of bench: the part of bench/result.schema.json that the report uses, with names and units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SCHEMA_FILE = Path(__file__).parents[2] / "bench" / "result.schema.json"
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds, or a ratio of them: a median and the ends of its 95 % interval, which is None below six samples."""
+    """Seconds, or a ratio of them: the median and its 95 % interval, which is None below six samples."""
 
     median: float
     low: float | None
@@ -34,12 +34,12 @@ class Times:
         return Times(summary["median"], low, high, summary["count"])
 
     def inverse(self) -> Times:
-        """Of a ratio: the other way round."""
+        """Returns the inverse of a ratio."""
         low, high = (None if end is None else 1 / end for end in (self.high, self.low))
         return Times(1 / self.median, low, high, self.count)
 
     def errors(self) -> tuple[float, float]:
-        """Lengths of an error bar down and up; 0 where there is no interval."""
+        """Returns the lengths of an error bar downwards and upwards; 0 without an interval."""
         if self.low is None or self.high is None:
             return (0.0, 0.0)
         return (max(0.0, self.median - self.low), max(0.0, self.high - self.median))
@@ -47,12 +47,12 @@ class Times:
 
 @dataclass(frozen=True)
 class Row:
-    """One row of a study. `data` is the row as bench wrote it."""
+    """One configuration of a study. `data`: its row in the file."""
 
     data: dict[str, Any]
 
     def __getattr__(self, name: str) -> Any:
-        if name == "data":  # a copy that is being made
+        if name == "data":  # while a copy is being made
             raise AttributeError(name)
         try:
             return self.data[name]
@@ -73,7 +73,7 @@ class Row:
 
     @property
     def value(self) -> str:
-        """The point of a sweep without its name: "2" of threads=2."""
+        """Returns the sweep value without its name: "2" for threads=2."""
         return self.data["point"].partition("=")[2]
 
     @property
@@ -83,12 +83,12 @@ class Row:
 
 @dataclass(frozen=True)
 class Bench:
-    """A whole result file. `name` is its path below the results, for people."""
+    """A result file. `name`: path below the results, for display."""
 
     name: str
     path: Path
     data: dict[str, Any]
-    number: int = 0  # of its machine, from 1, where several of one name are not the same
+    number: int = 0  # of its machine, from 1, if several machines share a name
 
     @property
     def study(self) -> str:
@@ -96,12 +96,12 @@ class Bench:
 
     @functools.cached_property
     def rows(self) -> list[Row]:
-        """Without the standard study's baseline, the text as scalar C++: over_scalar is what it is for."""
+        """Returns the rows without the standard study's scalar kernel, whose times appear as over_scalar."""
         baseline = "pack=1" if self.study == "standard" else None
         return [Row(row) for row in self.data["rows"] if row["point"] != baseline]
 
     def timed(self, **wanted: str) -> list[Row]:
-        """The timed rows whose fields have the wanted values."""
+        """Returns the timed rows with the given field values."""
         return [row for row in self.rows if row.timed and all(row.data[k] == v for k, v in wanted.items())]
 
     @property
@@ -110,14 +110,14 @@ class Bench:
 
     @property
     def machine(self) -> str:
-        """The processor, its usable cores, and the GPUs that rows ran on. Old results name no family and model."""
+        """Returns the processor, its usable cores, and the GPUs of the rows. Old results lack family and model."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
         which = [f"machine {self.number}"] if self.number else []
         return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus, *which])
 
     def same_machine(self, other: Bench) -> bool:
-        """Of two results whose machine has one name, by the rule of bench/platforms.h."""
+        """Compares two results with one machine name by the rule of bench/platforms.h."""
         mine, others = (bench.environment["cpu"] for bench in (self, other))
         known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
         if any(mine[key] != others[key] for key in known):
@@ -134,23 +134,23 @@ class Bench:
 
     @property
     def size(self) -> str:
-        """Of the pictures that were timed."""
+        """Returns the size of the timed pictures."""
         settings = [row.setting for row in self.rows if row.timed]
         return ", ".join(dict.fromkeys(f"{s['width']} x {s['height']}" for s in settings))
 
     def rank(self) -> tuple[int, int]:
-        """Backends that were timed, and launches."""
+        """Returns the number of timed backends, and of runs."""
         return len(self.values("backend")), self.data["launches"]
 
     def ratio(self, question: str, numerator: Row) -> Times | None:
-        """A row's ratio of kernel times, paired by round; None where the file does not have it."""
+        """Returns a row's ratio of kernel times, paired by round, or None if the file lacks it."""
         for entry in self.data["questions"].get(question, []):
             if entry["numerator"] == numerator.name and entry["ratio"]["count"]:
                 return Times.of(entry["ratio"])
         return None
 
     def to_first_point(self, row: Row) -> Times | None:
-        """A row of a sweep over the sweep's first; older builds of bench state no such ratios."""
+        """Returns the ratio of a sweep's row to the first one; computed for older files, which lack it."""
         if (found := self.ratio("to_first_point", row)) is not None:
             return found
         alike = ("fractal", "precision", "mode", "backend", "device")
@@ -158,7 +158,7 @@ class Bench:
         return Times(row.kernel.median / first.kernel.median, None, None, 1) if first.timed and first is not row else None
 
     def others_to_host(self) -> list[dict[str, Any]]:
-        """Other backends' kernel times over the host's, where the rows share rounds; older builds of bench state none."""
+        """Returns other backends' kernel times over the host's, if they share rounds; older files have none."""
         return [entry for entry in self.data["questions"].get("others_to_host", []) if entry["ratio"]["count"]]
 
     def host_wins(self) -> bool:
@@ -166,13 +166,14 @@ class Bench:
         return bool(others) and all(entry["ratio"]["median"] > 1 for entry in others)
 
     def values(self, key: str) -> list[str]:
-        """The distinct values of a field of the timed rows, in the file's order."""
+        """Returns the distinct values of a field among the timed rows, in the file's order."""
         return list(dict.fromkeys(row.data[key] for row in self.rows if row.timed))
 
 
 @functools.cache
 def _validator(part: str = "", kind: str = "") -> jsonschema.Draft202012Validator:
-    """For a whole result, for a list of one of the schema's definitions, or for another kind of file that bench writes."""
+    """Validator for a whole result, for a list of one of the schema's definitions, or for another kind of file from
+    bench."""
     file = SCHEMA_FILE.parent / "schemas" / f"{kind}.schema.json" if kind else SCHEMA_FILE
     schema = json.loads(file.read_text(encoding="utf-8"))
     if part:
@@ -189,19 +190,20 @@ def _check(name: str, data: Any, part: str = "", kind: str = "") -> None:
 
 
 def checked(name: str, data: dict[str, Any], kind: str) -> dict[str, Any]:
-    """The data of a file that bench wrote, if it follows the schema of its kind. Raises InputError with one line."""
+    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
+    line."""
     _check(name, data, kind=kind)
     return data
 
 
 def read_portability(name: str, data: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """What `bench portability --json` writes: the metric over the platforms of several results."""
+    """Returns the output of `bench portability --json`: the metric over the platforms of several results."""
     _check(name, data, "portability")
     return data
 
 
 def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
-    """Checks a result against its schema; raises InputError with one line."""
+    """Checks a result against its schema. Raises InputError with one line."""
     if data.get("version") != VERSION:
         raise InputError(f"{name}: version {data.get('version')} of a result of bench, expected {VERSION}; run bench again")
     _check(name, data)

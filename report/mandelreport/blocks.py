@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a section is made of: figures, tables, and notes where there is no data. The templates' macro `show` prints each."""
+"""Contents of a section: figures, tables, and notes for missing data. The templates' macro `show` prints each."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def data_uri(kind: str, data: bytes) -> str:
 
 @dataclass(frozen=True)
 class Figure:
-    """`source`: a data URI; `alt`: what the picture shows, for those who do not see it; `see`: what to see in it."""
+    """`source`: a data URI; `alt`: description for readers who cannot see it; `see`: what to notice in it."""
 
     source: str
     alt: str
@@ -26,7 +26,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """`numbers`: the columns that are set flush right."""
+    """`numbers`: the right-aligned columns."""
 
     headers: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -37,7 +37,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Missing:
-    """A part that has no data yet, and the command that makes it."""
+    """A part without data, and the command that produces the data."""
 
     what: str
     command: str

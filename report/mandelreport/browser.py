@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A headless Chromium, driven over its debugging protocol: for the PDF and for looking at the page."""
+"""Headless Chromium, controlled over its debugging protocol: makes the PDF and checks the page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .errors import Unavailable
 
 START_SECONDS = 60
 NAMES = ("chromium", "chromium-browser", "google-chrome")
-# WebGL 2 without a GPU: SwiftShader computes it on the processor.
+# WebGL 2 without a GPU: SwiftShader renders on the processor.
 OPTIONS = [
     "--headless=new",
     "--disable-gpu-sandbox",
@@ -37,14 +37,14 @@ OPTIONS = [
 
 
 class Browser:
-    """One page. `events`: everything that the browser said, in order."""
+    """One page. `events`: all events from the browser, in order."""
 
     def __init__(self, *options: str):
         program = next((found for name in NAMES if (found := shutil.which(name))), None)
         if program is None:
             raise Unavailable("no chromium: report/setup installs it; --no-pdf makes the page only")
         self.folder = tempfile.mkdtemp(prefix="mandelreport-")
-        # Its sandbox refuses root.
+        # Chromium's sandbox does not work as root.
         root = ["--no-sandbox"] if os.geteuid() == 0 else []
         self.process = subprocess.Popen(
             [program, *OPTIONS, *root, *options, f"--user-data-dir={self.folder}", "about:blank"],
@@ -60,7 +60,7 @@ class Browser:
             raise
 
     def _address(self) -> str:
-        """Of the page's socket, as soon as there is one."""
+        """Waits for the page's socket and returns its address."""
         port_file = Path(self.folder) / "DevToolsActivePort"
         end = time.monotonic() + START_SECONDS
         while time.monotonic() < end:
@@ -91,7 +91,7 @@ class Browser:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def call(self, method: str, **parameters: Any) -> dict[str, Any]:
-        """One command of the protocol and its answer."""
+        """Sends one command of the protocol and returns its answer."""
         number = next(self.numbers)
         self.socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
         while True:
@@ -103,14 +103,14 @@ class Browser:
             self.events.append(message)
 
     def open(self, page: Path) -> None:
-        """Opens a file and waits until it is loaded."""
+        """Opens a file and waits until it has loaded."""
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
         self.call("Page.navigate", url=page.absolute().as_uri())
         self.wait("document.readyState === 'complete'", 120)
 
     def run(self, expression: str) -> Any:
-        """The value of a JavaScript expression; promises are waited for."""
+        """Returns the value of a JavaScript expression; waits for promises."""
         answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in answer:
             details = answer["exceptionDetails"]
@@ -118,7 +118,7 @@ class Browser:
         return answer["result"].get("value")
 
     def wait(self, expression: str, seconds: float) -> bool:
-        """Until the expression is true, at most so long."""
+        """Waits until the expression is true, at most for `seconds`. Returns false on timeout."""
         end = time.monotonic() + seconds
         while not self.run(expression):
             if time.monotonic() > end:
@@ -130,7 +130,7 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def screenshot(self, whole: bool = False) -> bytes:
-        """PNG of what is seen, or of the whole page."""
+        """Returns a PNG of the visible part, or of the whole page."""
         options: dict[str, Any] = {"format": "png"}
         if whole:
             area = self.call("Page.getLayoutMetrics")["cssContentSize"]
@@ -141,7 +141,7 @@ class Browser:
         return base64.b64decode(self.call("Page.captureScreenshot", **options)["data"])
 
     def pdf(self) -> bytes:
-        """The page on paper, as its style sheet for print says."""
+        """Returns the page as PDF, with its print style sheet."""
         answer = self.call(
             "Page.printToPDF",
             printBackground=True,
@@ -152,7 +152,7 @@ class Browser:
         return base64.b64decode(answer["data"])
 
     def problems(self) -> list[str]:
-        """Errors of scripts, of the console, and every request that is not for this page or its data."""
+        """Returns errors of scripts and of the console, and requests other than for this page or its data."""
         found = []
         for event in self.events:
             what, about = event.get("method"), event.get("params", {})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python -m mandelreport.check PAGE: looks at the page in a headless browser, as a reader would.
+"""python -m mandelreport.check PAGE: checks the page in a headless browser.
 
-Exit codes: 0 fine, 1 something is wrong, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""
+Exit codes: 0 success, 1 a fault, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
 PAPER = 680  # pixels: A4 without its margins
 MOST_PAGES = 12
 SECTIONS = 1 + len(MAIN) + len(APPENDIX)
-VIEWER_SECONDS = 300  # for a picture on a processor
+VIEWER_SECONDS = 300  # per picture, on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
-MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # share of pixels visibly off bin/render's
-CLOSE = 1e-6  # relative: the fields of the scene, which are rounded to float once
-# The picture is the same without the hull, and float takes no differences.
+MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # fraction of pixels that may differ visibly from bin/render's
+CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
+# Fields that differ on purpose: the picture is the same without the hull, and float uses no differences.
 VIEWERS_OWN = ("hull", "difference_step")
-# Parameters beside the official ones: by fractal, the values of sliders.
+# Additional parameters: by fractal, the values of sliders.
 ODD: dict[str, list[dict[str, float]]] = {
     "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
     "mandelbox": [{"shape.0": -1.5}],
@@ -42,7 +42,7 @@ ODD: dict[str, list[dict[str, float]]] = {
 
 
 def differing_fields(mine: dict[str, Any], printed: dict[str, Any]) -> list[str]:
-    """The fields that the viewer has another value for than bin/render --print-scene."""
+    """Returns the fields with values other than those of bin/render --print-scene."""
 
     def same(a: Any, b: Any) -> bool:
         if isinstance(a, list):
@@ -66,7 +66,7 @@ class Checker:
         write_whole(self.pictures / f"{name}.png", self.browser.screenshot(whole))
 
     def page(self) -> None:
-        """Nothing is broken, nothing sticks out of a narrow window, every picture has a text."""
+        """Checks that nothing is broken, nothing overflows a narrow window, and every picture has a description."""
         run = self.browser.run
         run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
         self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture is decoded")
@@ -84,7 +84,7 @@ class Checker:
         self.browser.size(*DESKTOP)
 
     def paper(self) -> None:
-        """On paper nothing sticks out, which would shrink every page, and the main part is short."""
+        """Checks that nothing overflows on paper, which would shrink all pages, and that the main part is short."""
         run, call = self.browser.run, self.browser.call
         call("Emulation.setEmulatedMedia", media="print")
         self.browser.size(PAPER, 1000)
@@ -114,7 +114,7 @@ class Checker:
         self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
         run("document.querySelector('.compare').scrollIntoView()")
         self.shot("slider")
-        # The first pictures of a scene have the same bytes where every backend agrees.
+        # The first pictures of a scene have the same bytes if all backends agree.
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
         same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)
@@ -156,7 +156,7 @@ class Checker:
             s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
 
     def _against_render(self, fractal: str, mode: str, name: str) -> None:
-        """The viewer's picture, and its scene, beside what bin/render draws from the parameter file that it hands out."""
+        """Compares the viewer's picture and scene with those of bin/render for the viewer's parameter file."""
         seen = base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2])
         write_whole(self.pictures / f"{name}.png", seen)
         dat = self.pictures / f"{name}.dat"
@@ -166,7 +166,7 @@ class Checker:
             print(f"no {render}: the viewer's picture is not compared")
             return
         drawn = self.pictures / f"{name}-render.png"
-        # The viewer makes no trial.
+        # The viewer makes no trial render.
         command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
         printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
         if printed.returncode == 0:
@@ -190,7 +190,7 @@ class Checker:
             )
 
     def _fly(self) -> None:
-        """Keys move the camera, a drag turns it, and a parameter file goes back in."""
+        """Checks that keys move the camera, a drag turns it, and a parameter file is read back."""
         run = self.browser.run
         run("document.getElementById('viewer-canvas').focus()")
         before = run("JSON.stringify(Viewer.camera())")
@@ -230,7 +230,7 @@ class Checker:
 
 
 def without_webgl(page: Path, checker: Checker) -> None:
-    """The page says so where there is no WebGL 2."""
+    """Checks that the page says so if there is no WebGL 2."""
     with Browser("--disable-3d-apis") as browser:
         browser.open(page)
         checker.expect(
@@ -244,7 +244,7 @@ BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/non
 
 
 def broken_twin(checker: Checker) -> None:
-    """What this check must see: an error that was thrown, one that was said, and a request."""
+    """Negative control: an uncaught error, a logged error and a request must be detected."""
     page = checker.pictures / "broken.html"
     write_whole(page, BROKEN.encode())
     with Browser() as browser:

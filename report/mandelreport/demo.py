@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python3 -m mandelreport.demo: one page of what bin/demo drew: pictures, differences, times, a film and the viewer.
+"""python3 -m mandelreport.demo: makes one page of bin/demo's results: pictures, differences, times, a film and the
+viewer.
 
-Needs no package but Jinja. Exit codes: 0 fine, 1 a file cannot be written, 2 wrong arguments or bad input."""
+Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2 wrong arguments or bad input."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ LARGEST = 20 * 2**20  # bytes of the page
 
 @dataclass
 class Picture:
-    """Pictures with the same bytes are stored once. `rows`: those of the table that drew it."""
+    """A picture, stored once for all with the same bytes. `rows`: rows of the table with this picture."""
 
     name: str  # in the page
     source: str
@@ -60,7 +61,8 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
 
 
 def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The times of each precision and mode, as shares of the longest; the reference's are too long for bars."""
+    """Returns the times of each precision and mode as fractions of the longest; the reference's times are too long for
+    bars."""
     timed = [row for row in rows if row["drawn"] and row["fine"] and row["said"] != "yardstick"]
     longest = max((row["wall_seconds"] for row in timed), default=1.0)
     kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
@@ -100,7 +102,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def live(programs: Path, work: Path) -> dict[str, Any]:
-    """The viewer's values, or why there is none."""
+    """Returns the viewer's values, or the reason why there is no viewer."""
     absent = missing_tools()
     if absent:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "make demo")}

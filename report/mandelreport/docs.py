@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Passages of the project's own documentation, so that the report cites and does not repeat it."""
+"""Passages of the project's documentation that the report quotes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .pictures import ROOT
 
 def _html(text: str) -> Markup:
     html = markdown.markdown(text, extensions=["tables", "sane_lists"], output_format="html")
-    # Links of the documentation lead to files that this page does not have beside it.
+    # The page lacks the files that the documentation links to.
     return Markup(re.sub(r'<a href="(?!https?:)[^"]*">(.*?)</a>', r"\1", html, flags=re.S))
 
 
@@ -26,7 +26,7 @@ def _read(file: str) -> str:
 
 
 def paragraph(file: str, title: str) -> Markup:
-    """The paragraph that begins with **title.** without that title."""
+    """Returns the paragraph that begins with **title.**, without that title."""
     found = re.search(rf"^\*\*{re.escape(title)}\.\*\* (.*?)(?=\n\n|\Z)", _read(file), re.M | re.S)
     if not found:
         raise InputError(f"{file}: no paragraph begins with **{title}.**, which the report cites")
@@ -34,9 +34,9 @@ def paragraph(file: str, title: str) -> Markup:
 
 
 def chapter(file: str, title: str) -> Markup:
-    """What stands under the heading `title`, up to the next heading of its level or above."""
+    """Returns the text under the heading `title`, up to the next heading of its level or above."""
     found = re.search(rf"^(#+) {re.escape(title)}\n(.*?)(?=^#{{1,2}} |\Z)", _read(file), re.M | re.S)
     if not found:
         raise InputError(f"{file}: no heading '{title}', which the report cites")
-    # Words in capitals alone in a line keep a place for what a later change fills in.
+    # Lines of capitals alone are placeholders for later changes.
     return _html(re.sub(r"^[A-Z_]+$", "", found[2], flags=re.M))

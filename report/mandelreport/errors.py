@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Failures that have one clear line, and output files that appear whole."""
+"""Failures described by one line, and output files that are written completely or not at all."""
 
 import os
 from pathlib import Path
@@ -10,11 +10,11 @@ class InputError(Exception):
 
 
 class Unavailable(Exception):
-    """A tool that is not there. Exit code 77."""
+    """A missing tool. Exit code 77."""
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Writes beside the target and renames, so that no reader ever sees half a file."""
+    """Writes next to the target and renames, so that readers never see a partial file."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(path.name + ".part")
     try:

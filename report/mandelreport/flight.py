@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What flythrough writes for the report: maps, audits, and summaries of films."""
+"""Output of flythrough for the report: maps, audits, and summaries of films."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SERIES = ("x", "y", "z", "clearance", "turn")
 
 @dataclass(frozen=True)
 class FlightMap:
-    """Balls and gates as (x, y, z, clearance); the series have one number a frame; turns are in degrees."""
+    """Balls and gates as (x, y, z, clearance); series have one value per frame; turns are in degrees."""
 
     name: str
     data: dict[str, Any]
@@ -27,7 +27,7 @@ class FlightMap:
 
     @property
     def hull(self) -> float:
-        """Half the cube's edge, or the sphere's radius."""
+        """Returns half the cube's edge, or the sphere's radius."""
         return self.data["hull"]["size"]
 
     def series(self, key: str) -> list[float]:
@@ -35,7 +35,7 @@ class FlightMap:
 
     @property
     def seconds(self) -> list[float]:
-        """The time of each frame."""
+        """Returns the time of each frame."""
         return [i / self.data["frames_per_second"] for i in range(len(self.data["x"]))]
 
 
@@ -51,7 +51,7 @@ class Audit:
 
 @dataclass(frozen=True)
 class Film:
-    """`seconds`: of making `rendered` frames; `device` as flythrough named it, or the backend's line of a log."""
+    """`seconds`: time to render `rendered` frames; `device`: as named by flythrough, or the backend's line of a log."""
 
     name: str
     fractal: str
@@ -127,7 +127,8 @@ def read_film(name: str, data: dict[str, Any]) -> Film:
 
 
 def film_of_log(name: str, text: str) -> Film | None:
-    """The film whose making a log of flythrough's stderr tells; None if the log ends before the film is complete."""
+    """Returns the film described by a log of flythrough's stderr, or None if the log ends before the film is
+    complete."""
     done = re.search(r"^film: (\d+) of (\d+) segments rendered in ([\d.]+) s by (\d+) process", text, re.M)
     frames = re.search(r"^(\w+), seed \d+, (\d+) frames", text, re.M)
     if not done or not frames or done[1] != done[2]:

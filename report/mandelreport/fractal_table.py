@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The programs' table of fractals (bin/render --list-fractals --json) as JavaScript, for the viewer."""
+"""Converts the table of fractals (bin/render --list-fractals --json) to JavaScript for the viewer."""
 
 from __future__ import annotations
 
 import json
 from typing import Any
 
-INPUTS = "(shape, escape, iterations, largest, conservative)"  # of every formula (core/scene/formula.h)
+INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
 
 
 def _row(row: dict[str, Any]) -> str:
@@ -21,7 +21,7 @@ def _row(row: dict[str, Any]) -> str:
 
 
 def script(table: dict[str, Any], names: list[str] | None = None) -> str:
-    """An expression: `rules`, which hold of every scene, and `rows` by name, with formulas as functions."""
+    """Returns an expression: `rules`, for all scenes, and `rows` by name, with formulas as functions."""
     rows = {row["name"]: _row(row) for row in table["fractals"] if names is None or row["name"] in names}
     body = ",\n".join(f"{json.dumps(name)}: {row}" for name, row in rows.items())
     return (

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Counts the comparisons of a study that are decided, all of them together at 5 %: Student's t of the launches' ratios, and Holm's
-correction for their number, as bench compare and duel do it."""
+"""Counts the decided comparisons of a study, at 5 % for all together: Student's t on the ratios of the runs, and Holm's
+correction for their number, as in bench compare and duel."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ POINTS = 2000  # of the integral
 
 
 def both_tails(t: float, freedom: int) -> float:
-    """The probability that |Student's t| is at least |t|. With t = sqrt(freedom) tan(x) the density is a cosine's power."""
+    """Returns the probability that |Student's t| is at least |t|. With t = sqrt(freedom) tan(x) the density is a power
+    of the cosine."""
 
     def integral(begin: float) -> float:
         width = (math.pi / 2 - begin) / POINTS
@@ -23,7 +24,8 @@ def both_tails(t: float, freedom: int) -> float:
 
 
 def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
-    """The p-value of one ratio, paired by round, for launches' medians that differ from 1 by chance; 1 unless it is above 1."""
+    """Returns the p-value of one ratio, paired by round, if the runs' medians differed from 1 by chance; 1 unless it is
+    above 1."""
     above, below = (
         {(s["launch"], s["round"]): s["kernel"] for row in data["rows"] if row["name"] == entry[end] for s in row["samples"]}
         for end in ("numerator", "denominator")
@@ -39,7 +41,7 @@ def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
 
 
 def greater(data: dict[str, Any], entries: list[dict[str, Any]]) -> int:
-    """Counts the ratios that are above 1 with Holm's correction."""
+    """Counts the ratios above 1, with Holm's correction."""
     p_values = sorted(_p_greater(data, entry) for entry in entries)
     missed = [k for k, p in enumerate(p_values) if p > LEVEL / (len(p_values) - k)]
     return missed[0] if missed else len(p_values)

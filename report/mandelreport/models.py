@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cost of a programming model: its rows beside the same kernel source as plain scalar C++, with the same work, thread for thread."""
+"""Cost of a programming model: its time over that of openmp's scalar kernel for the same work, per thread."""
 
 from __future__ import annotations
 
@@ -15,48 +15,49 @@ from .bench import Bench, Row
 from .text import where
 from .trace import Place, Trace
 
-SCALAR = "pack=1"  # the point of the scalar text's rows
-DRIVERS = ("opencl", "vulkan", "cuda")  # drivers compile and distribute the work, on a number of threads unknown to rows
-SAME_WORK = 1e-3  # in fast mode counts differ in the last digits
+SCALAR = "pack=1"  # sweep value of the scalar kernel's rows
+DRIVERS = ("opencl", "vulkan", "cuda")  # these drivers compile and distribute the work, on an unknown number of threads
+SAME_WORK = 1e-3  # in fast mode the last digits of counts differ
 
 
 def one_thread(row: Row) -> bool:
-    """A backend that leaves the host's other cores idle."""
+    """Returns true if a backend leaves the host's other cores idle."""
     return row.threads == 1 and not row.is_gpu and row.backend not in DRIVERS
 
 
 def label(row: Row) -> str:
-    """The name of a row of the standard study in tables and charts."""
+    """Returns the name of a standard study's row in tables and charts."""
     scalar = ", scalar" if row.point == SCALAR else ""
     return f"{where(row)}{scalar}{' (1 thread)' if one_thread(row) else ''}"
 
 
 def scalar_text(bench: Bench, row: Row, host: str) -> Row | None:
-    """The scalar text's row for a row's fractal, precision and mode."""
+    """Returns the scalar kernel's row for a row's fractal, precision and mode."""
     kind = ("fractal", "precision", "mode")
     rows = (Row(data) for data in bench.data["rows"] if data["backend"] == host and data["point"] == SCALAR)
     return next((r for r in rows if r.timed and all(r.data[key] == row.data[key] for key in kind)), None)
 
 
 def work_over_scalar(bench: Bench, row: Row, host: str) -> float | None:
-    """A row's counted operations over the scalar text's; None if either is not counted."""
+    """Returns a row's counted operations over the scalar kernel's; None if either is not counted."""
     scalar = scalar_text(bench, row, host)
     return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 
 
 def traced_work(trace: Trace, file: str, name: str, over: str) -> Markup:
-    """A row's counted operations over another row's."""
+    """Returns a row's counted operations over another row's."""
     above, below = (Place((file,), f"rows:name={of}:operations") for of in (name, over))
     return trace.number(above, over=below)
 
 
 def with_scalar(bench: Bench, reference: str) -> list[Row]:
-    """All timed rows but the reference's: the scalar text's among them, which Bench.rows leaves out."""
+    """Returns all timed rows except the reference's, including the scalar kernel's, which Bench.rows leaves out."""
     return [row for row in map(Row, bench.data["rows"]) if row.timed and row.backend != reference]
 
 
 def ranked(rows: list[Row]) -> list[str]:
-    """The labels of rows, the fastest first: by the mean, over fractals, precisions and modes, of the kernel time's logarithm."""
+    """Returns the labels of rows, fastest first: by the mean logarithm of the kernel time over fractals, precisions and
+    modes."""
     best: dict[tuple[str, ...], float] = {}
     for row in rows:
         kind = (row.fractal, row.precision, row.mode)
@@ -68,12 +69,12 @@ def ranked(rows: list[Row]) -> list[str]:
 
 
 class Costs:
-    """`speeds`: for each backend, the rows that do the scalar text's work without the program's SIMD, and their speeds
-    over the scalar text, thread for thread."""
+    """`speeds`: for each backend, the rows that do the scalar kernel's work without explicit SIMD, and their speeds
+    over the scalar kernel, per thread."""
 
     def __init__(self, bench: Bench, backends: Backends):
         self.bench, self.host = bench, backends.host
-        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}  # speed, the scalar text's threads over the row's, row
+        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}  # speed, scalar kernel's threads / row's, row
         for row in bench.rows:
             work = work_over_scalar(bench, row, self.host) if row.timed else None
             if work is None or abs(work - 1) > SAME_WORK or row.pack != 1 or row.backend in (self.host, *DRIVERS):
@@ -89,7 +90,8 @@ class Costs:
         return trace.with_interval(self.bench.name, at, f"{at}_interval", scale=threads)
 
     def answer(self, trace: Trace) -> dict[str, Any] | None:
-        """The slowest and fastest case of each model; models on all of the scalar text's threads precede those on one."""
+        """Returns the slowest and fastest case of each model; models on all of the scalar kernel's threads come before
+        those on one."""
         groups: dict[str, list[dict[str, Any]]] = {}
         for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
             words = "on one thread, compared thread for thread" if speeds[0][1] > 1 else "On as many threads"

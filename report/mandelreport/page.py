@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page: sections and templates into one HTML text."""
+"""Combines sections and templates into one HTML page."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from . import sections, viewer
 from .sections import Material, front
 
 FOLDER = Path(__file__).parents[1]
-# Name, of the module, the template and the place in the page, and title. The front page comes before both.
+# Name (of the module, the template and the anchor) and title. The front page comes before both lists.
 MAIN = [
     ("method", "What was measured, and how"),
     ("same", "The same picture everywhere"),
@@ -57,18 +57,18 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
 
 
 def front_page(material: Material) -> str:
-    """The front page alone."""
+    """Returns the front page alone."""
     return environment().get_template("front.html.j2").render(s=front.section(material))
 
 
 def sections_of(material: Material, names: list[str]) -> str:
-    """These sections of the main part alone."""
+    """Returns these sections of the main part alone."""
     contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
     return "".join(environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
 
 
 def render(material: Material) -> str:
-    """The whole page. The same results and programs give the same text."""
+    """Returns the whole page, reproducibly for the same results and programs."""
     return environment().get_template("page.html.j2").render(
         front=front.section(material),
         main=_contents(material, MAIN),

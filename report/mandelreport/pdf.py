@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page on paper. Chromium prints it: it knows the page's figures, grids and @page rules, margins and numbers included."""
+"""Prints the page with Chromium, which supports the page's figures, grids and @page rules with margins and page
+numbers."""
 
 from __future__ import annotations
 
@@ -11,6 +12,6 @@ from .browser import Browser
 def print_page(page: Path) -> bytes:
     with Browser() as browser:
         browser.open(page)
-        # Pictures that are not seen are not decoded before.
+        # Decode all pictures, including those that are not visible.
         browser.run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
         return browser.pdf()

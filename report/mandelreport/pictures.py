@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the official scenes on every backend with the programs that are built, once for each program, scene and setting."""
+"""Renders the official scenes on every backend with the built programs, once for each program, scene and setting."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from PIL import Image
 
 from .errors import InputError, write_whole
 
-SIDE = 540  # pixels: the size that bench proves and times
+SIDE = 540  # pixels; the size that bench verifies and times
 ROOT = Path(__file__).parents[2]
 SCENES = {"mandelbulb": ROOT / "paramsBulb.dat", "mandelbox": ROOT / "paramsBox.dat"}
-UNAVAILABLE = 77  # exit code: backend or device not there
+UNAVAILABLE = 77  # exit code: backend or device not available
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Key:
 
 @dataclass(frozen=True)
 class Picture:
-    """`values`: the EXR of an exact picture, whose bits of colour and depth imgdiff compares."""
+    """`values`: the EXR of an exact picture, for imgdiff's comparison of all bits of colour and depth."""
 
     key: Key
     device: str
@@ -51,7 +51,7 @@ class Picture:
 
 
 class Cache:
-    """Files of an earlier run, named by a digest of all that they depend on."""
+    """Files of earlier calls, named by a digest of all their inputs."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -62,7 +62,7 @@ class Cache:
         return self.folder / (digest + ending)
 
     def value(self, make: Any, *parts: object) -> Any:
-        """What `make()` returned for these parts, now or in an earlier run, as JSON."""
+        """Returns the result of `make()` for these parts, stored as JSON."""
         path = self.path(".json", *parts)
         if not path.exists():
             write_whole(path, json.dumps(make()).encode())
@@ -70,7 +70,7 @@ class Cache:
 
 
 class Studio:
-    """Draws with bin/render. `reasons`: why a backend drew nothing; `failures`: where that was its device's fault."""
+    """Renders with bin/render. `reasons`: why a backend has no picture; `failures`: those caused by its device."""
 
     def __init__(self, programs: Path, cache: Cache):
         self.render = programs / "render"
@@ -86,7 +86,7 @@ class Studio:
 
     @functools.cached_property
     def backends(self) -> list[str]:
-        """The backends of bin/render, in its order."""
+        """Returns the backends of bin/render, in its order."""
         if not self.there:
             return []
         run = subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False)
@@ -94,7 +94,7 @@ class Studio:
 
     @functools.cached_property
     def fractals(self) -> dict[str, Any] | None:
-        """The programs' table of fractals, with the formulas of their constants; None without programs."""
+        """Returns the programs' table of fractals, with the formulas of their constants; None without programs."""
         if not self.there:
             return None
         run = subprocess.run([self.render, "--list-fractals", "--json"], capture_output=True, text=True, check=False)
@@ -103,7 +103,7 @@ class Studio:
         return json.loads(run.stdout)
 
     def _draw(self, key: Key, ending: str) -> Path | None:
-        """A file that bin/render wrote; None where the backend cannot draw it."""
+        """Returns a file rendered by bin/render; None if the backend cannot render it."""
         scene = SCENES[key.fractal]
         target = self.cache.path(ending, self.program, scene.read_text(encoding="utf-8"), key, SIDE)
         refused = target.with_suffix(ending + ".refused")
@@ -137,7 +137,7 @@ class Studio:
             if run.returncode == UNAVAILABLE:
                 write_whole(refused, (lines[-1] if lines else "unavailable").encode())
             elif run.returncode != 0:
-                # Another run may have more luck: nothing is kept.
+                # Not cached, as a later attempt may succeed.
                 self.failures[key] = self.reasons[key] = lines[-1] if lines else f"exit code {run.returncode}"
                 return None
         if refused.exists():
@@ -155,7 +155,7 @@ class Studio:
             return Picture(key, stats["device"]["name"], numpy.asarray(image.convert("RGB")), values)
 
     def all(self, backends: Iterable[str]) -> list[Picture]:
-        """Every picture of these backends that can be drawn here, in the order of the report."""
+        """Returns every picture that these backends can render here, in the order of the report."""
         if not self.there:
             return []
         keys = [
@@ -168,7 +168,7 @@ class Studio:
         return [picture for key in keys if (picture := self.picture(key)) is not None]
 
     def same_bits(self, a: Picture, b: Picture) -> bool:
-        """True if every bit of colour and depth is the same, as imgdiff finds."""
+        """Returns true if imgdiff finds all bits of colour and depth to be the same."""
 
         of_a, of_b = a.values, b.values
 
@@ -187,5 +187,5 @@ class Studio:
 
 
 def clear(folder: Path) -> None:
-    """Forgets all pictures drawn before."""
+    """Deletes all cached pictures."""
     shutil.rmtree(folder, ignore_errors=True)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pennycook's metric, for the backends that were asked on every platform of H: what was not measured is not unsupported."""
+"""Pennycook's metric, for backends that were selected on every platform of H: not measured does not mean
+unsupported."""
 
 from __future__ import annotations
 
@@ -10,12 +11,12 @@ from .bench import Bench
 
 
 def platforms(entries: list[dict[str, Any]]) -> list[str]:
-    """H: every platform that some entry names."""
+    """Returns H: every platform that some entry names."""
     return list(dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"]))
 
 
 def _asked(platform: str, benches: Iterable[Bench]) -> set[str]:
-    """The backends that have a row in a result of this platform, even one without a time."""
+    """Returns the backends with a row in a result of this platform, timed or not."""
     asked = set()
     for bench in benches:
         own = {row["platform"] for row in bench.data["rows"] if row["figures"] is not None}
@@ -25,7 +26,8 @@ def _asked(platform: str, benches: Iterable[Bench]) -> set[str]:
 
 
 def measured(entries: list[dict[str, Any]], benches: Iterable[Bench]) -> tuple[list[dict[str, Any]], dict[str, list[str]]]:
-    """The entries of backends that were asked for on all platforms; for every other one, the platforms without it."""
+    """Returns the entries of backends that were selected on all platforms; for each other one, the platforms without
+    it."""
     benches = list(benches)
     asked = {platform: _asked(platform, benches) for platform in platforms(entries)}
     missing: dict[str, list[str]] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The result of `bench random`: how near fast pictures of random scenes come to the canonical ones."""
+"""The result of `bench random`: error of fast pictures of random scenes against the canonical ones."""
 
 from __future__ import annotations
 

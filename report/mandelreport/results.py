@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds what there is: every file below the results folder is known by its content, not by its name."""
+"""Finds all files below the results folder and identifies their kind by their content, not by their name."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .random_scenes import read_random
 
 @dataclass
 class Results:
-    """All result files, each kind in the order of the files' names. `files`: what each holds, by its name."""
+    """All result files, each kind in the order of the file names. `files`: content of each, by name."""
 
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
@@ -41,15 +41,15 @@ class Results:
         return [bench for bench in self.benches if bench.study == name]
 
     def backends(self, others: Iterable[str] = ()) -> Backends:
-        """All that any result or `others` name: in the order of the result that knows most, then as they come."""
+        """Returns all backends of the results and `others`: in the order of the result with the most, then as found."""
         lists = sorted((bench.environment["backends"] for bench in self.benches), key=len, reverse=True)
         rows = [row.backend for bench in self.benches for row in bench.rows]
         applications = [entry["application"] for entry in self.portability or []]
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
     def whole(self) -> list[Bench]:
-        """The standard studies that compare backends: three of the text at least, or as many as any has. A file need not
-        have every backend that another has: some take too long for large pictures."""
+        """Returns the standard studies that compare backends: at least three that use the kernel, or as many as any
+        has. A file need not have every backend of the others: some take too long for large pictures."""
         standard = self.study("standard")
         reference = self.backends().reference
         compared = {id(bench): len({*bench.values("backend")} - {reference}) for bench in standard}
@@ -57,8 +57,8 @@ class Results:
         return [bench for bench in standard if compared[id(bench)] >= enough]
 
     def machines(self) -> list[Bench]:
-        """One of those a machine, all of one size: that which most machines share. Else machines would be compared by
-        different pictures."""
+        """Returns one of these studies per machine, all of the size that most machines share, so that machines are
+        compared by the same pictures."""
         by_size: dict[str, dict[str, Bench]] = {}
         for bench in self.whole():
             chosen = by_size.setdefault(bench.size, {})
@@ -67,11 +67,11 @@ class Results:
         return list(max(by_size.values(), key=len, default={}).values())
 
     def primary(self) -> Bench | None:
-        """The standard study that the report is mostly about: of the whole ones that with the most launches."""
+        """Returns the main study of the report: the complete standard study with the most runs."""
         return max(self.whole(), key=Bench.rank, default=None)
 
     def host_compilers(self) -> list[str]:
-        """Compilers of C++ for the host in the standard studies, by name without version."""
+        """Returns the C++ compilers of the host in the standard studies, by name without version."""
         built = [b["compiler"] for bench in self.study("standard") for b in bench.environment["backends"]]
         return list(dict.fromkeys(name for compiler in built if (name := compiler.split()[0] if compiler else "") in ("GNU", "Clang")))
 
@@ -79,7 +79,7 @@ class Results:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
     def name_of(self, data: Any) -> str:
-        """The file that holds exactly this."""
+        """Returns the name of the file with exactly this content."""
         return next(name for name, held in self.files.items() if held is data)
 
 
@@ -106,7 +106,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
     elif kind.get("schema") == FILM_SCHEMA:
         results.films.append(read_film(name, data))
     elif kind.get("schema") in ("mandelmarch-explore", "mandelmarch-duel"):
-        pass  # docs/explore.md's, and the log's
+        pass  # from docs/explore.md and the log
     elif "promises_kept" in kind:
         results.audits.append(read_audit(name, data))
     else:
@@ -126,7 +126,7 @@ def _add_text(results: Results, name: str, text: str) -> None:
 
 
 def _told_apart(benches: list[Bench]) -> list[Bench]:
-    """Machines of one name that are not the same get numbers."""
+    """Numbers different machines that share a name."""
     machines: dict[str, list[Bench]] = {}  # the first result of each, by name
     numbers = []
     for bench in benches:
@@ -140,7 +140,7 @@ def _told_apart(benches: list[Bench]) -> list[Bench]:
 
 
 def read_results(folder: Path) -> Results:
-    """Reads every result below `folder`. Raises InputError for a file that is broken or of another version."""
+    """Reads every result below `folder`. Raises InputError for a broken file or another version."""
     if not folder.is_dir():
         raise InputError(f"{folder}: no folder of results, expected one with the files that make bench writes")
     results = Results()

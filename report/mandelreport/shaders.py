@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The viewer's shaders: the kernel text as GLSL ES 3.00, through glslang and spirv-cross."""
+"""The viewer's shaders: the kernel source as GLSL ES 3.00, through glslang and spirv-cross."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 ROOT = Path(__file__).parents[2]
 FLATTEN = ROOT / "report" / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
-# The kernel text of each fractal. The environment names further folders as the build's option of that name does.
+# Folders of kernel sources. The environment adds folders, like the build option of the same name.
 FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
 TEXTS = {path.stem: path.resolve() for folder in FOLDERS for path in sorted(folder.glob("*.h"))}
 
@@ -31,11 +31,11 @@ def _run(*command: object) -> None:
 
 
 def shader(fractal: str, work: Path) -> str:
-    """The fragment shader of one fractal; `work`: a folder for the files in between."""
+    """Returns the fragment shader of one fractal; `work`: a folder for intermediate files."""
     work.mkdir(parents=True, exist_ok=True)
     text, module, result = (work / f"{fractal}.{ending}" for ending in ("frag", "spv", "es"))
     _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
     _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
     _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
-    # Indentation is a fifth of the text and says nothing to a browser.
+    # Without indentation, which is a fifth of the text.
     return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"

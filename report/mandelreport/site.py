@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python -m mandelreport.site: a folder for any web server: the study's front page, a gallery of views, films, the viewer.
+"""python -m mandelreport.site: makes a folder for any web server: front page, gallery of views, films, viewer.
 
-Exit codes: 0 fine, 1 a failure, 2 wrong arguments or bad input."""
+Exit codes: 0 success, 1 a failure, 2 wrong arguments or bad input."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ def run(*command: object) -> str:
 
 
 def gallery(folder: Path, programs: Path, output: Path, names: list[str]) -> list[dict[str, str]]:
-    """Draws the official scenes and each NAME.FRACTAL.dat of the folder; views that the viewer cannot show have no link to it."""
+    """Renders the official scenes and each NAME.FRACTAL.dat of the folder. Views that the viewer cannot show get no
+    link to it."""
     files = [(f"official-{fractal}", fractal, file) for fractal, file in SCENES.items()]
     for file in sorted(folder.glob("*.*.dat")):
         name, fractal, _ = file.name.split(".")
@@ -60,7 +61,7 @@ def gallery(folder: Path, programs: Path, output: Path, names: list[str]) -> lis
 
 
 def films(folder: Path, output: Path) -> list[dict[str, str]]:
-    """FRACTAL-SEED.mp4, where some were made."""
+    """Returns the existing films FRACTAL-SEED.mp4."""
     found = []
     for file in sorted(folder.glob("*-*.mp4")) if folder.is_dir() else []:
         fractal, seed = file.stem.rsplit("-", 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers as people read them."""
+"""Formatting of numbers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from .bench import Row, Times
 
 
 def digits(value: float, count: int = 3) -> str:
-    """`count` significant digits, without an exponent but for tiny numbers."""
+    """Formats `count` significant digits, without an exponent except for tiny numbers."""
     if value == 0:
         return "0"
     if abs(value) < 1e-6:
@@ -20,7 +20,7 @@ def digits(value: float, count: int = 3) -> str:
 
 
 def plain(value: float) -> str:
-    """At most four significant digits, no zeros behind them: for settings and bars."""
+    """Formats at most four significant digits, without trailing zeros: for settings and thresholds."""
     return digits(value, 4).rstrip("0").rstrip(".") if "." in digits(value, 4) else digits(value, 4)
 
 
@@ -39,10 +39,10 @@ def percent(share: float | None, decimals: int = 1) -> str:
 
 
 def where(row: Row) -> str:
-    """A backend, with its device's number where it is not the first."""
+    """Returns a backend, with its device's index unless it is the first."""
     return row.backend if row.device == 0 else f"{row.backend} {row.device}"
 
 
 def join(words: list[str]) -> str:
-    """a, b and c"""
+    """Returns "a, b and c"."""
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

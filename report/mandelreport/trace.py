@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of the text, each with the place in a result file that it is from. The page keeps both, for readers and for a test.
+"""Numbers in the report's text, each with its place in a result file. The page keeps both, for readers and for a test.
 
-A place is a path of steps with ":" between them. `rows` is a key, `proof.level` keys of keys, `0` an element of a list.
-`mode=fast&backend!=reference` keeps the elements of a list that are like that ("*" stands for any text, > and < compare), and
-`a/b` is a quotient of two keys. In a text file `mandelbulb float:-2` is the last but one word of the line that begins so, "*" any word."""
+A place is a path of steps separated by ":". `rows` is a key, `proof.level` a nested key, `0` an index of a list.
+`mode=fast&backend!=reference` keeps the matching elements of a list ("*" matches any text, > and < compare), and `a/b`
+is a quotient of two keys. In a text file `mandelbulb float:-2` is the last word but one of the line that begins with
+these words; "*" matches any word."""
 
 from __future__ import annotations
 
@@ -58,7 +59,7 @@ def _step(values: list[Any], step: str) -> list[Any]:
 
 
 def found(data: Any, path: str) -> list[Any]:
-    """Everything at a place of a file: JSON, or text."""
+    """Returns all values at a place of a file: JSON, or text."""
     if isinstance(data, str):
         words, _, index = path.rpartition(":")
         begin = words.split()
@@ -73,8 +74,8 @@ def found(data: Any, path: str) -> list[Any]:
 
 @dataclass(frozen=True)
 class Place:
-    """`files`: names, whose values follow each other; `rule`: how several values become one, "one" if there is one. "holm"
-    counts the ratios of one file that are above 1, at 5 % for all of them together."""
+    """`files`: names, whose values are concatenated; `rule`: combines several values into one; "one" expects a single
+    value, "holm" counts the ratios of one file that are above 1, at 5 % for all of them together."""
 
     files: tuple[str, ...]
     path: str
@@ -91,12 +92,12 @@ class Place:
 
 @dataclass(frozen=True)
 class Trace:
-    """`data`: by name, what the files hold."""
+    """`data`: contents of the files, by name."""
 
     data: dict[str, Any]
 
     def number(self, place: Place, style: str = "digits", scale: float = 1, over: Place | None = None) -> Markup:
-        """`scale` times the value, over another one's where that is given."""
+        """Formats `scale` times the value, divided by that of `over` if given."""
         value = scale * place.of(self.data) / (1 if over is None else over.of(self.data))
         attributes = {"value": repr(value), "title": f"{', '.join(place.files)}: {place.path}", "data-style": style}
         attributes["data-scale"] = repr(scale)
@@ -110,7 +111,7 @@ class Trace:
         return self.number(Place((file,), path), style, scale)
 
     def with_interval(self, file: str, value: str, interval: str, scale: float = 1) -> Markup:
-        """A number and its interval in brackets; says so where samples are too few for one."""
+        """Formats a number with its interval in brackets, or a note if there are too few samples."""
         number = self.one(file, value, scale=scale)
         if found(self.data[file], interval)[0] is None:
             return number + Markup(" [too few samples for an interval]")
@@ -118,5 +119,5 @@ class Trace:
         return number + Markup(" <span class=\"interval\">[") + low + ", " + high + Markup("]</span>")
 
     def times(self, file: str, path: str, scale: float = 1) -> Markup:
-        """A summary of bench: its median and interval."""
+        """Formats a summary of bench: its median and interval."""
         return self.with_interval(file, f"{path}:median", f"{path}:interval", scale)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two pictures over each other with a slider between, and the map of their differences.
+// Two pictures with a slider between them, and the map of their differences.
 "use strict";
 for (const box of document.querySelectorAll(".compare")) {
     const [left, right] = ["left", "right"].map((side) => box.querySelector(`[data-side=${side}]`));
@@ -38,7 +38,7 @@ for (const box of document.querySelectorAll(".compare")) {
         said.textContent = differing === 0 ? "The same bytes."
             : `${differing} of ${map.width * map.height} pixels differ, ${visible} by more than 2/255, at most ${largest}/255.`;
     };
-    // To begin with, what float changes; any other two can be chosen.
+    // Initially shows the effect of float; any two can be chosen.
     const float = [...right.options].findLastIndex((option) => option.text.endsWith("float, exact"));
     right.selectedIndex = float >= 0 ? float : right.options.length - 1;
     slide.addEventListener("input", move);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viewer's camera and scene: what core/render/kernel_scene.cpp does for the programs, and parameter files both ways.
+// Camera and scene of the viewer, as core/render/kernel_scene.cpp computes them, and conversion to and from parameter
+// files.
 "use strict";
 const Vec = {
     add: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
@@ -7,7 +8,7 @@ const Vec = {
     cross: (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]],
     dot: (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
     unit: (a) => Vec.scale(1 / Math.hypot(...a), a),
-    // a turned about the unit vector n by an angle in radians (Rodrigues' formula).
+    // Turns a about the unit vector n by an angle in radians (Rodrigues' formula).
     turn: (a, n, angle) => Vec.add(Vec.add(Vec.scale(Math.cos(angle), a), Vec.scale(Math.sin(angle), Vec.cross(n, a))),
         Vec.scale((1 - Math.cos(angle)) * Vec.dot(n, a), n)),
 };
@@ -15,7 +16,7 @@ const Vec = {
 class Camera {
     constructor(scene) { this.look(scene); }
 
-    // From a parameter file's eye, target and up.
+    // Creates a camera from a parameter file's eye, target and up.
     look(scene) {
         this.eye = scene.eye.slice();
         this.forward = Vec.unit(scene.target.map((t, i) => t - scene.eye[i]));
@@ -23,7 +24,7 @@ class Camera {
         this.field = scene.field;
     }
     get up() { return Vec.cross(this.right, this.forward); }
-    // Radians: to the right, up, and about the view.
+    // Turns by angles in radians: to the right, up, and about the view.
     turn(yaw, pitch, roll) {
         const up = this.up;
         this.forward = Vec.turn(this.forward, up, -yaw);
@@ -32,23 +33,23 @@ class Camera {
         this.right = Vec.turn(this.right, this.forward, roll);
         this.right = Vec.unit(Vec.add(this.right, Vec.scale(-Vec.dot(this.right, this.forward), this.forward)));
     }
-    // Along right, up and forward.
+    // Moves along right, up and forward.
     move(x, y, z) {
         this.eye = Vec.add(this.eye, Vec.add(Vec.add(Vec.scale(x, this.right), Vec.scale(y, this.up)),
             Vec.scale(z, this.forward)));
     }
 }
 
-// The fields of the kernel text's Scene by name, as core/render/kernel_scene.cpp fills them in float (bin/render
-// --print-scene). table: what report/mandelreport/fractal_table.py made of the programs' table: `rules` hold of every
-// scene, `rows` are fractals by name, with their formulas as functions.
+// Returns the fields of the kernel's Scene by name, as core/render/kernel_scene.cpp sets them in float (bin/render
+// --print-scene). table: output of report/mandelreport/fractal_table.py: `rules` apply to all scenes, `rows` are the
+// fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
     const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest, 0];
     const stride = fast ? Math.min(rules.plain_stride, row.stride(...inputs)) : rules.plain_stride;
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),
         colouring: s.colouring, canonical: fast ? 1 : 0,
-        // Float has no digits for differences; the picture is the same without the hull.
+        // Float is too imprecise for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
         tolerance: Math.pow(10, Math.fround(s.detail)), stride,
         relaxation: fast && stride >= rules.plain_stride ? rules.longest_relaxed : stride, end: rules.end, miss: Infinity,
@@ -58,7 +59,7 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }
 
-// Their bytes, each where the shader's block has it: layout is [name, offset, stride in an array, whether whole].
+// Packs the fields as the shader's uniform block expects: layout is [name, offset, stride of an array, is an integer].
 function packed(fields, layout, size) {
     const bytes = new ArrayBuffer(size);
     const ints = new Int32Array(bytes), floats = new Float32Array(bytes);
@@ -70,7 +71,7 @@ function packed(fields, layout, size) {
     return bytes;
 }
 
-// A parameter file that the programs draw to the same view.
+// Returns a parameter file with which the programs render the same view.
 function toParameters(fractal, s, camera, width, height) {
     const line = (numbers) => numbers.map((n) => String(Number(n.toPrecision(12)))).join(" ");
     return [`# bin/render --fractal ${fractal} FILE.dat --precision float`, "# location x, y, z", line(camera.eye), "# look at",
@@ -80,7 +81,7 @@ function toParameters(fractal, s, camera, width, height) {
         line([s.brightness]), "# image file", "view.png", ""].join("\n");
 }
 
-// The same entries as report/mandelreport/parameters.py; throws an Error with what is wrong.
+// Parses a parameter file. Throws an Error that describes the fault.
 function fromParameters(text) {
     const lines = text.split("\n").map((l) => l.trim()).filter((l) => l && !l.startsWith("#"));
     if (lines.length < 10) throw new Error(`${lines.length} entries, expected 11`);

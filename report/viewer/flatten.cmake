@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D FRACTAL=NAME -D TEXT=NAME.h -D FILE=OUT -P report/viewer/flatten.cmake: the viewer's shader as one GLSL text.
+# cmake -D FRACTAL=NAME -D TEXT=NAME.h -D FILE=OUT -P report/viewer/flatten.cmake: writes the viewer's shader as one
+# GLSL file.
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(PROJECT_SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 include(${PROJECT_SOURCE_DIR}/cmake/FlattenKernel.cmake)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viewer's side of WebGL 2: targets, the kernel text's programs, and drawing with them.
+// WebGL 2 code of the viewer: targets, programs of the kernel, and rendering with them.
 "use strict";
 class Painter {
     static VERTEX = `#version 300 es
         void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-    // null where there is no WebGL 2. data: shaders by fractal, and the table (camera.js).
+    // Returns null without WebGL 2. data: shaders by fractal, and the table (camera.js).
     static on(canvas, data) {
         const gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
         return gl ? new Painter(gl, canvas, data) : null;
@@ -33,7 +33,7 @@ class Painter {
         this.gl.deleteFramebuffer(made.buffer);
     }
 
-    // Compiling may take a browser seconds: it does so beside us where it can.
+    // Compiling may take seconds; it runs in the background if the browser can.
     program(name) {
         if (this.programs[name]) return this.programs[name];
         const gl = this.gl;
@@ -47,7 +47,7 @@ class Painter {
         gl.linkProgram(made.program);
         return made;
     }
-    // False while the browser compiles; throws an Error where it cannot.
+    // Returns false while the browser compiles. Throws an Error if that fails.
     ready(name) {
         const gl = this.gl, made = this.program(name);
         if (made.ready) return true;
@@ -59,7 +59,7 @@ class Painter {
         const block = gl.getUniformBlockIndex(made.program, "SceneBlock");
         gl.uniformBlockBinding(made.program, block, 0);
         gl.uniformBlockBinding(made.program, gl.getUniformBlockIndex(made.program, "PassBlock"), 1);
-        // Where the block has each field: the kernel text may change, and a field that is not known is an error.
+        // Offsets of the block's fields. The kernel may change; an unknown field is an error.
         const fields = [...gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES)];
         const [offsets, strides, types] = [gl.UNIFORM_OFFSET, gl.UNIFORM_ARRAY_STRIDE, gl.UNIFORM_TYPE].map(
             (what) => gl.getActiveUniforms(made.program, fields, what));
@@ -70,7 +70,7 @@ class Painter {
         return true;
     }
 
-    // view: fractal, scene, camera, fast. area: x, y, width and height of the part that is drawn, or all.
+    // view: fractal, scene, camera, fast. area: x, y, width and height of the part to render; default: all.
     draw(to, view, steps, area, probing) {
         const gl = this.gl, compiled = this.program(view.fractal);
         const fields = sceneFields(this.data.table, view.fractal, view.scene, view.camera, to.width, to.height, view.fast, steps);
@@ -93,7 +93,7 @@ class Painter {
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
         return bytes;
     }
-    // From the top row, as browsers have their pictures.
+    // Rows start at the top, as in browsers.
     image(of) {
         const gl = this.gl, bytes = new Uint8Array(4 * of.width * of.height), image = new ImageData(of.width, of.height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, of.buffer);
@@ -111,7 +111,7 @@ class Painter {
         gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, this.canvas.width, this.canvas.height, gl.COLOR_BUFFER_BIT,
             smooth ? gl.LINEAR : gl.NEAREST);
     }
-    // The distance estimate at the eye, from the kernel text.
+    // Returns the distance estimate at the eye, from the kernel.
     clearance(view) {
         this.draw(this.probe, view, 1, null, true);
         const d = new DataView(this.pixel(this.probe).buffer).getFloat32(0, true);

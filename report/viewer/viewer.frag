@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text as a fragment shader: the report's viewer draws with it, in float. glslang makes SPIR-V of it and
-// spirv-cross the GLSL ES 3.00 that browsers read.
+// The kernel as a fragment shader in float, for the report's viewer. glslang compiles it to SPIR-V, and spirv-cross
+// converts that to GLSL ES 3.00 for browsers.
 #version 460
 #define MM_REAL_IS_FLOAT 1
 #define MM_PINNED 0
@@ -9,7 +9,7 @@
 
 layout(std140, binding = 0) uniform SceneBlock { Scene whole_scene; };
 
-// 1: instead of a pixel, the bits of the distance estimate at the eye, the camera's speed, lowest byte first.
+// 1: output the bits of the distance estimate at the eye, lowest byte first (for the camera's speed), not a pixel.
 layout(std140, binding = 1) uniform PassBlock { int probing; };
 
 layout(location = 0) out vec4 result;
@@ -22,6 +22,6 @@ void main()
         return;
     }
     Pixel done = draw(whole_scene, floor(gl_FragCoord.x), floor(gl_FragCoord.y));
-    // As core/image/image.cpp cuts a colour to a byte: trunc(255 c). The buffer's own rounding is to nearest.
+    // Truncates a colour to a byte like core/image/image.cpp: trunc(255 c). The buffer itself would round to nearest.
     result = vec4(floor(done.colour * 255.0) / 255.0, 1.0);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live viewer: draws with the kernel text in WebGL 2. While the camera moves it draws a small picture with few steps;
-// when it rests, the whole one tile by tile, so that no draw call keeps the device for long.
+// The live viewer: renders with the kernel in WebGL 2. While the camera moves, it renders a small picture with few
+// steps; at rest, the full picture tile by tile, so that no draw call blocks the device for long.
 "use strict";
 const Viewer = (() => {
-    const MOVING_STEPS = 300;                           // samples on a ray
-    const MOVING_MS = 40, TILE_MS = 30;                 // what a small picture, and one tile, may take
-    const SCALES = [1, 2, 3, 4, 6, 8, 12];              // pixels of the canvas to one of the small picture
+    const MOVING_STEPS = 300;                           // per ray
+    const MOVING_MS = 40, TILE_MS = 30;                 // time limits of a small picture and of one tile
+    const SCALES = [1, 2, 3, 4, 6, 8, 12];              // canvas pixels per pixel of the small picture
     const find = (id) => document.getElementById(id);
 
     let data, canvas, painter, camera, scene, fractal, fast = false;
@@ -33,7 +33,7 @@ const Viewer = (() => {
         painter.copy(low, null, true);
         tile = { x: 0, y: 0, height: tileSide };
     }
-    // Draws tiles for about a frame's time; true when the picture is whole.
+    // Renders tiles for about a frame's time. Returns true when the picture is complete.
     function drawResting() {
         const begin = performance.now();
         while (tile && performance.now() - begin < 2 * TILE_MS) {
@@ -45,7 +45,7 @@ const Viewer = (() => {
             const took = performance.now() - one;
             tile.x += 4 * side;
             if (tile.x >= canvas.width) {
-                // Another height from the next row on.
+                // The tile's height changes only between rows of tiles.
                 tile = tile.y + side >= canvas.height ? null : { x: 0, y: tile.y + side, height: tileSide };
             }
             tileSide = took > TILE_MS ? Math.max(8, tileSide >> 1) : took < TILE_MS / 4 ? Math.min(128, tileSide << 1) : tileSide;
@@ -63,7 +63,7 @@ const Viewer = (() => {
             if (TURNS[key]) turn = Vec.add(turn, TURNS[key]);
         }
         if (way.some((v) => v !== 0)) {
-            // Speed goes with the room there is, as in the film.
+            // Speed is proportional to the clearance, as in the film.
             const distance = speed * seconds * Math.max(painter.clearance(view()), 1e-5);
             camera.move(...Vec.scale(distance, way));
         }
@@ -117,7 +117,7 @@ const Viewer = (() => {
         sliders();
         change();
     }
-    // A slider and its number for each parameter.
+    // Creates a slider and a number for each parameter.
     function sliders() {
         const place = find("viewer-parameters");
         place.replaceChildren();
@@ -134,7 +134,7 @@ const Viewer = (() => {
             label.append(name, slider, value);
             Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
             slider.dataset.parameter = key;
-            value.textContent = Number(read().toPrecision(6));  // of a float
+            value.textContent = Number(read().toPrecision(6));  // digits of a float
             slider.addEventListener("input", () => {
                 const number = Number(slider.value);
                 if (at !== undefined) scene[field][at] = number;
@@ -153,7 +153,7 @@ const Viewer = (() => {
         change();
     }
 
-    // What the page's address asks for: #fractal=NAME&dat=TEXT, a view of a gallery.
+    // Opens the view in the page's address: #fractal=NAME&dat=TEXT, from a gallery.
     function ask(wanted) {
         const name = wanted.get("fractal");
         if (name in data.table.rows) {
@@ -227,7 +227,7 @@ const Viewer = (() => {
         });
     }
 
-    // PNG. The canvas forgets what it showed once that is on the screen; the target does not.
+    // Returns a PNG of the target, as the canvas loses its content once it is on the screen.
     function picture() {
         const page = document.createElement("canvas");
         [page.width, page.height] = [full.width, full.height];
@@ -251,7 +251,7 @@ const Viewer = (() => {
         choose(fractal);
         resize(...find("viewer-size").value.split("x").map(Number));
         ask(new URLSearchParams(location.hash.slice(1)));
-        // It works only while it is seen.
+        // Renders only while visible.
         new IntersectionObserver(([entry]) => {
             const was = running;
             running = entry.isIntersecting;
@@ -259,7 +259,7 @@ const Viewer = (() => {
         }).observe(canvas);
     }
     if (document.getElementById("viewer-canvas")) start();
-    // The scene as it is drawn, for checks beside bin/render --print-scene.
+    // The current scene, for comparison with bin/render --print-scene.
     const fields = () => sceneFields(data.table, fractal, scene, camera, canvas.width, canvas.height, fast, data.table.rules.max_steps);
     return { idle: () => !dirty && tile === null, picture, fields, camera: () => camera,
         dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp with a defect, so that tests can show that bench finds it.
+// openmp with a defect that bench must find.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,6 @@ namespace mandelmarch::bench {
 
 enum class Defect { none, one_byte, not_a_number, upside_down, wrong_later, stale, dies_later, refuses, hidden };
 
-// openmp, with a defect.
 class BrokenRenderer : public Renderer {
 public:
     BrokenRenderer(std::unique_ptr<Renderer> inner, Defect defect) : inner_(std::move(inner)), defect_(defect) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench compare on made results, whose truth is known.
+// bench compare on synthetic results with known differences.
 #include "bench/compare.h"
 
 #include <fmt/format.h>
@@ -32,8 +32,8 @@ Row numbered_row(int index)
     return row;
 }
 
-// Times as machines make them: each launch has a speed of its own (1.5 %), and each sample a disturbance (1 %). Row i
-// takes factor(i) times as long as others.
+// Returns realistic times: each run has its own speed (1.5 %), and each sample a disturbance (1 %). Row i takes
+// factor(i) times as long as others.
 Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_launches = launches)
 {
     std::normal_distribution<double> normal;
@@ -62,7 +62,7 @@ int called(const ComparedResults& compared)
     }));
 }
 
-// Of 100 studies of builds that differ by `factor` in every row, those in which `alarm` sounds.
+// Returns how many of 100 studies raise `alarm`, for builds that differ by `factor` in every row.
 template <class Alarm>
 int alarms(const std::function<double(int)>& factor, Alarm alarm)
 {
@@ -78,7 +78,7 @@ int alarms(const std::function<double(int)>& factor, Alarm alarm)
 
 bool compare_alarms(const Result& before, const Result& after) { return called(compare_results(before, after)) > 0; }
 
-// As compare does, without Holm's correction.
+// compare's verdicts without Holm's correction.
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
@@ -88,7 +88,7 @@ bool uncorrected_alarms(const Result& before, const Result& after)
     return false;
 }
 
-// As compare does, with samples taken for units, as if those of one launch were independent.
+// compare's verdicts with samples as units, as if those of one run were independent.
 bool pooled_alarms(const Result& before, const Result& after)
 {
     std::vector<double> p;
@@ -101,12 +101,12 @@ bool pooled_alarms(const Result& before, const Result& after)
 TEST(Compare, RaisesFewFalseAlarms)
 {
     EXPECT_LE(alarms(same, compare_alarms), 5) << "builds that are the same";
-    // The hardest case: every row differs by just the margin.
+    // The hardest case: every row differs by exactly the margin.
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
 
-// The twins: each shortcut is found out by the same count of alarms.
+// Negative controls: each shortcut raises more alarms in the same test.
 TEST(Compare, ShortcutsRaiseMany)
 {
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
@@ -138,7 +138,7 @@ TEST(Compare, AnImprovementAloneIsNoRegression)
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
 {
-    // No noise at all: the difference is certain, and too small.
+    // Without noise the difference is certain, but too small.
     Result before;
     before.launches = 2;
     before.rows.push_back(numbered_row(0));
@@ -150,8 +150,8 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::slower);
 }
 
-// A row with half the time whose interval from three launches is too wide for certainty after Holm's correction for 48
-// rows. Such a row must not be called the same.
+// A row with half the time whose interval from three runs is too wide for certainty after Holm's correction for 48
+// rows. It must not be called the same.
 TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
@@ -176,7 +176,6 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
         << text;
 }
 
-// With the same margin, both give the same verdicts.
 TEST(Judge, CompareAndDuelAreJudgedAlike)
 {
     std::mt19937_64 random(7);
@@ -239,7 +238,7 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     EXPECT_THROW(compare_results(before, other), InputError);
 }
 
-// A regression cannot hide: the old result's row 3 is there, and this is what the new result has in its place.
+// A regression must be found whatever replaces row 3 in the new result.
 Compared third_row_after(const std::function<void(Result&)>& change)
 {
     std::mt19937_64 random(7);
@@ -313,7 +312,7 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
     EXPECT_NE(text.find("warning: new result: frequency:\\x1b[2J 1 to 2 MHz\n"), std::string::npos) << text;
 }
 
-// With one launch, too, one disturbed picture does not make a row slower; in a mean of logarithms it does.
+// With one run, too, a single disturbed picture does not make a row slower; a mean of logarithms would.
 TEST(Compare, OneLaunchIsComparedByMedians)
 {
     std::mt19937_64 random(7);

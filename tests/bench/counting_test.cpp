@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counted operations: against counts by hand, and against the work that a backend's own kernel reports.
+// Operation counts, compared with counts by hand and with the work reported by a backend's own kernel.
 #include "bench/counting.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): what the counting prelude counts into
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): counter of the counting prelude
 thread_local Operations counter;
 
 #define MM_REAL double
@@ -54,7 +54,7 @@ TEST(Counting, ByHand)
     EXPECT_EQ(counted([&] { -v.x; }).total(), 0U);
 }
 
-// 9 sums to begin with, 9 to end with.
+// 9 additions at the beginning, 9 at the end.
 TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
 {
     for (const int rounds : {0, 1, 7}) {
@@ -77,7 +77,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
                     registry.find("openmp")->create({.precision = precision, .mode = mode, .pack = 1});
                 const Work work = renderer->render(scene, image).work;
                 EXPECT_EQ(count.pixels, image.pixels());
-                // Contraction moves a step here and there in fast mode.
+                // In fast mode contraction adds or removes a few steps.
                 const double allowed = mode == Mode::exact ? 0 : 0.005 * static_cast<double>(work.iterations);
                 EXPECT_NEAR(static_cast<double>(count.work.iterations), static_cast<double>(work.iterations), allowed);
                 EXPECT_NEAR(static_cast<double>(count.work.estimates), static_cast<double>(work.estimates), allowed);
@@ -87,7 +87,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
     }
 }
 
-// The stages: refining only in fast mode, the march the most, and a part of a picture stands for all of it.
+// Stages: refinement in fast mode only, most operations in the march; a sample represents the whole picture.
 TEST(Counting, StagesAndSampling)
 {
     const Scene scene = official_scene("box", 160, 120);
@@ -106,19 +106,19 @@ TEST(Counting, StagesAndSampling)
     EXPECT_NEAR(part.per_iteration() / exact.per_iteration(), 1, 0.02);
 }
 
-// A figure of a picture: its estimate from a sample, the estimate's standard error, and the true value.
+// A figure of a picture: its estimate from a sample, the standard error, and the true value.
 struct Figure {
     std::string what;
     double sampled, error, truth;
 
     double relative_error() const { return error / truth; }
-    // The distance of the estimate from the truth, in standard errors.
+    // Returns the error of the estimate, in standard errors.
     double off() const { return std::abs(sampled - truth) / error; }
 };
 
 using Choose = std::function<Count(const Scene& scene)>;
 
-// The figures of five views of both fractals, as exact pictures in double, whose pixels `sample` counts.
+// Returns the figures of five views of both fractals, for exact pictures in double with the pixels from `sample`.
 std::vector<Figure> sampled_figures(const Choose& sample)
 {
     const auto per_estimate = [](const Count& count) {
@@ -164,7 +164,7 @@ TEST(Counting, SamplesStandForAllPixelsWithinTheirErrors)
     }
 }
 
-// The negative control: a sample of blocks from one corner of the picture is recognized as biased.
+// Negative control: a sample of patches from one corner of the picture is recognised as biased.
 TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
 {
     int off = 0;
@@ -178,7 +178,7 @@ TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
     EXPECT_GT(off, 5) << "of " << figures.size();
 }
 
-// The picture's edges cut blocks. The mean position of the sample is the middle of the picture, unlike that of a
+// The picture's edges cut patches. The mean position of the sample is the middle of the picture, unlike that of a
 // lattice that begins in a corner.
 TEST(Sample, IsSpreadOverTheWholePicture)
 {
@@ -221,8 +221,8 @@ TEST(Counting, Lanes)
 }
 
 // Two lanes, rays of three, one, two and no steps. Together: 3 + 2 steps of both lanes, (9 + 1 + 1) + (5 + 5)
-// iterations of the slowest. Refilled: the second lane takes the third ray after its first step, and 9 + 5 + 5 are the
-// slowest.
+// iterations of the slowest lane. With refill: the second lane takes the third ray after its first step, and the
+// slowest lane takes 9 + 5 + 5 iterations.
 TEST(Counting, LanesByHand)
 {
     const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
@@ -239,7 +239,7 @@ TEST(Counting, LanesByHand)
     EXPECT_EQ(twice.refilled_error->in_iterations, 0) << "blocks that are alike";
 }
 
-// A power that is not whole needs angles: many more operations for the same iterations.
+// A non-integer power needs angles: many more operations for the same iterations.
 TEST(Counting, TrigonometryCosts)
 {
     Scene scene = official_scene("bulb", 64, 64);

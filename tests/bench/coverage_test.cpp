@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often the intervals of several launches hold the truth, on studies that are made: each launch has a speed of its
-// own, each sample a disturbance that only slows it down. The twins are shortcuts that the same count finds out.
+// How often the intervals of several runs contain the true value, on synthetic studies: each run has its own speed, and
+// disturbances only slow samples down. Negative controls are shortcuts that the same test must detect.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ constexpr double launch_scatter = 0.015;  // standard deviations of logarithms, 
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;
-// A skewed disturbance, divided by its median (of the chi-squared distribution with one degree of freedom), 0.4549.
+// A skewed disturbance (the chi-squared distribution with one degree of freedom), divided by its median, 0.4549.
 constexpr double skew_median = 0.4549364;
 
 using Random = std::mt19937_64;
 
-// The effect of the machine on each launch: a factor of time that all rows of the launch share.
+// Returns the effect of the machine on each run: a factor of time common to all rows of the run.
 std::map<int, double> machine(Random& random, int launches)
 {
     std::normal_distribution<double> normal;
@@ -33,7 +33,7 @@ std::map<int, double> machine(Random& random, int launches)
     return factors;
 }
 
-// A row whose median time is `seconds`, with as many samples in each launch as asked.
+// Returns a row whose median time is `seconds`, with `samples` samples in each run.
 Row study_row(Random& random, const std::string& backend, double seconds, const std::map<int, double>& factors,
               int samples)
 {
@@ -50,7 +50,7 @@ Row study_row(Random& random, const std::string& backend, double seconds, const 
     return row;
 }
 
-// The share of the studies whose interval holds the truth.
+// Returns the fraction of studies whose interval contains `truth`.
 double coverage(double truth, const std::function<Interval(Random&)>& interval, int of = studies)
 {
     Random random(3);
@@ -65,7 +65,7 @@ double coverage(double truth, const std::function<Interval(Random&)>& interval, 
 class Coverage : public testing::TestWithParam<int> {
 protected:
     int launches() const { return GetParam(); }
-    // Launches that differ by themselves only.
+    // Runs that differ in themselves only, without an effect of the machine.
     std::map<int, double> quiet() const
     {
         std::map<int, double> factors;
@@ -84,7 +84,7 @@ TEST_P(Coverage, OfATime)
     EXPECT_GE(coverage(0.1, interval), target);
 }
 
-// The twin: samples of one launch taken for independent.
+// Negative control: samples of one run are taken for independent.
 TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 {
     const auto pooled = [&](Random& random) {
@@ -93,7 +93,7 @@ TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
     EXPECT_LT(coverage(0.1, pooled), 0.85);
 }
 
-// The other twin: the percentiles of a hierarchical bootstrap are too narrow for few launches.
+// Negative control: the percentiles of a hierarchical bootstrap are too narrow for few runs.
 TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
 {
     const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
@@ -116,7 +116,7 @@ TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
     EXPECT_LT(coverage(0.1, bootstrap, 1000), target);
 }
 
-// Both rows of a ratio feel what the machine does to a launch; the rows are paired, so that it cancels.
+// The machine's effect on a run is common to both rows of a ratio; pairing cancels it.
 TEST_P(Coverage, OfARatio)
 {
     const auto interval = [&](Random& random) {
@@ -129,7 +129,7 @@ TEST_P(Coverage, OfARatio)
     EXPECT_GE(coverage(3, interval), target);
 }
 
-// The reference has three samples a launch, the row beside it twelve.
+// The reference has three samples per run, the row compared with it twelve.
 Interval speed_up(Random& random, int launches, double reference_seconds)
 {
     const auto factors = machine(random, launches);
@@ -145,7 +145,7 @@ TEST_P(Coverage, OfASpeedUp)
     EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4); }), target);
 }
 
-// The twin: an interval of the wrong ratio is found out.
+// Negative control: an interval of the wrong ratio is detected.
 TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 {
     EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4.3); }), 0.8);
@@ -153,7 +153,7 @@ TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 
 TEST_P(Coverage, OfPortability)
 {
-    // Two platforms; the slower backend takes 2 and 1.25 times as long: its efficiencies are 0.5 and 0.8.
+    // Two platforms; the slower backend takes 2 and 1.25 times as long, so its efficiencies are 0.5 and 0.8.
     const auto interval = [&](Random& random) {
         std::vector<Result> results;
         for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
@@ -168,7 +168,7 @@ TEST_P(Coverage, OfPortability)
     EXPECT_GE(coverage(2 / (1 / 0.5 + 1 / 0.8), interval, 300), target);
 }
 
-// The twin of several: one launch sees nothing of what differs between launches.
+// Negative control of several runs: a single run does not show the differences between runs.
 TEST(CoverageOfOneLaunch, IsOfThatLaunchAlone)
 {
     const auto interval = [](Random& random) {
@@ -191,7 +191,7 @@ TEST(LaunchInterval, ByHand)
 
 TEST(LaunchInterval, HoldsTheMedianOfAll)
 {
-    // One launch has many more samples than the others.
+    // One run has many more samples than the others.
     Launches launches{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};
     const Summary s = summary(launches);
     EXPECT_EQ(s.count, 7);
@@ -200,7 +200,7 @@ TEST(LaunchInterval, HoldsTheMedianOfAll)
     EXPECT_GE(s.interval->high, 2);
 }
 
-// The interval is a median's: it needs six rounds, and holds for any distribution.
+// The interval of a median needs six rounds, and holds for any distribution.
 TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
 {
     const Launches row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
@@ -213,7 +213,7 @@ TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
     EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
 }
 
-// A disturbance that slows whole rounds down cancels.
+// A disturbance of whole rounds cancels.
 TEST(QuotientOfOneLaunch, ComparesRoundByRound)
 {
     const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
@@ -222,7 +222,7 @@ TEST(QuotientOfOneLaunch, ComparesRoundByRound)
     EXPECT_EQ(q.interval->high, 2);
 }
 
-// Skewed times without differences between launches, as the interval applies to a single launch.
+// Skewed times without differences between runs: the interval is for a single run.
 TEST(QuotientOfOneLaunch, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {

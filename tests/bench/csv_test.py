@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""csv_test.py BIN SOURCE: the CSV of a standard study alone, grouped by either column, shows the same winners as its JSON.
-The stored study is older than the column `application` in JSON."""
+"""csv_test.py BIN SOURCE: the CSV of a standard study, grouped by either column, gives the same winners as its JSON.
+The stored study is older than the member `application` in JSON."""
 import csv
 import io
 import json
@@ -18,7 +18,7 @@ def lines_of(text):
 
 
 def means(rows, *keys):
-    """Mean kernel seconds by the keys, as a pivot table has them."""
+    """Returns mean kernel seconds by the keys, like a pivot table."""
     groups = {}
     for row in rows:
         groups.setdefault(tuple(row[key] for key in keys), []).append(float(row["kernel_s"]))
@@ -26,7 +26,7 @@ def means(rows, *keys):
 
 
 def winners(times):
-    """The application with the least time, for each problem."""
+    """Returns the fastest application for each problem."""
     best = {}
     for (*problem, application), seconds in times.items():
         if tuple(problem) not in best or seconds < best[tuple(problem)][1]:
@@ -35,7 +35,7 @@ def winners(times):
 
 
 def expected():
-    """The same from the JSON, row by row."""
+    """Returns the same from the JSON, row by row."""
     best = {}
     for row in json.loads(STUDY.read_text())["rows"]:
         if row["figures"] is None:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code divergence: what a line of code is, and the mean of the pairs' distances.
+// Code divergence: which lines count, and the mean distance of all pairs.
 #include "bench/divergence.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(Divergence, LinesOfCodeAreMoreThanBlanksAndComments)
     EXPECT_TRUE(lines_of_code("// the end").empty());
 }
 
-// Of 4 and 3 lines two are shared: 2 of 5 are in both.
+// Sets of 4 and 3 lines share two: 2 of 5.
 TEST(Divergence, IsTheMeanOfJaccardsDistances)
 {
     const Coverage one{{"a", {1, 2}}, {"b", {1, 2}}};
@@ -36,7 +36,7 @@ TEST(Divergence, IsTheMeanOfJaccardsDistances)
     EXPECT_DOUBLE_EQ(mean_distance({one}), 0);
 }
 
-// A tree of two backends and a yardstick, which has nothing of the text.
+// A source tree of two backends, and a reference that does not use the kernel.
 class MadeTree : public testing::Test {
 protected:
     MadeTree() : root_(fs::path(testing::TempDir()) / "divergence_tree")
@@ -72,9 +72,9 @@ TEST_F(MadeTree, ABackendNeedsItsFolderAndWhatThatNames)
     const ModelLines& right = found.models[1];
     EXPECT_EQ(left.backend, "left");
     EXPECT_EQ((std::vector{left.own, left.job, left.kernel}), (std::vector{2, 0, 4}));
-    // Its own template takes the place of core/job's.
+    // Its own template replaces core/job's.
     EXPECT_EQ((std::vector{right.own, right.job, right.kernel}), (std::vector{4, 1, 3}));
-    // Three lines are shared, of 6 + 8.
+    // Three lines of 6 + 8 are shared.
     EXPECT_DOUBLE_EQ(found.divergence, 1 - 3.0 / 11);
     EXPECT_DOUBLE_EQ(found.without_one_text, 1);
 }

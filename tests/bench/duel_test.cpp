@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is judged of duels that are made, whose truth is known.
+// Verdicts on synthetic duels with known differences.
 #include "bench/duel.h"
 
 #include <fmt/format.h>
@@ -17,12 +17,12 @@ namespace {
 
 constexpr int rows = 8;
 
-// How much a machine disturbs: standard deviations of logarithms.
+// Disturbances of a machine: standard deviations of logarithms.
 struct Noise {
-    double launch = 0.01;   // of each program, which has its own memory layout in each launch
-    double moment = 0.20;   // of a pair: both feel it
+    double launch = 0.01;   // of each program, from its memory layout in each run
+    double moment = 0.20;   // of a pair, common to both pictures
     double picture = 0.02;  // of one picture
-    double hit = 0.05;      // the share of pictures that something falls upon, which makes them twice as long
+    double hit = 0.05;      // fraction of pictures that an interruption makes twice as long
 };
 constexpr Noise loaded{.launch = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
 
@@ -79,7 +79,7 @@ TEST(Duel, EqualProgramsRaiseAtMostOneAlarmInTwenty)
     EXPECT_LE(alarms(same, loaded, judge_alarms), 20) << "of 400, under load";
 }
 
-// The twins: each shortcut raises many.
+// Negative controls: each shortcut raises many alarms.
 TEST(Duel, ShortcutsRaiseMany)
 {
     const auto pairs_as_units = [](const Duel& duel) {
@@ -105,12 +105,12 @@ TEST(Duel, ShortcutsRaiseMany)
 TEST(Duel, FindsThreePercentInNineOfTen)
 {
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
-    // One row alone, too, where launches differ less.
+    // One row alone is found, too, if runs differ less.
     const auto third = [](const Duel& duel) { return judge(duel).at(3).verdict == Verdict::slower; };
     EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.launch = 0.005}, third), 360) << "of 400";
 }
 
-// The twin: what compare is given by the same pictures, without their pairs.
+// Negative control: compare, on the same pictures without their pairs.
 TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
 {
     const auto unpaired = [](const Duel& duel) {
@@ -137,7 +137,7 @@ TEST(Duel, EachVerdict)
         random, [](int i) { return i == 0   ? 1.05
                                    : i == 1 ? 0.95
                                             : 1.0; }, quiet);
-    // Launches that contradict each other.
+    // Runs that contradict each other.
     for (DuelPair& pair : duel.rows[2].pairs) pair.new_seconds *= pair.launch % 2 == 0 ? 1.1 : 0.9;
     duel.rows[4].new_failure = "the picture is wrong";
     duel.rows[4].pairs.clear();

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# For tests of bench from outside, which source it: an empty folder to work in, gone at the end, and what is expected of $bench.
+# Sourced by tests of bench from outside: creates an empty folder, deleted on exit, and checks the exit code of $bench.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 fail() { echo "FAILED: $*" >&2; exit 1; }
-# expect CODE ARGUMENT...
+# expect CODE ARGUMENT...: runs $bench and checks its exit code.
 expect() {
     local code=$1 got=0
     shift

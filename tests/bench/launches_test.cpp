@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several launches: their samples together, and what is kept where some leave nothing.
+// Several runs: merged samples, and runs that leave no result.
 #include "bench/launches.h"
 
 #include <gtest/gtest.h>

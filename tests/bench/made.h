@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A made result: one row that is timed, and an environment.
+// A synthetic result: one timed configuration and an environment.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace mandelmarch::bench {
 
-// Samples in the order given, `each` of them in one launch.
+// Returns a row with the samples in the given order, `each` of them per run.
 inline Row made_row(const std::string& backend, const std::vector<double>& seconds, int each = 1000)
 {
     Row row;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs: refused before the work, written whatever becomes of the others.
+// Outputs: checked before the work, and written independently of each other.
 #include "bench/outputs.h"
 
 #include <gtest/gtest.h>

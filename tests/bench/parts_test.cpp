@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the wall time: what they leave is a figure, and named where it is more than a little.
+// Parts of the wall time: the unaccounted fraction is a figure, and is reported if it is large.
 #include <gtest/gtest.h>
 
 #include "bench/figures.h"
@@ -9,7 +9,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// A row of which this share of the wall time is in no part.
+// Returns a row in which no part accounts for this fraction of the wall time.
 Row leaving(double share)
 {
     Row row = made_row("leaves", {0.1, 0.1, 0.1});
@@ -34,7 +34,7 @@ TEST(Parts, ARowIsNamedWhereTheyLeaveMoreThanALittle)
     EXPECT_FALSE(is_named(leaving(0.04)));
 }
 
-// Its wall time has opening and building, which no sample tells apart.
+// Its wall time includes opening and building, which samples do not list.
 TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
 {
     Row row = leaving(0.5);
@@ -43,7 +43,7 @@ TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
     EXPECT_FALSE(is_named(row));
 }
 
-// Before devices had clocks of their own, a kernel's time was the host's.
+// Older files have the kernel's time by the host's clock only.
 TEST(Parts, OfAnOlderFileTheHostsTimeIsTheKernels)
 {
     nlohmann::ordered_json json = json_of(made_result({leaving(0.25)}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The multiply-add peak of made devices, whose rate is known and whose runs are disturbed.
+// Multiply-add peaks of simulated devices with a known rate and disturbed runs.
 #include "core/render/peak.h"
 
 #include <gtest/gtest.h>
@@ -14,17 +14,17 @@ namespace mandelmarch {
 namespace {
 
 constexpr double seconds_per_round = 1e-7;
-constexpr double start_seconds = 1e-5;  // of every run
+constexpr double start_seconds = 1e-5;  // per run
 constexpr double lanes = 16;
 constexpr double true_rate = peak_operations_per_round * lanes / seconds_per_round;
 
-// A device whose runs, counted from 0, are longer by what `disturbance` says. Seconds.
+// Returns a device whose runs, counted from 0, are longer by `disturbance`, in seconds.
 PeakRun device(const std::function<double(int run)>& disturbance)
 {
     return [=, run = 0](int rounds) mutable { return start_seconds + rounds * seconds_per_round + disturbance(run++); };
 }
 
-// Every run among the first 20 disturbed by itself, for the worst of the measured rates.
+// Returns the lowest measured rate if one run among the first 20 is disturbed, over all positions of that run.
 double worst_rate(const std::function<double(const PeakRun&)>& measured)
 {
     double worst = true_rate;
@@ -34,7 +34,7 @@ double worst_rate(const std::function<double(const PeakRun&)>& measured)
     return worst;
 }
 
-// The twin: the rounds are fixed by the first run that is long enough, and nobody looks again.
+// Negative control: the number of rounds is fixed by the first run that is long enough, and not checked again.
 double calibrated_on_one_run(const PeakRun& run)
 {
     int rounds = 256;
@@ -75,7 +75,7 @@ TEST(Peak, ADeviceThatIsTooFastForTheClockIsGivenTheMostRounds)
     EXPECT_EQ(most, 1 << 28);
 }
 
-// What a machine gives, measurement by measurement; behind the end the last one again and again.
+// Returns the given rates in turn; after the end, the last one again.
 bench::PeakMeasurement measurements(std::vector<double> rates)
 {
     return [rates = std::move(rates), next = std::size_t{0}](const auto& wanted) mutable {
@@ -84,7 +84,7 @@ bench::PeakMeasurement measurements(std::vector<double> rates)
     };
 }
 
-// The peak before and after the rounds, and what is made of it.
+// Returns the record of peaks measured before and after the rounds.
 bench::PeakRecord record(const std::vector<double>& rates)
 {
     const bench::PeakMeasurement measure = measurements(rates);
@@ -102,7 +102,7 @@ TEST(PeakRecord, WhatADisturbanceSpoiltIsMeasuredAgain)
 
 TEST(PeakRecord, WhatAgreesIsNotMeasuredAgain)
 {
-    // The third measurement would be another rate.
+    // A third measurement would give another rate.
     EXPECT_EQ(record({240e9, 242e9, 500e9}).best().at(0).rate, 242e9);
 }
 

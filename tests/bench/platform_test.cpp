@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a platform is: CPUs that share a name and differ in their design are two.
+// Platforms: CPUs that share a name but differ in design are two platforms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,13 +65,13 @@ TEST(Platform, TwoDesignsOfOneNameAreTwoPlatforms)
     ASSERT_EQ(portability(results).size(), 1U);
     EXPECT_EQ(portability(results)[0].platforms.size(), 2U);
     EXPECT_THROW(compare_results(results[0], results[1]), InputError);
-    // The twin: by their names alone they would be one.
+    // Negative control: by their names alone they would be one platform.
     std::vector<Result> by_name = results;
     for (Result& result : by_name) result.rows[0].platform = result.rows[0].device_name;
     EXPECT_EQ(portability(by_name)[0].platforms.size(), 1U);
 }
 
-// A result whose environment and peak are given.
+// Returns a result with the given environment and peak.
 Result machine(const nlohmann::ordered_json& cpu, double peak)
 {
     Result result = on(epyc(26, 2), 1);
@@ -100,7 +100,7 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
 }
 
-// Another program's load may halve a peak in one of two runs.
+// Load from another program may halve a peak in one of two runs.
 TEST(Platform, OneBootIsOneMachineWhateverItsPeaks)
 {
     const auto booted = [](double peak, const char* boot) {
@@ -181,7 +181,7 @@ TEST(Platform, CompareSaysWhereEnvironmentsDiffer)
               (std::vector<std::string>{"revision: a in the old result, b in the new",
                                         "compiler flags: -O3 in the old result, -O2 in the new",
                                         "driver of opencl 0: PoCL 3 in the old result, PoCL 4 in the new"}));
-    // What an old file does not know is said, and any JSON in its place is read.
+    // Facts missing in an old file are called unknown, and any JSON in their place is accepted.
     EXPECT_EQ(differences_of({{"git", "none"}, {"backends", 5}}, {{"git", {{"revision", "b"}}}}),
               (std::vector<std::string>{"revision: unknown in the old result, b in the new"}));
 }

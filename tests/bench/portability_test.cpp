@@ -14,7 +14,7 @@ namespace mandelmarch::bench {
 namespace {
 
 // From "Implications of a metric for performance portability": an application with the efficiencies 100 %, 80 %, 50 %,
-// 100 % and 20 % on five platforms; one that does not run on the fourth.
+// 100 % and 20 % on five platforms, and one that does not run on the fourth.
 TEST(Portability, TheMetricOfThePapers)
 {
     EXPECT_NEAR(performance_portability(std::vector{1.0, 0.8, 0.5, 1.0, 0.2}), 5 / (1 + 1.25 + 2 + 1 + 5), 1e-12);
@@ -22,7 +22,7 @@ TEST(Portability, TheMetricOfThePapers)
     EXPECT_EQ(performance_portability(std::vector{1.0, 0.8, 0.5, 0.0, 0.2}), 0);
     EXPECT_EQ(performance_portability(std::vector{1.0, 1.0, 1.0}), 1);
     EXPECT_EQ(performance_portability({}), 0);
-    // The harmonic mean never lies above the arithmetic one.
+    // The harmonic mean is never above the arithmetic mean.
     EXPECT_LT(performance_portability(std::vector{0.9, 0.1}), 0.5);
 }
 
@@ -40,7 +40,7 @@ Row row_of(const std::string& backend, const std::string& platform, double secon
     return row;
 }
 
-// The same example, from times: the other application is the best known on every platform.
+// The same example as times: the other application is the fastest on every platform.
 std::vector<Result> example()
 {
     const std::map<std::string, std::pair<double, double>> times{
@@ -75,7 +75,7 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
 }
 
-// Rows that a filter left out do not count as unsupported: H is smaller, and the output names the missing platform.
+// Rows removed by a filter are not unsupported: H is smaller, and the output names the missing platform.
 TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
 {
     std::vector<Result> results = example();
@@ -92,7 +92,7 @@ TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
     EXPECT_NE(text.find(" 1,2,3,5 "), std::string::npos);
 }
 
-// The negative control: a backend without a device, and one that runs on another of the result's platforms only.
+// Negative control: a backend without a device, and one that runs only on another of the result's platforms.
 TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
 {
     std::vector<Result> results = example();
@@ -107,7 +107,7 @@ TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
     EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
 }
 
-// Here the problem differs by its size.
+// Here the problem differs in its size.
 TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
 {
     std::vector<Result> results = example();
@@ -149,7 +149,7 @@ TEST(Portability, ShareOfTheMeasuredPeak)
     EXPECT_NEAR(found["opencl"].application_portability, 0.5, 1e-12);
 }
 
-// A row whose picture is wrong counts as unsupported, however fast it was.
+// A wrong picture counts as unsupported, however fast it was.
 TEST(Portability, AWrongPictureCountsNothing)
 {
     std::vector<Result> results = example();
@@ -174,7 +174,7 @@ TEST(Portability, TheIntervalHoldsTheValue)
     EXPECT_GT(found.application_interval.high, found.application_portability);
 }
 
-// p3-analysis-library takes a line that is not there for "did not run", and stops at an empty cell.
+// p3-analysis-library takes a missing line for "did not run", and fails on an empty cell.
 TEST(Portability, TheCsvHasALineForEachApplicationThatRuns)
 {
     std::vector<Result> results = example();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program on backends that are broken on purpose: no speed for a wrong picture, and exit code 1. The same backend
-// without a defect passes, so that it is the defect that is found.
+// The program with broken backends: no speed for a wrong picture, and exit code 1. The same backend without the defect
+// passes, so the tests detect the defect.
 #include "bench/program.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Ran {
     nlohmann::ordered_json json;
 };
 
-// Runs the program in this process, as main() would.
+// Runs the program in this process, like main().
 Ran run(Defect defect, std::vector<std::string> arguments)
 {
     std::vector<std::unique_ptr<Backend>> backends;
@@ -94,7 +94,7 @@ TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
     EXPECT_TRUE(row["figures"].is_null());
     EXPECT_NE(ran.out.find("FAILED"), std::string::npos) << ran.out;
     EXPECT_NE(ran.err.find("mandelbox/float/exact/broken/0"), std::string::npos) << ran.err;
-    // The others are timed all the same.
+    // The others are timed nevertheless.
     EXPECT_EQ(row_of(ran, "openmp")["samples"].size(), 2U);
 }
 
@@ -109,7 +109,7 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// Without the root's refinement the picture is another one: what is hit is proven, and that it holds numbers.
+// Without refinement the picture differs: only hits and finite values are verified.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -125,7 +125,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
     EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "root")["figures"].is_null());
-    // Float has no digits for normals from differences.
+    // Float is too imprecise for normals from differences.
     EXPECT_NE(without(sound, "normal")["unavailable"], "");
     for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
         const Ran broken = run(defect, arguments);
@@ -155,14 +155,14 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// g++ and clang++ have other names for what has no vectors; the one that is not there is a wrong argument.
+// The name of the instruction set without vectors depends on the compiler; names that do not exist are wrong arguments.
 TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
                                              "profile", "--precision", "float",     "--repetitions", "1"};
     EXPECT_EQ(run(Defect::none, arguments).code, exit_fine);
     int refused = 0;
-    for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // as Highway calls the lowest
+    for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // Highway's names of the lowest sets
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
         const Ran ran = run(Defect::none, arguments);
         if (ran.code == exit_unavailable && ran.err.find("has no packs") != std::string::npos) ++refused;
@@ -225,7 +225,7 @@ TEST(BenchProgram, TheCsvHasALineARow)
     const auto columns = std::ranges::count(line, ',');
     int rows = 0;
     for (; std::getline(csv, line); ++rows) {
-        // No cell of these rows has a comma of its own.
+        // No cell of these rows contains a comma.
         EXPECT_EQ(std::ranges::count(line, ','), columns) << line;
     }
     EXPECT_EQ(rows, static_cast<int>(ran.json["rows"].size()));
@@ -246,7 +246,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
     EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
     EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
-    // A filter with a minus takes all others.
+    // A filter with a minus selects all others.
     arguments = small("exact");
     arguments.emplace_back("--benchmark_filter=-openmp");
     EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# program_test.sh BIN SOURCE: the program bench from outside: exit codes, files, launches, two runs of one build.
+# program_test.sh BIN SOURCE: the program bench from outside: exit codes, files, several processes, two results of one
+# build.
 set -euo pipefail
 bench=$1/bench
 source=$2
 . "$(dirname "$0")/expect.sh"
 quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peaks)
 
-# A result that the project keeps is of committed sources.
+# Results in the project's folder require committed sources.
 if "$bench" --version | grep -q changed; then
     expect 2 "${quick[@]}" --json "$source/report/results/of-no-commit.json"
     [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
@@ -23,7 +24,7 @@ grep -q '"launches": 3' a.json || fail "three launches are not in the result"
 [ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
 
-# Two runs of one build: compare works; on a shared machine whatever it says of single rows, it must not fail otherwise.
+# Two results of one build: compare succeeds or, on a shared machine, reports a difference; it must not fail otherwise.
 expect 0 "${quick[@]}" --json b.json --launches 3
 ! grep -q '^peak, ' out || fail "a peak that was not asked for"
 code=0
@@ -31,7 +32,7 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# A regression: the launches' times made even, and then doubled.
+# A regression: all times of a run are made equal, then doubled.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
@@ -46,7 +47,7 @@ grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
 
-# A row that is gone is no success.
+# A missing row is a failure.
 python3 - <<'PY'
 import json
 result = json.load(open('even.json'))
@@ -61,7 +62,7 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
-# A folder may hold files of other kinds: each is named and left out.
+# Files of other kinds in a folder are named and left out.
 mkdir -p folder/below
 cp a.json folder/
 cp b.json folder/below/
@@ -75,7 +76,7 @@ expect 2 portability folder
 grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
 expect 2 portability folder/divergence.json
 
-# Lines of the sources: from the CSV follows what the table says, as p3-analysis-library computes it.
+# Lines of the sources: the table follows from the CSV, as p3-analysis-library computes it.
 expect 0 divergence "$source" --csv lines.csv --json lines.json
 python3 - <<'PY'
 import csv, itertools, json, sys
@@ -95,7 +96,7 @@ cmp a.json kept.json || fail "portability wrote over what it reads"
 expect 0 csv a.json
 cmp out a.csv || fail "csv makes other lines than --csv"
 
-# What cannot be written is refused before anything is measured; what fails later costs nothing else.
+# Unwritable outputs are refused before anything is measured; a later failure does not affect other outputs.
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q proof err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
@@ -107,7 +108,7 @@ expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
 [ "$(grep -c /dev/full err)" = 1 ] || fail "the full disk is not named once"
-# Notes that nobody can read cost nothing; a table that nobody can read is a failure.
+# A failure to write messages is ignored; a failure to write the table is not.
 one=("${quick[@]}" --fractal box --mode exact --repetitions 1)
 "$bench" "${one[@]}" --json noted.json >out 2>/dev/full || fail "stderr on a full disk"
 grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
@@ -117,13 +118,13 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
-# A pipe that its reader has closed is no failure: there is no message, and the exit code is the command's.
+# A pipe closed by its reader is not a failure: no message, and the command's own exit code.
 unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
 unread csv a.json
 [ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"
 unread compare even.json slow.json
 [ "$(cat code)" = 1 ] && [ ! -s err ] || fail "a regression that nobody reads: $(cat code err)"
-# A launch that is killed costs its own samples.
+# A killed run loses its own samples only.
 "$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
 killer=$!
 until victim=$(pgrep -P $killer -f -- '--launch 1$'); do
@@ -149,7 +150,7 @@ expect 2 --list --backend openmp,nosuch
 [ "$(wc -l <err)" = 1 ] && grep -q "^--backend: 'nosuch' given" err || fail "an unknown one of two: $(cat err)"
 expect 0 --benchmark_list_tests
 expect 0 --help
-# Data on standard output stand alone.
+# With data on standard output there is nothing else on it.
 expect 0 "${quick[@]}" --fractal box --json -
 python3 -c 'import json; json.load(open("out"))' || fail "--json - prints more than JSON"
 expect 0 "${quick[@]}" --fractal box --benchmark_format=csv --benchmark_out=g.json
@@ -189,7 +190,7 @@ expect 2 compare a.json deep.json
 [ "$(wc -l <err)" = 1 ] || fail "more than a line for brackets that are too deep"
 expect 2 portability deep.json
 
-# The schema, where the pinned Python package is installed (make python).
+# Checks the schema if the pinned Python package is installed (make python).
 python=$source/build/venv/bin/python3
 if [ -x "$python" ] && "$python" -c 'import jsonschema' 2>/dev/null; then
     "$python" - "$source/bench/result.schema.json" a.json study.json <<'PY'
@@ -199,7 +200,7 @@ jsonschema.Draft202012Validator.check_schema(schema)
 validator = jsonschema.Draft202012Validator(schema)
 for path in sys.argv[2:]:
     validator.validate(json.load(open(path)))
-# The twin: what the schema must refuse.
+# Negative control: the schema must reject these changes.
 def refused(change):
     result = json.load(open(sys.argv[2]))
     change(result)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""progress_test.py BIN: on a terminal bench shows the rounds and the time left in one changing line; elsewhere it prints each
+"""progress_test.py BIN: on a terminal bench shows rounds and time left in one changing line; elsewhere it prints each
 message once."""
 import os
 import pathlib
@@ -15,7 +15,7 @@ ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precisi
 
 
 def on_terminal(folder, *words):
-    """The output of bench on a terminal to which only its stderr goes."""
+    """Returns the output of bench with stderr on a terminal."""
     master, terminal = pty.openpty()
     with open(folder / "out", "w", encoding="utf-8") as out:
         bench = subprocess.Popen([BENCH, *words], stdout=out, stderr=terminal)

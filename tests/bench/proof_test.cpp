@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rows may share a yardstick's picture.
+// Rows that may share an expected picture.
 #include "bench/proof.h"
 
 #include <gtest/gtest.h>

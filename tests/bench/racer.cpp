@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// racer FILE.dat: a serial program that draws the Mandelbox, as somebody's submission would. RACER says what is wrong
-// with it: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or forks and hangs; nothing where it is
-// not set.
+// racer FILE.dat: a serial program that renders the Mandelbox, like a submission. The environment variable
+// RACER selects a fault: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or forks (and hangs);
+// none if unset.
 #include <unistd.h>
 
 #include <csignal>

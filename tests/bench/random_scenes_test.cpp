@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `bench random`: the scenes that tests draw, compared with the canonical pictures, held to what fast mode promises.
+// `bench random`: the tests' random scenes, compared with the canonical pictures against fast mode's limits.
 #include "bench/random_scenes.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Draws exact pictures where fast ones are asked for.
+// Renders exact pictures if fast ones are requested.
 class PlainBackend : public Backend {
 public:
     std::string_view name() const override { return "plain"; }
@@ -50,7 +50,7 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
     const RandomResult result = measure_random(registry(), {.scenes = 3, .sets = {1001, 77}}, no_progress);
     ASSERT_EQ(result.rows.size(), 2U * 2 * 2 * 3);
     for (const RandomRow& row : result.rows) {
-        // The second of three fractals begins where the first ends.
+        // The second of three fractals follows the first.
         const bool box = row.scene.fractal->nickname == "box";
         const auto index = static_cast<std::size_t>(row.number + (box ? 3 : 0));
         const Scene scene = random_scenes(3, row.set).at(index).scene;
@@ -76,7 +76,7 @@ TEST(Random, HoldsSetsToTheirShares)
     EXPECT_TRUE(measure_random(registry(), options, no_progress).held());
     RandomOptions plain = options;
     plain.backend = "plain";
-    EXPECT_FALSE(measure_random(registry(), plain, no_progress).held());  // the twin
+    EXPECT_FALSE(measure_random(registry(), plain, no_progress).held());  // negative control
 }
 
 TEST(Random, NamesWhatIsNotThere)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result files: what is read, what is refused, and what Google Benchmark's reporters make of one.
+// Result files: reading, rejected values, and output in Google Benchmark's formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string refusal_of(const std::string& text)
 
 TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(json_of(parse_result(text_of(whole()), "file.json")), whole()); }
 
-// Ratios are taken round by round: a slow round, the third, cancels. The reference is no backend of the text.
+// Ratios are taken round by round: the slow third round cancels. The reference does not use the kernel.
 TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
@@ -44,7 +44,7 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
 }
 
-// A comparison by the columns application or backend keeps the scalar text apart from the backend's packs.
+// A comparison by the columns application or backend separates the scalar kernel from the backend's packs.
 TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
 {
     Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
@@ -63,7 +63,7 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 pack=1,openmp,"), std::string::npos);
 }
 
-// Rounds that are slow as a whole cancel. The sweep has two shapes; a row without a point is part of none.
+// Slow rounds cancel. The sweep has two shapes; a row without a sweep value belongs to none.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
@@ -82,7 +82,7 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
     EXPECT_DOUBLE_EQ(previous[1]["ratio"]["most"], 4);
 }
 
-// Each is one line that names the file, the place and what was given.
+// Each error is one line with the file, the place and the value.
 TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
 {
     const std::vector<std::pair<std::string, std::string>> changes{{"/rows/0/setting/width", "-5"},
@@ -164,7 +164,7 @@ TEST(ResultFile, LanesAreReadAsTheyWereWritten)
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
-// Builds before lane_use counted one length of vectors, and nothing that refills.
+// Builds before lane_use counted one vector length only, without refill.
 TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
 {
     Json json = with_counts();
@@ -175,7 +175,7 @@ TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
     EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
 }
 
-// Older builds counted on a lattice and had no estimate of its error.
+// Older builds counted on a lattice, without standard errors.
 TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
 {
     Json json = with_counts();
@@ -188,7 +188,7 @@ TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
     EXPECT_FALSE(result.rows[0].operations_error);
 }
 
-// An error of one percent in the operations is an error of one percent in the share.
+// A relative error of the operations is the same relative error of the share.
 TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
 {
     Result result = parse_result(text_of(with_counts()), "file.json");
@@ -212,7 +212,7 @@ TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
     EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
-// The times of the rows that Google Benchmark prints, medians apart.
+// Times of the rows printed in Google Benchmark's format, medians separately.
 struct Printed {
     std::vector<double> repetitions;
     double median = 0;

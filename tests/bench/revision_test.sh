@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# revision_test.sh CMAKE SOURCE: what makes a build dirty: changed sources, but no results that were measured again.
+# revision_test.sh CMAKE SOURCE: changed sources mark a build as dirty; new results do not.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -12,7 +12,7 @@ echo a >report/results/bench.json
 echo a >bench/source.cpp
 git add .
 git -c user.name=test -c user.email=test@test commit -qm one
-# dirty EXPECTED WHAT
+# dirty EXPECTED WHAT: checks the mark in the generated header.
 dirty() {
     "$1" -DSOURCE="$work" -DOUTPUT="$work/out/revision.h" -P "$2/cmake/Revision.cmake"
     grep -q "MANDELMARCH_DIRTY $3" out/revision.h || fail "$4: $(cat out/revision.h)"

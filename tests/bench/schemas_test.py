@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""schemas_test.py BIN SOURCE [FILE...]: every JSON file below SOURCE/report/results, those that programs write here, and the
-given ones follow the schema of their kind, and no schema takes a file that lacks a key or has one too many."""
+"""schemas_test.py BIN SOURCE [FILE...]: every JSON file below SOURCE/report/results, files written by the programs, and
+the given ones follow the schema of their kind. Every schema rejects a file with a missing or an additional key."""
 import copy
 import json
 import os
@@ -32,7 +32,7 @@ BY_NAME = {
 
 
 def kind_of(data):
-    """The schema's name, by what a reader can see."""
+    """Returns the schema's name, determined from the file's content."""
     if isinstance(data, list):
         return "portability"
     if "format" in data:
@@ -54,7 +54,7 @@ def check(name, data):
 
 
 def check_twins(kind, data):
-    """The schema is about each key of the file."""
+    """Negative control: the schema covers each key of the file."""
     whole = data[0] if isinstance(data, list) else data
     for key in whole:
         twin = copy.deepcopy(data)
@@ -71,7 +71,7 @@ def run(*words):
 
 
 def written(folder):
-    """What programs write here and now."""
+    """Runs the programs and returns the files that they write."""
     results = SOURCE / "report" / "results"
     bench = BIN / "bench"
     run(bench, "random", "--scenes", 1, "--sets", 1, "--json", folder / "random.json")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The statistics on numbers whose answer is known.
+// Statistics on values with known results.
 #include "bench/statistics.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Statistics, MedianAndDeviation)
     EXPECT_EQ(s.count, 7);
 }
 
-// The ranks of the usual table of the sign test's interval (Conover, table A3): n, and the smallest rank.
+// Ranks from the table of the sign test's interval (Conover, table A3): n, and the smallest rank.
 TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
 {
     for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {
@@ -46,7 +46,7 @@ TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
     EXPECT_FALSE(median_interval({}));
 }
 
-// How often an interval holds the true median of a skewed distribution, whose median is 1.
+// Returns how often an interval contains the true median, 1, of a skewed distribution.
 template <class Interval>
 double coverage(int n, Interval interval)
 {
@@ -70,7 +70,7 @@ TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
     }
 }
 
-// The twin: an interval that is one rank too narrow on either side is found out by the same check.
+// Negative control: an interval one rank too narrow on either side is detected.
 TEST(Statistics, ATooNarrowIntervalDoesNot)
 {
     const auto narrow = [](std::vector<double> values) {
@@ -80,7 +80,7 @@ TEST(Statistics, ATooNarrowIntervalDoesNot)
     EXPECT_LT(coverage(9, narrow), 0.945);
 }
 
-// Holm's own kind of example: 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
+// An example like Holm's: 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
 TEST(Statistics, Holm)
 {
     const std::vector<double> p{0.01, 0.04, 0.03, 0.005};

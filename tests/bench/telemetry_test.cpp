@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a made machine tells of itself, and what is said where one tells nothing.
+// Telemetry of a simulated machine, and the reasons given for missing values.
 #include "bench/telemetry.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
 
-// A folder as Linux' powercap has it, with a package and its cores.
+// A folder like Linux' powercap, with a package and its cores.
 class MadeMachine : public testing::Test {
 protected:
     void SetUp() override
@@ -22,7 +22,7 @@ protected:
         fs::remove_all(folder_);
         domain("intel-rapl:0", "package-0", "1000000");
         domain("intel-rapl:0:0", "core", "500000");
-        fs::create_directories(folder_ / "intel-rapl");  // the driver's own, without a counter
+        fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, without a counter
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -67,7 +67,7 @@ TEST_F(MadeMachine, WhatIsMissingIsSaid)
     EXPECT_FALSE(told["energy"].contains("domains"));
 }
 
-// Counters are allowed on some machines only; where they are, work is counted.
+// Counters are permitted on some machines only; there they must count work.
 TEST_F(MadeMachine, CountersCountOrSayWhyNot)
 {
     const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of Timings as core/render/backend.h defines them, by every backend: apart from each other, and within the
+// The parts of Timings as defined in core/render/backend.h, for every backend: they do not overlap and lie within the
 // wall time.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double rounding = 1e-6;  // seconds: sums of differences of one clock
+constexpr double rounding = 1e-6;  // seconds, for sums of differences of one clock
 
 TEST(Timings, PartsAreApartAndWithinTheWallTime)
 {

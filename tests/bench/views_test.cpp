@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes that are measured must be ones that all schedules draw alike: no speed is worth anything on noise.
+// All timed scenes must give the same picture with any stepping: a speed on noise is worthless.
 #include "bench/views.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int side =
-    90;  // of fewer pixels the share that is off says little; the reference takes seconds for a close-up
+constexpr int side = 90;  // pixels; fewer give no meaningful fraction, and the reference takes seconds for a close-up
 
 double percent_off(const Scene& scene, Precision precision)
 {
@@ -56,7 +55,7 @@ TEST_P(Views, TheCloseUpIsAllSurface)
 INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
                          [](const auto& test) { return std::string(test.param); });
 
-// The twin: close to a pole the estimate is several times too large and hits are noise.
+// Negative control: close to a pole the estimate is several times too large and hits are noise.
 TEST(ViewsTwin, APoleIsNoScene)
 {
     Scene scene = official_scene_of("bulb", side, side);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines of a study, for made results whose true winner is known.
+// The last lines of a study, for synthetic results with a known winner.
 #include "bench/winners.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// A row with times around `seconds` in each launch; the launches scatter by `spread`.
+// Returns a row with times around `seconds` in each run; the runs scatter by `spread`.
 Row raced(const std::string& backend, double seconds, double spread, int launches = 5)
 {
     std::vector<double> times;
@@ -37,7 +37,7 @@ TEST(Winners, TheFastestWinsByItsRatioAndForCertain)
     EXPECT_NE(text.find("for 2 comparisons\n"), std::string::npos) << text;
 }
 
-// The negative controls: no winner where the launches contradict each other, nor within the margin.
+// Negative controls: no winner if the runs contradict each other, or within the margin.
 TEST(Winners, AnUncertainLeadIsUndecided)
 {
     const std::string text = last_lines({raced("opencl", 0.105, 0.1), raced("openmp", 0.1, 0.002)});
@@ -60,7 +60,7 @@ TEST(Winners, FewPicturesProveNothing)
         << text;
 }
 
-// A single launch is judged by the medians of groups of rounds, as in compare.
+// A single run is judged by the medians of groups of rounds, as in compare.
 TEST(Winners, OneLaunchIsJudgedByGroupsOfRounds)
 {
     const std::vector<Contest> contests =

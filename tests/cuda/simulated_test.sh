@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# simulated_test.sh BIN SOURCE COMPILER PYTHON: the cuda backend on a simulated GPU (tests/openacc/simulated_cuda.c), which runs
-# nvcc's PTX that stands in the program: its pictures have the bits of the scalar text, and a GPU that is not there or that
-# fails gives a line and the right exit code.
+# simulated_test.sh BIN SOURCE COMPILER PYTHON: the cuda backend on a simulated GPU (tests/openacc/simulated_cuda.c),
+# which runs nvcc's PTX from the program: its pictures have the bits of the scalar kernel, and a missing or failing GPU
+# gives one line and the right exit code.
 set -uo pipefail
 bin=$1
 . "$2/tests/failures.sh"
 cp "$2"/params*.dat "$folder"
 cd "$folder"
-# expect CODE LINES PATTERN ARGUMENT...: mandelbulb's exit code and what it says on stderr.
+# expect CODE LINES PATTERN ARGUMENT...: checks mandelbulb's exit code and stderr.
 expect() {
     local code=$1 lines=$2 pattern=$3 got
     shift 3
@@ -28,7 +28,7 @@ unset CUDA_VISIBLE_DEVICES
 LD_LIBRARY_PATH=$folder/none expect 77 1 'cuda: NVIDIA.s driver is too old' --output b.png
 export LD_LIBRARY_PATH=$folder SIMULATED_CAPABILITY=90
 
-# The PTX draws the scalar text's bits, in exact mode; and does its work.
+# In exact mode the PTX gives the scalar kernel's bits and counts the same work.
 sed 's/^0 4.0 8.0/0 4.0 7.5/' paramsBulb.dat >power.dat
 sed 's/^2 0.5 1/-1.5 0.5 1/' paramsBox.dat >scale.dat
 for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box scale.dat" "julia paramsJulia.dat"; do
@@ -45,7 +45,7 @@ grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file doe
 $draw --backend cuda --mode fast --output fast.exr || fail "fast mode"
 "$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
 
-# The twin: a GPU that rounds a sum otherwise.
+# Negative control: a GPU that rounds a sum differently.
 sed -E 's/^(fd?[0-9]+) = \(\(double\)(fd[0-9]+)\) \+ \(\(double\)(fd[0-9]+)\);/\1 = fma(\2, 1.0000000000000002, \3);/' kernels.h >twin.h
 cmp -s kernels.h twin.h && fail "the twin is no twin"
 mkdir twin && mv twin.h twin/kernels.h
@@ -53,21 +53,20 @@ ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend cuda --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
-# `kernel` is the GPU's own time: each of three kernels takes a second of the simulated one.
+# `kernel` is the GPU's own time: each of three kernels takes a simulated second.
 expect 0 0 '' --mode exact --output a.png --stats a.json
 grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"kernel"' a.json)"
 
-# Blocks of every size draw the same picture.
+# Blocks of every size give the same picture.
 SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1 ||
     fail "blocks: $(cat blocks)"
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
-# A block that the kernel's registers do not allow is left out; the other sizes are drawn.
+# A block size that the kernel's registers do not allow is left out; the other sizes are rendered.
 SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
 grep -q '512 threads a block given' blocks || fail "blocks that do not fit: $(cat blocks)"
 
-# Devices.
 export SIMULATED_GPUS=3
 expect 0 0 '' --device 2 --output a.png --stats a.json
 grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"
@@ -76,7 +75,6 @@ SIMULATED_GPUS=0 expect 77 1 'no NVIDIA GPU is here' --output b.png
 SIMULATED_CAPABILITY=20 expect 77 1 'of compute capability .* and up, device 0 has 20' --output b.png
 unset SIMULATED_GPUS
 
-# Failures.
 SIMULATED_FAULT=version expect 77 1 "NVIDIA's driver is for CUDA 11.4, the kernels need one for CUDA [0-9.]* or newer" --output b.png
 SIMULATED_FAULT=launch expect 1 1 'cuda: launching a kernel: simulated error (701)' --output b.png
 SIMULATED_FAULT=lost expect 1 1 'cuda: running a kernel: unspecified launch failure (719)' --output b.png

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# drivers_test.sh BIN SOURCE SHIM LAYER: OpenCL and Vulkan drivers that abort, crash, exit, hang or hand out garbage while
-# they are loaded, list devices, build, launch, map or are released. A picture that was asked for is there or the exit
-# code says no; whatever runs elsewhere is not touched.
+# drivers_test.sh BIN SOURCE SHIM LAYER: OpenCL and Vulkan drivers that abort, crash, exit, hang or return garbage while
+# they are loaded, list devices, build, launch, map or are released. Either the picture exists or the exit code reports
+# a failure; other backends are not affected.
 set -uo pipefail
 bin=$1
 source=$2
@@ -14,7 +14,7 @@ cd "$folder" || exit 1
 mkdir loaded
 echo "$shim" >loaded/driver.icd
 
-# with API STAGE ACTION COMMAND...: under a driver that does that there.
+# with API STAGE ACTION COMMAND...: runs the command with a driver that misbehaves in this way.
 with() {
     local api=$1 stage=$2 action=$3
     shift 3
@@ -30,14 +30,14 @@ with() {
 
 fail() { echo "FAILED: $*" | tee -a failures; }
 
-# picture API STAGE ACTION: a picture of a size of its own, so that these can run side by side.
+# picture API STAGE ACTION: renders to a separate file, so that several can run at the same time.
 picture() {
     local at=$1-$2-$3
     with "$1" "$2" "$3" "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend "$1" \
         --output "$at.bmp" >"$at.out" 2>"$at.err"
 }
 
-# refused API STAGE ACTION TEXT: code 1, one line that holds the text, no picture.
+# refused API STAGE ACTION TEXT: expects code 1, one line that contains the text, no picture.
 refused() {
     local at=$1-$2-$3 code=0
     picture "$1" "$2" "$3" || code=$?
@@ -47,14 +47,14 @@ refused() {
     [ ! -e "$at.bmp" ] && [ ! -s "$at.out" ] || fail "$at: it left a picture, or a word on stdout"
 }
 
-# drawn API STAGE ACTION: the picture that the good driver draws, and code 0.
+# drawn API STAGE ACTION: expects the good driver's picture and code 0.
 drawn() {
     local at=$1-$2-$3
     picture "$1" "$2" "$3" || fail "$at: exit code $?: $(head -c 500 "$at.err")"
     "$bin/imgdiff" "$1.bmp" "$at.bmp" >/dev/null || fail "$at: another picture"
 }
 
-# listed API STAGE ACTION: the others are listed, this one has failed, and the code is 1.
+# listed API STAGE ACTION: expects the others to be listed, this one to have failed, and code 1.
 listed() {
     local at=list-$1-$2-$3 code=0
     with "$1" "$2" "$3" "$bin/render" --list-devices >"$at" 2>"$at.err" || code=$?
@@ -83,7 +83,7 @@ for api in $apis; do
         for stage in load enumeration; do listed $api $stage $action; done
     done
 done
-# Hangs take their time: side by side.
+# Hangs take long: run them at the same time.
 export MANDELMARCH_DEVICE_TIMEOUT=4
 for api in $apis; do
     for stage in load enumeration build launch map; do refused $api $stage hang 'no answer within 4 s' & done
@@ -95,7 +95,7 @@ done
 wait
 unset MANDELMARCH_DEVICE_TIMEOUT
 
-# A driver's output appears once on stderr, and unchanged in the log; a log that cannot be written is refused.
+# A driver's output appears once on stderr, and unchanged in the log; a log that cannot be written is an error.
 for api in $apis; do
     MANDELMARCH_DRIVER_LOG=log-$api picture $api build speak || fail "$api: a driver that speaks: $(cat $api-build-speak.err)"
     [ "$(grep -c 'the driver speaks' $api-build-speak.err)" = 1 ] || fail "$api: its words: $(cat $api-build-speak.err)"
@@ -120,7 +120,7 @@ done
 MANDELMARCH_ISOLATION=maybe "$bin/render" --list-devices 2>err
 [ $? = 2 ] && grep -q "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off" err || fail "MANDELMARCH_ISOLATION=maybe: $(cat err)"
 
-# A driver that MANDELMARCH_BACKENDS leaves out is not opened and does no harm.
+# A driver excluded by MANDELMARCH_BACKENDS is not opened and cannot harm.
 for api in $apis; do
     MANDELMARCH_BACKENDS=openmp with $api enumeration abort "$bin/render" --list-devices >list 2>err || fail "$api left out: $(cat list err)"
     grep -q "^$api *unavailable: left out by MANDELMARCH_BACKENDS" list || fail "$api left out: $(cat list)"
@@ -129,8 +129,8 @@ done
 MANDELMARCH_BACKENDS=openmp,nonsense "$bin/render" --list-devices 2>err
 [ $? = 2 ] && grep -q "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp" err || fail "MANDELMARCH_BACKENDS: $(cat err)"
 
-# Garbage: names stay in their line; what cannot be built is refused; a picture that is not the fractal's fails its
-# proof, and bench says which and times the others.
+# Garbage: names stay within their line; a kernel that cannot be built is an error; a wrong picture fails verification,
+# and bench reports it and times the others.
 for api in $apis; do
     with $api enumeration garbage "$bin/render" --list-devices >list 2>err || fail "$api: garbage in a name: $(cat err)"
     grep -q "^$api *0: junk\\\\x1b\[2J\\\\n" list || fail "$api: a name is printed raw: $(grep -a "^$api" list | cat -v)"
@@ -146,7 +146,7 @@ if [[ $apis = *opencl* ]]; then
     [ -s bench.json ] || fail "bench, garbage: no result"
 fi
 
-# One backend's driver that exits leaves the others' rows, and the result that was asked for.
+# If one backend's driver exits, the others' rows and the result file remain.
 for api in $apis; do
     for stage in enumeration build; do
         code=0
@@ -164,7 +164,7 @@ for api in $apis; do
     [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
 done
 
-# bench equivalence goes on with the others, too.
+# bench equivalence continues with the others, too.
 for api in $apis; do
     code=0
     with $api enumeration exit "$bin/bench" equivalence --fractal box --scenes 2 >table 2>err || code=$?
@@ -173,7 +173,7 @@ for api in $apis; do
     grep -q '^openmp .* 0$' table || fail "$api: equivalence: openmp is missing: $(cat table)"
 done
 
-# The libraries' own settings in the environment: --device decides, not ACC_DEVICE_NUM.
+# Environment variables of the libraries: --device decides, not ACC_DEVICE_NUM.
 if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
     for number in 0 1; do
         ACC_DEVICE_NUM=$number "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend openacc \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a driver under test does instead of its work, as MANDELMARCH_MISCONDUCT says: "STAGE ACTION", `build abort` say.
-// Stages: load, enumeration, build, launch, map, release. Actions: abort, crash, exit, leave (without the handlers of
-// exit), hang, garbage, speak (print a line twice and go on).
+// Faults of a driver under test, selected by MANDELMARCH_MISCONDUCT: "STAGE ACTION", for example `build abort`. Stages:
+// load, enumeration, build, launch, map, release. Actions: abort, crash, exit, leave (without exit handlers), hang,
+// garbage, speak (print a line twice and continue).
 #pragma once
 
 #include <unistd.h>
@@ -19,12 +19,12 @@ inline bool asked(std::string_view stage, std::string_view action)
     return wanted != nullptr && std::string(stage).append(" ").append(action) == wanted;
 }
 
-// True where the stage is to hand out garbage; comes back at all only then, or where another stage was asked for.
+// Returns true if this stage must return garbage. Does not return if the selected action ends the process or hangs.
 inline bool misconduct(std::string_view stage)
 {
     if (asked(stage, "abort")) std::abort();
     if (asked(stage, "crash")) {
-        // Some drivers' handlers let a signal that was only raised pass.
+        // Some drivers' handlers ignore a signal that was only raised.
         volatile int* nothing = nullptr;
         *nothing = 0;
     }
@@ -35,7 +35,7 @@ inline bool misconduct(std::string_view stage)
     return asked(stage, "garbage");
 }
 
-// A name that writes over the screen.
+// A name with control characters.
 inline constexpr const char* garbage_name = "junk\x1b[2J\n\x01 device";
 
 }  // namespace mandelmarch::drivers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backends that are broken on purpose: each must fail the checks that real backends pass, on known scenes and on random
-// ones. The same backend without a defect passes, so that it is the defect that is found.
+// Broken backends: each must fail the checks that real backends pass, on known scenes and on random ones. The same
+// backend without the defect passes, so the checks detect the defect.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -142,7 +142,7 @@ TEST_P(Broken, UpsideDownFails)
     EXPECT_FALSE(passes(Defect::upside_down, Mode::fast));
 }
 
-// True if bench's random scenes show nothing wrong.
+// Returns true if bench's random scenes pass.
 bool passes_random_scenes(Defect defect)
 {
     std::vector<std::unique_ptr<Backend>> backends;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equivalence check: what a backend draws against what it should draw.
+// The equivalence check: compares a backend's pictures with the expected ones.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// One row of the table: all scenes of a fractal through one backend, device, precision and mode.
+// One line of the table: all scenes of a fractal with one backend, device, precision and mode.
 struct EquivalenceRow {
     std::string fractal;
     std::string backend;
@@ -31,8 +31,8 @@ struct EquivalenceRow {
 std::string to_text(const EquivalenceRow& row);
 std::string equivalence_header();
 
-// Draws what is expected: in exact mode the text as scalar C++, in fast mode the canonical picture in double (for a
-// fractal that `reference` does not draw, the scalar text's). Pictures are kept.
+// Renders the expected pictures and keeps them: in exact mode with the scalar kernel, in fast mode the canonical
+// picture in double (from the scalar kernel if `reference` does not support the fractal).
 class Expected {
 public:
     explicit Expected(const Registry& registry) : registry_(registry) {}
@@ -43,7 +43,7 @@ private:
     std::map<std::string, Image> pictures_;
 };
 
-// Draws every scene of `scenes` that is of this fractal, with one renderer. Throws what the backend throws.
+// Renders every scene of this fractal in `scenes`, with one renderer. Throws what the backend throws.
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected);
 

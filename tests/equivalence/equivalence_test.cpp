@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every backend x device x fractal x precision x mode that is found at run time. In exact mode every bit of colour and
-// depth is that of the text as scalar C++; in fast mode the picture is the canonical one, as far as an eye can see.
+// All backends, devices, fractals, precisions and modes found at run time. In exact mode every bit of colour and depth
+// equals the scalar kernel's; in fast mode the picture is the canonical one, without visible differences.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::vector<NamedScene> fast_scenes()
     return scenes;
 }
 
-// The devices of a machine in CI are on its CPU; a backend of this build that finds none has lost its driver.
+// CI machines have devices on their CPU; a backend of this build without a device has lost its driver.
 TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
 {
     const Registry registry = all_backends();
@@ -53,7 +53,7 @@ class EveryBackend {
 public:
     EveryBackend() { fmt::print("{}\n", equivalence_header()); }
 
-    // All devices, fractals, precisions and modes of one backend.
+    // Checks all devices, fractals, precisions and modes of one backend.
     void check_all(const Backend& backend)
     {
         for (int device = 0; device < static_cast<int>(backend.devices().size()); ++device) {
@@ -79,7 +79,7 @@ private:
             EXPECT_TRUE(row.fine()) << to_text(row);
             EXPECT_GT(row.scenes, 0);
         } catch (const Unavailable& error) {
-            // A device without double, say. Backends of this build without any device fail the test above.
+            // For example, a device without double. Backends of this build without any device fail the test above.
             fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.nickname, backend.name(), error.what());
         }
     }
@@ -102,7 +102,7 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
     every.check_all(*make_skeleton_backend());
 }
 
-// Devices hand out bytes alone by another way than values. The sizes leave parts of words and of work groups over.
+// Devices read back bytes alone by another path than values. The sizes leave partial words and work groups.
 TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();
@@ -118,7 +118,7 @@ TEST(Equivalence, BytesAloneAreThoseOfTheValues)
             const Scene scene = official_scene(fractal, 51, 37);
             const std::vector<std::uint8_t> expected = bytes(scene, Image::Layers::all);
             EXPECT_EQ(bytes(scene, Image::Layers::bytes), expected) << backend->name() << " " << fractal.nickname;
-            // The twin: other bytes are found.
+            // Negative control: other bytes are detected.
             Scene other = scene;
             other.brightness *= 0.5;
             EXPECT_NE(bytes(other, Image::Layers::bytes), expected) << backend->name() << " " << fractal.nickname;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the explorer does without a window.
+// Parts of the explorer that need no window.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ constexpr double tick = 1.0 / 60;  // seconds
 
 Scene official(const char* name) { return official_scene(fractal_named(name), 16, 9); }
 
-// Straight on for a minute at the greatest speed.
+// Flies straight on for a minute at maximum speed.
 double clearance_after_a_minute(Motion& motion, Scene& scene)
 {
     motion.speed = 16;
@@ -48,7 +48,7 @@ TEST(ExploreMotion, WallsStopTheFlight)
     }
 }
 
-// The twin.
+// Negative control.
 TEST(ExploreMotion, AFlightThroughWallsIsInside)
 {
     Scene scene = official("bulb");
@@ -104,7 +104,7 @@ TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
     EXPECT_EQ(pace.size(960, 540, 1), std::pair(960, 540));
 }
 
-// A flight by an unsteady hand, faster than a film may be.
+// Returns a flight with an unsteady hand, faster than a film may be.
 Path unsteady()
 {
     Path path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights through a fractal that changes: schedules, plans, and what an audit finds out of them.
+// Flights through a fractal that changes: keyframes, plans, and faults that an audit must find.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ const Row& row_of(const Audit& audit, const std::string& name)
 const std::string solid = "frames inside solid";
 const std::string walls = "largest change of DE between frames by the shape";
 
-// The largest jump of the rate from one frame to the next.
+// Returns the largest change of the rate from one frame to the next.
 template <class Value>
 double rate_jump(Value value)
 {
@@ -52,17 +52,17 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     const Schedule back = scale("1s=2,5s=2.4,8s=2");
     for (const auto& [frame, value] : {std::pair{0.0, 2.0}, {30.0, 2.0}, {150.0, 2.4}, {240.0, 2.0}, {299.0, 2.0}})
         EXPECT_NEAR(back.value(frame), value, 1e-6) << frame;
-    // Its largest rate is 1.5 times the mean one, 0.4 in 90 frames.
+    // The largest rate is 1.5 times the mean one, 0.4 in 90 frames.
     const double rate = 1.5 * 0.4 / 90;
     EXPECT_LT(rate_jump([&](int f) { return back.value(f); }), 0.05 * rate);
-    // The twin goes straight from value to value.
+    // Negative control: linear interpolation.
     EXPECT_GT(rate_jump([](int f) { return 2 + 0.4 * std::clamp((f - 30) / 120.0, 0.0, 1.0); }), 0.4 * rate);
     EXPECT_TRUE(back.changes());
     EXPECT_FALSE(scale("2.5").changes());
     EXPECT_FALSE(Schedule{}.changes());
 }
 
-// plan() itself refuses them, constant shapes included.
+// plan() refuses these shapes, constant ones included.
 TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
 {
     for (const double value : {0.5, -0.5, 0.9}) {
@@ -101,7 +101,7 @@ TEST(Schedule, RefusesNonsenseInOneLine)
         }
     }
     EXPECT_THROW(parse_schedule("power", "8:5", official_scene("box", 16, 9), frames), InputError);
-    // The twins.
+    // Negative controls.
     for (const char* text : {"2", "2:3", "-1.5:-2", "0s=2,10s=3"}) EXPECT_NO_THROW(scale(text)) << text;
 }
 
@@ -114,7 +114,7 @@ TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
     const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };
     EXPECT_EQ(value(0), 2);
     EXPECT_EQ(value(frames - 1), static_cast<float>(2.03));
-    // It never goes back, and its rate has no jumps: the mean is 1e-4 a frame.
+    // The value never decreases, and its rate has no jumps: the mean is 1e-4 per frame.
     double jump = 0;
     for (std::size_t i = 1; i + 1 < frames; ++i) {
         EXPECT_GE(value(i + 1), value(i));
@@ -149,7 +149,7 @@ TEST(ChangingAudit, FindsOutAShapeThatJumps)
     EXPECT_FALSE(row_of(audit_promises(path, 0), walls).kept());
 }
 
-// Free before and behind, solid between: a wall that sweeps over a camera that stands still.
+// Free before and after, solid in between: a wall sweeps over a camera that stands still.
 TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
 {
     Path path;

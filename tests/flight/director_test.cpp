@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gaze that is chosen over time, the panoramas it is chosen by, and the speed it is flown at.
+// The gaze over time, the panoramas from which it is chosen, and the flight's speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int frames = 300;
 
-// A way past the fractal: from the left to the right of it, 0.3 above.
+// A path past the fractal: from its left to its right, 0.3 above.
 struct Passing {
     Shapes shapes{official_scene("bulb", 16, 9), 2, 0};
     const Field& field = shapes.field();
@@ -54,7 +54,7 @@ TEST(Sphere, DirectionsAreSpreadEvenly)
         sum = sum + direction;
     }
     EXPECT_LT(length(sum), 1);
-    // A cap of 0.3 radians holds (1 - cos 0.3) / 2 of a sphere.
+    // A cap of 0.3 radians covers (1 - cos 0.3) / 2 of a sphere.
     const double expected = 500 * (1 - std::cos(0.3)) / 2;
     for (int d = 0; d < 500; ++d) {
         EXPECT_EQ(sphere.near(d).front(), d);
@@ -78,7 +78,7 @@ TEST(Panorama, SeesTheFractalWhereItIs)
     EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
 }
 
-// The twin looks where it flies, past the fractal.
+// Negative control: looking ahead, past the fractal.
 TEST(Director, ShowsMoreThanLookingAhead)
 {
     const Passing way;
@@ -96,7 +96,7 @@ TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
     const auto gaze = smoothed_gaze(way.flown, Director(way.shapes, way.track).gaze(way.flown, frames));
     for (std::size_t i = 1; i < gaze.size(); ++i) {
         EXPECT_LT(degrees_between(gaze[i - 1], gaze[i]), 1.2);
-        // The first three seconds leave the fractal's middle.
+        // During the first three seconds the gaze turns away from the fractal's middle.
         if (i > 150) {
             EXPECT_LT(degrees_between(gaze[i], ahead(way.flown, i, 1)), 70);
         }
@@ -116,7 +116,7 @@ TEST(Director, KnowsHowFarThePictureMoves)
     }
 }
 
-// Beside a wall the camera is slow. The change of its speed has no kinks: the twin's step is one.
+// The camera is slow near a wall. Its acceleration has no jumps; the negative control, a step in speed, has.
 TEST(Ride, ChangesItsSpeedWithoutKinks)
 {
     const Passing way;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances: the same bits on any number of threads and in every instruction set.
+// Distances: the same bits on any number of threads and with every instruction set.
 #include "flight/field/field.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +25,10 @@ std::vector<Vector> places(int count)
     return places;
 }
 
-// Distances at places, and where rays from twice as far away to the middle end; as bits.
+// Returns distances at points, and the ends of rays from twice as far away to the middle, as bits.
 std::vector<std::uint64_t> bits_of(const Field& field)
 {
-    const std::vector<Vector> points = places(1001);  // no whole number of packs
+    const std::vector<Vector> points = places(1001);  // not a multiple of a pack
     std::vector<Vector> from;
     std::vector<Vector> along;
     for (const Vector& p : points) {
@@ -73,16 +73,16 @@ TEST(Field, TheSameBitsInEveryInstructionSet)
         std::set<int> lanes;
         for (const std::int64_t target : {HWY_STATIC_TARGET, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
             hwy::SetSupportedTargetsForTest(0);
-            if ((hwy::SupportedTargets() & target) == 0) continue;  // the machine has no such instructions
+            if ((hwy::SupportedTargets() & target) == 0) continue;  // the machine lacks these instructions
             hwy::SetSupportedTargetsForTest(target);
             lanes.insert(field::kernel_of(scene.fractal->name).lanes);
             EXPECT_EQ(bits_of(Field(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
         }
         hwy::SetSupportedTargetsForTest(0);
-        // One lane is the scalar text, the others are packs.
+        // One lane is the scalar kernel, the others are packs.
         EXPECT_TRUE(lanes.contains(1));
         EXPECT_GT(lanes.size(), 1U);
-        // The twin: a scene that differs in a millionth.
+        // Negative control: a scene that differs by a millionth.
         Scene other = scene;
         other.shape[0] += 1e-6;
         other.shape[2] += 1e-6;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# film_test.sh FLYTHROUGH: what a film and stills leave behind and keep, where they go, and what is refused before the work.
+# film_test.sh FLYTHROUGH: files that films and stills create and keep, outputs, and errors reported before the work.
 set -uo pipefail
 program=$(realpath "$1")
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# run CODE ARGUMENTS...: of flythrough; codes 2 and 77 have one line on stderr and change no file.
+# run CODE ARGUMENTS...: runs flythrough; with codes 2 and 77 it must print one line on stderr and change no file.
 run() {
     local code=$1 got before after
     shift
@@ -29,7 +29,7 @@ run() {
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
 same() { cmp -s "$1" "$2" || fail "$1 is not $2: $3"; }
 
-# A straight flight beside the Mandelbulb: a path of two segments, and one that is another.
+# A straight flight next to the Mandelbulb: a path of two segments, and a different one.
 python3 - <<'PY'
 import json
 for name, step in ("path", 0.02), ("other", 0.03):
@@ -41,7 +41,7 @@ small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 run 0 render other.json $small --output other.mp4
 
-# Segments that are no longer what they were, each in the parts of a film that is not joined yet.
+# Damaged segments, each in the segment store of a film that is not joined yet.
 run 0 render path.json $small --output parts.mp4 --segments 0-1
 damage() {
     cp -r parts.mp4.parts "$1.mp4.parts"
@@ -58,7 +58,7 @@ damage junk 'head -c $(stat -c %s segment-000001.mp4) /dev/urandom >segment-0000
 damage copied 'cp segment-000000.mp4 segment-000001.mp4; cp segment-000000.mp4.made segment-000001.mp4.made'
 damage unknown 'rm segment-000001.mp4.made'
 
-# A film that is no longer what its note says, in the same size.
+# A film with the same size but other contents than its stamp records.
 cp whole.mp4 kept
 head -c "$(stat -c %s kept)" /dev/urandom >whole.mp4
 run 0 render path.json $small --output whole.mp4
@@ -67,7 +67,7 @@ says '2 of 2 segments'
 run 0 render path.json $small --output whole.mp4
 says '0 of 2 segments'
 
-# Where films go: a pipe, a link, a link to what is not there, a device, stdout.
+# Outputs: a pipe, a link, a dangling link, a device, stdout.
 mkfifo pipe
 timeout 60 cat pipe >piped &
 run 0 render path.json $small --output pipe
@@ -97,7 +97,7 @@ if [ -w /dev/shm ]; then
     rm -rf "$shm"
 fi
 
-# Without a stderr the film and its summary come all the same.
+# Without a working stderr the film and its summary are still made.
 for to in '2>/dev/full' '2>&-' '2>&1 | true'; do
     rm -f mute* code
     eval "{ '$program' render path.json $small --output mute.mp4 --summary mute.json; echo \$? >code; } $to"
@@ -110,7 +110,7 @@ done
 "$program" audit path.json >/dev/full 2>stderr
 [ $? = 1 ] || fail "an audit that cannot be printed is no failure"
 
-# Stills: each stays only if it is this one, whole.
+# Stills are kept only if they are complete and of this film.
 run 0 render path.json $small --stills st --every 20
 cp -r st first
 run 0 render path.json $small --stills st --every 20
@@ -135,7 +135,7 @@ run 0 render path.json $small --stills st --every 20 --still-format jpeg
 run 0 render path.json $small --stills st --every 20 --still-format jpeg
 [ -s st/frame-000000.jpg ] || fail "an empty JPEG stays"
 
-# Refused before the work, in one line.
+# Errors before the work, in one line.
 : >file
 run 2 film $small --size 15x16
 run 2 film $small --size 14x14
@@ -165,7 +165,7 @@ run 2 render path.json $small --stills st --segments 1-0
 run 2 render path.json $small --stills st --segments 5-9
 says '5-9'
 
-# Another title, and another font, is another film; where a line ends counts.
+# Another title or font makes another film; line breaks count.
 cp /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "it's: 100 %, [a] font; \\.ttf"
 run 0 render path.json $small --output titled.mp4 --title a --authors $'b\nc'
 cp titled.mp4 first.mp4
@@ -174,7 +174,7 @@ says '2 of 2 segments'
 MANDELMARCH_FONT="it's: 100 %, [a] font; \\.ttf" run 0 render path.json $small --output titled.mp4 --title $'a\nb' --authors c
 says '2 of 2 segments'
 
-# An ffmpeg of our own: with a relative name; and one that waits for a file to be there.
+# An ffmpeg given by a relative name, which waits until a file exists.
 cat >slow <<'END'
 #!/bin/sh
 case "$*" in *.part-0*) : >begun; while [ ! -e "$GO" ] && kill -0 $PPID; do sleep 0.05; done ;; esac
@@ -190,7 +190,7 @@ says 'two.mp4: another run'
 wait %1 || fail "a film beside another: $(cat stderr0)"
 same two.mp4 whole.mp4 'beside another'
 
-# Ended by a signal: no part under way stays.
+# After a signal, no partial file remains.
 rm go
 MANDELMARCH_FFMPEG=./slow "$program" render path.json $small --output ended.mp4 2>stderr &
 until ls ended.mp4.parts/*/begun >/dev/null 2>&1; do sleep 0.05; done
@@ -199,7 +199,7 @@ kill -TERM $!
 wait $! && fail "a signal ended nothing"
 ls ended.mp4.parts/*/.[pm]* 2>/dev/null && fail "a signal leaves files"
 
-# One that never answers, at the check and at a segment.
+# An ffmpeg that never answers, when checked and for a segment.
 printf '#!/bin/sh\nexec sleep 100\n' >silent
 chmod +x silent
 export MANDELMARCH_FFMPEG_TIMEOUT=0.5

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planning, path files and audits: the same on any number of threads, and every row of an audit can fail.
+// Planning, path files and audits: the same on any number of threads, and every audit item can fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ const Row& row_of(const Audit& audit, const std::string& name)
     return *row;
 }
 
-// The audit of the planned path after `spoil` has changed its frames.
+// Returns the audit of the planned path after `spoil` has changed its frames.
 template <class Spoil>
 Audit spoilt(Spoil spoil)
 {
@@ -75,7 +75,7 @@ TEST(Plan, KeepsEveryPromise)
     EXPECT_EQ(json_of(planned(), result), json_of(planned(), audit(planned(), 4)));
 }
 
-// As films are planned. By the counted estimate the same flight is another.
+// The estimate of films. With the original estimate the flight differs.
 TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
 {
     Scene scene = official_scene("bulb", 16, 9);
@@ -96,7 +96,7 @@ TEST(Audit, EveryRowCanFail)
     };
     // Promises.
     EXPECT_FALSE(fails(spoilt([](auto& f) { move_to(f[200], {0, 0, 0.1}); }), "frames inside solid"));
-    // Both frames are free, the way between them is not.
+    // Both frames are free, but not the path between them.
     EXPECT_FALSE(fails(spoilt([](auto& f) {
                            move_to(f[0], {0, 0, 2});
                            move_to(f[1], {0, 0, -2});
@@ -158,7 +158,7 @@ TEST(Audit, EveryRowCanFail)
               for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
           }),
           "frames under 40 %");
-    // From far away, 30 degrees beside the picture's middle: it is in the corner.
+    // From far away, 30 degrees off the picture's middle, the fractal is in the corner.
     fails(spoilt([](auto& f) {
               for (auto& frame : f) {
                   move_to(frame, {0, 0, 12});
@@ -167,12 +167,12 @@ TEST(Audit, EveryRowCanFail)
           }),
           "longest time with the subject at the edge");
     fails(spoilt([](auto& f) {
-              // The sky, and then the same way once more.
+              // The sky, followed by the same path again.
               for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
               std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
           }),
           "the same view again");
-    // Ten seconds need no passage; a whole film at one place has none.
+    // Ten seconds need no passage; a full film at one position has none.
     Path long_path = planned();
     long_path.frames.assign(7200, planned().frames[0]);
     fails(audit(long_path, 0, 0, 300), "distinct passages");
@@ -214,7 +214,7 @@ TEST(PathFile, IsReadAsItIsWritten)
     EXPECT_EQ(to_text(path_from_text(text, "test")), text);
     const Scene changed = scene_of(path, path.frames[3], 64, 36);
     EXPECT_EQ(changed.shape[2], 7.5);
-    // A fractal that changes in flight is audited as it is in each frame.
+    // A fractal that changes during the flight is audited in each frame's shape.
     EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
 }
 
@@ -223,7 +223,7 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
     path.scene.iterations = 100;
-    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // what is flown through
+    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // as planned; pictures may use fewer
     const Scene film = picture_of(path, path.frames[0], 1920, 1080);
     const Scene large = picture_of(path, path.frames[0], 3840, 2160);
     EXPECT_LT(film.iterations, 100);
@@ -241,14 +241,14 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(asked.limits.root_share, 0);
 }
 
-// Pixels of one and a half samples: the sample in the middle counts half in each. Row 0 of an image is its bottom row.
+// Pixels of one and a half samples: the middle sample counts half in each. Row 0 of an image is its bottom row.
 TEST(Shrunk, IsTheMeanOverAPixelsArea)
 {
     Image picture(3, 3, Image::Layers::bytes);
     for (std::size_t i = 0; i < 9; ++i) {
         for (std::size_t c = 0; c < 3; ++c) picture.bytes()[3 * i + c] = static_cast<std::uint8_t>(10 * i + 80 * c);
     }
-    // Weights 2 1 and 1 2 of 3, both ways; the samples are 0 10 20 / 30 40 50 / 60 70 80 from the bottom.
+    // Weights 2 1 and 1 2 of 3 in both directions; the samples are 0 10 20 / 30 40 50 / 60 70 80 from the bottom.
     const std::vector<std::uint8_t> red{53, 67, 13, 27};
     for (const int threads : {1, 3}) {
         const auto rgb = shrunk(picture, 2, 2, threads);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# kinds_test.sh FLYTHROUGH: kinds of films: containers, rates, parts of a path, titles, tags for players, arrays.
+# kinds_test.sh FLYTHROUGH: kinds of films: containers, frame rates, parts of a path, titles, tags for players, job
+# arrays.
 set -uo pipefail
 program=$(realpath "$1")
 folder=$(mktemp -d)
@@ -11,7 +12,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# run CODE ARGUMENTS...: runs flythrough and expects this exit code; with code 2, one line on stderr and no file left.
+# run CODE ARGUMENTS...: runs flythrough and expects this exit code; with code 2, one line on stderr and no new file.
 run() {
     local code=$1 got before
     shift
@@ -26,7 +27,7 @@ says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 30
 # probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
-# A straight flight beside the Mandelbulb, of two segments.
+# A straight flight next to the Mandelbulb, of two segments.
 make_path() {
     python3 - "$@" <<'PY'
 import json, sys
@@ -38,17 +39,17 @@ json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "frames_per_
 PY
 }
 make_path path.json 30
-: >stdout # there before the first run
+: >stdout # exists before the first run
 : >stderr
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 
-# The ending decides the container; each film has all frames at the path's rate.
+# The file extension selects the container; each film has all frames at the path's rate.
 for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
     film=kind.${kind%:*}
     run 0 render path.json $small --frames 50-59 --output "$film"
     got=$(probe "$film" codec_name,r_frame_rate,nb_read_frames)
-    # A GIF counts hundredths of a second.
+    # GIF times are in hundredths of a second.
     [ "$got" = "${kind#*:},30/1,10" ] || [[ $got = gif,*,10 ]] || fail "$film has $got"
     cp "$film" first
     rm "$film" "$film.made"
@@ -62,7 +63,7 @@ for name in film film.avi film.mp5 mp4; do
     says 'expected .mp4, .mkv, .webm or .gif'
 done
 
-# Rates: that of a path file, and planned ones.
+# Frame rates: from a path file, and planned.
 for rate in 24 25 50 60; do
     make_path rate.json $rate
     run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
@@ -82,7 +83,7 @@ import json, math
 thirty, sixty, slow = (json.load(open(f"plan{rate}.json")) for rate in (30, 60, 24))
 assert (sixty["frames_per_second"], slow["frames_per_second"]) == (60, 24)
 assert (len(sixty["frames"]), len(slow["frames"])) == (120, 48)
-# The first second; the last frames of flights of other lengths differ.
+# The first second only: flights of other lengths differ in their last frames.
 step = math.dist(thirty["frames"][0]["location"], thirty["frames"][1]["location"])
 for i in range(30):
     assert math.dist(sixty["frames"][2 * i]["location"], thirty["frames"][i]["location"]) < step, i
@@ -106,7 +107,7 @@ done
 says 'expected A-B'
 run 2 audit path.json --frames 1-2
 
-# An array's last task may ask for more segments than there are.
+# An array's last task may request segments beyond the last one.
 run 0 render path.json $small --output array.mp4 --segments 0-0
 run 0 render path.json $small --output array.mp4 --segments 1-9
 says '1 of 2 segments'
@@ -118,7 +119,7 @@ run 0 render path.json $small --stills array --segments 1-9
 run 2 render path.json $small --output array2.mp4 --segments 2-9
 says '2-9 given, expected some of 0-1'
 
-# Segments that another kind of machine made are named.
+# Segments made on another kind of machine are named.
 MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
 run 0 render path.json $small --output mixed.mp4 --segments 1-1
 says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
@@ -130,7 +131,7 @@ if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
 fi
 
-# Titles: whole, once for each eye, in letters that the font has. white FILM: the columns that have white text at 2 s.
+# Titles: complete, once per eye, in letters of the font. white FILM: prints the columns with white text at 2 s.
 white() {
     ffmpeg -v error -ss 2 -i "$1" -frames:v 1 -pix_fmt gray -f rawvideo - | python3 -c '
 import sys
@@ -161,7 +162,7 @@ run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
 says '--authors: .*U\+674E'
 run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
 
-# Players recognize films of all directions, or for two eyes.
+# Players recognise films of all directions, or for two eyes.
 tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
 for kind in mp4 mkv webm; do
     run 0 render path.json --backend openmp --size 64x32 --frames 0-1 --projection equirectangular --output sphere.$kind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Titles fit, in letters that the font has.
+// Titles fit and use letters of the font.
 #include "flight/film/lettering.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST_F(Letters, ALongerTextHasSmallerOnes)
     const Lettering found = fitted("The Flight through the Mandelbulb", 32, 500);
     EXPECT_LT(found.size, 32);
     EXPECT_EQ(found.lines.size(), 1U);
-    EXPECT_GT(font.width(found.lines[0]) * (found.size + 1), 500);  // no smaller than it must be
+    EXPECT_GT(font.width(found.lines[0]) * (found.size + 1), 500);  // as large as possible
 }
 
 TEST_F(Letters, AVeryLongTextIsBrokenInTwo)

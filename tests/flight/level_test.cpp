@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horizon that a flight keeps.
+// The horizon of a flight.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace mandelmarch {
 namespace {
 
-// Once around a fractal in 1800 frames, looking ahead and a little up and down; up leans on its side.
+// Returns a path once around a fractal in 1800 frames that looks ahead and slightly up and down; `up` leans sideways.
 Path round(const std::string& fractal)
 {
     Path path;
@@ -38,7 +38,7 @@ TEST(Level, IsHeldAwayFromTheMiddle)
     EXPECT_TRUE(level_row(path).kept());
 }
 
-// A cube's floors: the nearest axis stays up while the flight goes round, so that the horizon never turns over.
+// The nearest axis of a cube stays up while the flight goes round, so that the horizon never turns over.
 TEST(Level, IsTheNearestAxisOfABox)
 {
     Path path = round("box");
@@ -50,7 +50,7 @@ TEST(Level, IsTheNearestAxisOfABox)
 TEST(Level, IsTakenSlowly)
 {
     Path path = round("bulb");
-    // On its back half way.
+    // Upside down in the second half.
     for (std::size_t i = 900; i < 1800; ++i) path.frames[i] = rolled(path.frames[i], std::numbers::pi);
     Path turned = path;
     hold_level(turned.frames, *path.scene.fractal);
@@ -70,7 +70,7 @@ TEST(Level, NeedsNoHorizonStraightUp)
     EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
-// By its tilt a camera becomes level.
+// Rolling a camera by its tilt makes it level.
 TEST(Level, IsWhereItsTiltLeads)
 {
     const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film killed at random moments and begun again is the undisturbed film, and
-# no finished segment is rendered twice. Also: a full disk, an encoder that is missing or fails, and array jobs.
+# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film killed at random moments and resumed equals the undisturbed film, and
+# no finished segment is rendered twice. Also: a full disk, a missing or failing encoder, and array jobs.
 set -uo pipefail
 program=$(realpath "$1")
 kills=$2
@@ -14,7 +14,7 @@ fail() {
     failures=$((failures + 1))
 }
 says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
-# Many kills need a film that outlives them.
+# Many kills need a longer film.
 frames=330
 [ "$kills" -gt 5 ] && frames=2400
 segments=$(((frames + 59) / 60))
@@ -44,7 +44,7 @@ PY
 says "0 of $segments segments"
 grep -q '"seconds_per_frame": null' summary.json || fail "a film that was there has seconds a frame"
 
-# Killed again and again, at moments that a fixed sequence draws. A film that was ready before is begun anew.
+# Kills the film at pseudo-random moments; a film that was complete before is started again.
 hits=0
 RANDOM=7
 for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
@@ -59,7 +59,7 @@ for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
         continue
     fi
     ls -l --time-style=full-iso killed.mp4.parts/*/segment-* 2>/dev/null | awk '{print $5, $7, $9}' >now
-    # What was finished before is there still, untouched.
+    # Finished segments must still exist, unchanged.
     [ -e before ] && comm -23 <(sort before) <(sort now) | grep -q . && fail "a finished segment was made again: kill $hits"
     mv now before
 done
@@ -67,7 +67,7 @@ done
 "$program" render path.json $small --output killed.mp4 2>stderr || fail "after $kills kills: $(cat stderr)"
 cmp whole.mp4 killed.mp4 || fail "the film killed $kills times is another one"
 
-# Array jobs side by side, then the join.
+# Array jobs at the same time, then the join.
 "$program" render path.json $small --output array.mp4 --segments 0-2 2>stderr0 &
 "$program" render path.json $small --output array.mp4 --segments 3-$((segments - 1)) 2>stderr || fail "the other segments: $(cat stderr)"
 wait %1 || fail "segments 0-2: $(cat stderr0)"
@@ -76,7 +76,7 @@ says 'not joined'
 says "0 of $segments segments"
 cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
 
-# A full disk, here a limit on a file's size; then there is room again.
+# A full disk, simulated by a limit on file sizes; then there is space again.
 (ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
 [ $? = 1 ] || fail "a full disk gives another exit code than 1"
 [ "$(wc -l <stderr)" -le 3 ] || fail "a full disk says too much: $(cat stderr)"
@@ -84,7 +84,7 @@ says 'the encoder failed|an incomplete file'
 ls full.mp4.parts/*/.part-* >/dev/null 2>&1 && fail "a full disk leaves parts"
 [ -e full.mp4 ] && fail "a full disk leaves half a film"
 
-# An encoder that ends well with half a file, as ffmpeg does where there is no room for the file's end.
+# An encoder that exits with 0 after half a file, as ffmpeg does if there is no space for the file's end.
 cat >halving <<'END'
 #!/bin/sh
 ffmpeg "$@" || exit 1
@@ -107,7 +107,7 @@ MANDELMARCH_FFMPEG=false "$program" render path.json $small --output none.mp4 2>
 says 'does not work'
 [ -e none.mp4.parts ] && fail "work was begun without an encoder"
 
-# Several ranks, where mpirun is there and the program knows it.
+# Several ranks, if mpirun exists and the program is linked with MPI.
 if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     for ranks in 1 2 4; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before any planning, by every way in.
+# shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before planning, from any input.
 set -uo pipefail
 program=$(realpath "$1")
 source=$2
@@ -37,7 +37,7 @@ for power in 0.5 1 1.1 1.2; do
     refused plan --frames 120 --power "$power"
     refused plan --frames 120 --power "8:$power"
 done
-# A number given on the command line replaces the file's.
+# A number on the command line replaces the file's.
 timeout 60 "$program" plan --frames 120 --params p.dat --power 8 --output new.json >stdout 2>stderr || fail "$(cat stderr)"
 rm -f new.json
 # A Mandelbox's file read as a Mandelbulb's: a warning about the file, and the refusal.

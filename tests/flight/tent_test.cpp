@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter of single samples.
+// The filter of films with one sample per pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ TEST(Softened, TakesATenthOfEachNeighbour)
             EXPECT_EQ(rgb[3 * i], 0);
         }
     }
-    // The twin: what is above is not what is below.
+    // Negative control: top and bottom are not exchanged.
     Image bottom = black(1, 2);
     bottom.bytes()[0] = 100;
     EXPECT_EQ(softened(bottom, 1), (std::vector<std::uint8_t>{10, 0, 0, 90, 0, 0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames are true: against orbits that no distance estimate has a part in, and against short steps.
+// Frames have converged: compared with orbits, independently of any distance estimate, and with short steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,8 +20,8 @@ struct Place {
     Vector eye, target, up;
 };
 
-// Of the first flight that was seen to be torn: two ordinary frames, and four close to the poles, where the counted
-// estimate is up to forty times too large.
+// From the first flight with torn frames: two ordinary frames, and four close to the poles, where the original estimate
+// is up to forty times too large.
 constexpr Place places[] = {
     {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
     {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
@@ -31,7 +31,7 @@ constexpr Place places[] = {
     {5400, {0.328618, 0.412669, 0.784391}, {-0.0173689, 0.772824, 1.65075}, {0.787524, 0.613405, 0.0595037}},
 };
 
-// A path of one frame.
+// Returns a path of one frame.
 Path path_at(const Place& place, bool conservative)
 {
     Path path;
@@ -42,7 +42,7 @@ Path path_at(const Place& place, bool conservative)
     return path;
 }
 
-// True where the orbit of p under z -> z^8 + p stays within 4 for so many iterations.
+// Returns true if the orbit of p under z -> z^8 + p stays within 4 for so many iterations.
 bool is_solid(Vector p, int iterations)
 {
     using Complex = std::complex<double>;
@@ -62,7 +62,7 @@ bool is_solid(Vector p, int iterations)
     return true;
 }
 
-// Where a ray enters the solid, in steps of 0.15 tolerances; infinity where it does not.
+// Returns the depth at which a ray enters the solid, in steps of 0.15 tolerances; infinity if it does not.
 double entry(const Scene& scene, Vector direction, double tolerance)
 {
     constexpr double begin = 0.003;
@@ -73,7 +73,7 @@ double entry(const Scene& scene, Vector direction, double tolerance)
     return std::numeric_limits<double>::infinity();
 }
 
-// The share of a frame's rays that end more than three tolerances inside the solid.
+// Returns the fraction of a frame's rays that end more than three tolerances inside the solid.
 double share_behind(const Backend& openmp, const Place& place, bool conservative)
 {
     const Path path = path_at(place, conservative);
@@ -102,7 +102,7 @@ TEST(Truth, RaysEndBeforeTheSolid)
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     for (const Place& place : places) EXPECT_LE(share_behind(openmp, place, true), 0.01) << "frame " << place.frame;
-    // The twin: the counted estimate at the first of the torn frames.
+    // Negative control: the original estimate in the first of the torn frames.
     EXPECT_GT(share_behind(openmp, places[2], false), 0.1);
 }
 
@@ -115,12 +115,12 @@ TEST(Truth, FramesAreThoseOfShortSteps)
         EXPECT_TRUE(row.promise);
         EXPECT_TRUE(row.kept()) << row.name << ": " << row.value;
     }
-    // The twin: the counted estimate.
+    // Negative control: the original estimate.
     const auto torn = truth_rows(path_at(places[2], false), openmp, options, {});
     EXPECT_FALSE(torn.back().kept()) << torn.back().value;
 }
 
-// Pixels take over what a look found around those beside them: less work, and nearly the same picture.
+// Pixels share the occlusion of their neighbours: less work, and nearly the same picture.
 TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
 {
     const Registry registry = all_backends();
@@ -138,11 +138,12 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     const auto more = drawn(alone);
     EXPECT_LT(static_cast<double>(less), 0.85 * static_cast<double>(more));
     const Comparison c = compare(shared, alone);
-    EXPECT_GT(c.psnr, 36) << c.psnr;  // root mean square: under 4.1 bytes
+    EXPECT_GT(c.psnr, 36) << c.psnr;  // root mean square error below 4.1 bytes
     EXPECT_GT(c.differing, 0U);
 }
 
-// A part of a picture is that part, and rays through pixels' middles are every second one of a picture twice as large.
+// A part of a picture equals that part of the whole one, and rays through pixel centres are every second ray of a
+// picture twice as large.
 TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
 {
     const Registry registry = all_backends();

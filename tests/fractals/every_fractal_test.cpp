@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of every fractal there is: that its kernel text and its row say the same. A build of its own has these
-// tests with the tests' fractal.
+// Properties of every fractal: its kernel source and its descriptor agree. A separate build runs these tests with the
+// tests' fractal.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -51,7 +51,7 @@ TEST_P(EveryFractal, IsFoundByItsNames)
     EXPECT_EQ(&fractal_named(fractal().nickname), &fractal());
 }
 
-// Random scenes are what a parameter file may say.
+// Random scenes are valid as parameter files.
 TEST_P(EveryFractal, DrawsScenesInItsRanges)
 {
     for (const Scene& scene : scenes()) {
@@ -61,14 +61,14 @@ TEST_P(EveryFractal, DrawsScenesInItsRanges)
     EXPECT_NE(to_parameters(extreme_scene(fractal(), 1, 0)), to_parameters(extreme_scene(fractal(), 1, 1)));
 }
 
-// Its gradient is that of its estimate: normals from differences give nearly the same picture.
+// The gradient belongs to the estimate: normals from differences give nearly the same picture.
 TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
     EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "normal")), most_off);
 }
 
-// The twin: slightly other light is found out.
+// Negative control: slightly different light is detected.
 TEST_P(EveryFractal, OtherLightIsFoundOut)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
@@ -77,7 +77,7 @@ TEST_P(EveryFractal, OtherLightIsFoundOut)
     EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "normal")), most_off);
 }
 
-// Its hull cuts no surface off.
+// The hull cuts off no surface.
 TEST_P(EveryFractal, HullChangesNoPicture)
 {
     for (const Scene& scene : scenes()) {
@@ -85,8 +85,7 @@ TEST_P(EveryFractal, HullChangesNoPicture)
     }
 }
 
-// Far outside the body that a flight is planned in there is no surface, and the estimate is no larger than the way
-// there.
+// Far outside the flight's bounds there is no surface, and the estimate does not exceed the distance to the centre.
 TEST_P(EveryFractal, BodyHoldsTheFractal)
 {
     const Field field(official_scene(fractal(), 16, 9), 1);
@@ -99,7 +98,7 @@ TEST_P(EveryFractal, BodyHoldsTheFractal)
     }
 }
 
-// Places that are one by its symmetry are as far from the surface.
+// Points that are equivalent by symmetry have the same distance.
 TEST_P(EveryFractal, SymmetricPlacesAreAsFar)
 {
     const Field field(official_scene(fractal(), 16, 9), 1);

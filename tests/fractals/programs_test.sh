@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# programs_test.sh BIN FRACTALS: every program takes the fractal of FRACTALS, which nothing but its two files knows.
+# programs_test.sh BIN FRACTALS: every program supports the fractal of FRACTALS, which is defined in its two files only.
 set -euo pipefail
 bin=$1
 name=$(basename "$2"/*.h .h)
@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 python() { python3 -c "import json, sys; data = json.load(open(sys.argv[1])); $2" "$1"; }
 
-# Its row's parameter file, as a file.
+# The parameter file from its descriptor.
 sed -n '/R"dat(/,/^)dat"/p' "$2/$name.cpp" | sed -e 's/.*R"dat(//' -e '/^)dat"/d' >"$name.dat"
 
 echo "render draws it"

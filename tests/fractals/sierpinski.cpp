@@ -22,7 +22,7 @@ constexpr std::string_view official = R"dat(# Sierpinski's tetrahedron
 sierpinski.bmp
 )dat";
 
-constexpr double radius = 1.7320508075688772;  // sqrt(3), of the sphere through the corners (1, 1, 1), (1, -1, -1), ...
+constexpr double radius = 1.7320508075688772;  // sqrt(3); of the sphere through the corners (1, 1, 1), (1, -1, -1), ...
 
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
@@ -31,7 +31,7 @@ FractalConstants<Number> constants(const FractalInputs<Number>& of)
     return {.values = {scale, scale - 1, of.escape * of.escape, radius}};
 }
 
-// An iteration takes |z| to s |z| - (s - 1) radius at least, so that DE >= |p| - radius.
+// An iteration maps |z| to at least s |z| - (s - 1) radius, so that DE >= |p| - radius.
 double hull(const Scene&, const Sight& view)
 {
     return view.slope < 1 ? (radius + view.slope * view.distance) / (1 - view.slope) : 0;
@@ -41,7 +41,7 @@ std::optional<Hull> body(const Scene&) { return Hull{Hull::Shape::sphere, radius
 
 double growth(const Scene& scene) { return scene.shape[0]; }
 
-// Larger scales leave dust, which other steps hit elsewhere.
+// Larger scales leave dust, which other step sizes hit elsewhere.
 void random_shape(Scene& scene, Chance& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
 
 void extreme_shape(Scene& scene, Chance& chance)

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel text, part 5, of the tests: Sierpinski's tetrahedron as a kaleidoscopic system (Knighty, Fractal Forums,
-// 2010), z -> s fold(z) - (s - 1) (1, 1, 1), which turns no distance but by the factor s. Its estimate is a lower
-// bound.
+// Kernel source, part 5, of the tests: Sierpinski's tetrahedron as a kaleidoscopic system (Knighty, Fractal Forums,
+// 2010), z -> s fold(z) - (s - 1) (1, 1, 1). Distances are only scaled by s, so the estimate is a lower bound.
 
 FN scalar sierpinski_scale(Scene scene) { return scene.fractal[0]; }
 FN scalar sierpinski_offset(Scene scene) { return scene.fractal[1]; }   // s - 1
 FN scalar sierpinski_escape2(Scene scene) { return scene.fractal[2]; }  // escape radius^2
 FN scalar sierpinski_radius(Scene scene) { return scene.fractal[3]; }   // of the sphere through its corners
 
-// Mirrored at the plane a + b = 0 where the point lies below it.
+// Mirrors points below the plane a + b = 0.
 FN vec3 mirrored_xy(mask on, vec3 v) { return pick3(on, vec3(-v.y, -v.x, v.z), v); }
 FN vec3 mirrored_xz(mask on, vec3 v) { return pick3(on, vec3(-v.z, v.y, -v.x), v); }
 FN vec3 mirrored_yz(mask on, vec3 v) { return pick3(on, vec3(v.x, -v.z, -v.y), v); }
@@ -27,10 +26,10 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
     return vec3(s * f.x - c, s * f.y - c, s * f.z - c);
 }
 
-// |z|^2, and not so small that a device could flush its terms to zero.
+// |z|^2, limited from below so that its terms cannot be flushed to zero.
 FN real sierpinski_r2(vec3 z) { return larger(inner(z, z), R(1.0e-30)); }
 
-// Where a ray can meet the surface: the row proves the sphere.
+// The part of a ray that can meet the surface; the descriptor proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -52,8 +51,8 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// The gradient of the estimate up to a positive factor, by forward differentiation along the three axes: mirrors are
-// all that turns them.
+// The gradient of the estimate up to a positive factor, by forward differentiation along the three axes: only mirrors
+// turn them.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
@@ -85,10 +84,10 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     return vec3(inner(z, x), inner(z, y), inner(z, w));
 }
 
-// The share of light that haze takes on a way of length t: half at about the fractal's size.
+// The fraction of light absorbed by haze over a distance t: half at about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(3.0)); }
 
-// Where the orbit of p passes nearest to the planes x = 1 and y = z and to the middle, for colours.
+// The orbit's smallest distances from the planes x = 1 and y = z and from the middle, for colours.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

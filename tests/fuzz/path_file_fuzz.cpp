@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a path file give a path that is read again as it is written, or an InputError in one line.
+// libFuzzer: any bytes as a path file give a path that is unchanged by writing and reading, or an InputError in one
+// line.
 #include <cstdlib>
 
 #include "core/base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a picture file give a whole picture, or an InputError.
+// Any bytes as a picture file give a complete picture, or an InputError.
 #pragma once
 
 #include <cstddef>

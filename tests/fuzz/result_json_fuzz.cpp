@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a result file give a result that is written as it was read, is no regression of itself and
-// has efficiencies from 0 to 1, or an InputError in one line.
+// libFuzzer: any bytes as a result file give a result that is unchanged by writing and reading, is not a regression of
+// itself and has efficiencies from 0 to 1, or an InputError in one line.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -27,7 +27,7 @@ void demand(bool held)
 
 bool share(double value) { return value >= 0 && value <= 1; }
 
-// The values of a JSON, nested ones included.
+// Collects all values of a JSON document, including nested ones.
 void collect(nlohmann::ordered_json& json, std::vector<nlohmann::ordered_json*>& values)
 {
     values.push_back(&json);
@@ -35,7 +35,7 @@ void collect(nlohmann::ordered_json& json, std::vector<nlohmann::ordered_json*>&
     for (auto& value : json) collect(value, values);
 }
 
-// What may stand in a value's place.
+// Replacements for values.
 constexpr const char* odd[] = {"null",
                                "true",
                                "0",
@@ -84,7 +84,7 @@ void use(const Result& result)
 
 extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t most);
 
-// Whole results with one value changed or copied: changed bytes alone are seldom a JSON.
+// Changes or copies one value of a complete result, as changed bytes rarely give valid JSON.
 extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed)
 {
     std::minstd_rand random(seed);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# run.sh BIN SOURCE CORPUS SECONDS FUZZER...: fuzzes for so long each, one on each core at a time, from the official
-# parameter files, small pictures, a short path and a small result. Inputs that break one stay in CORPUS/FUZZER.
+# run.sh BIN SOURCE CORPUS SECONDS FUZZER...: runs each fuzzer for SECONDS, one per core at a time, starting from the
+# official parameter files, small pictures, a short path and a small result. Inputs that cause a failure are kept in
+# CORPUS/FUZZER.
 set -uo pipefail
 bin=$1
 source=$2
@@ -24,7 +25,7 @@ cat >"$seeds/path.json" <<'END'
 "iterations": 50, "escape": 90, "colouring": 1, "brightness": 2}]}
 END
 
-# fuzz NAME
+# fuzz NAME: runs one fuzzer.
 fuzz() {
     mkdir -p "$corpus/$1" && cd "$corpus/$1" || return 1
     "$bin/$1_fuzz" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2560 -print_final_stats=1 . \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every model draws the bits of the scalar text, in pictures of every shape, says where it ran and what it did.
+// Every model gives the bits of the scalar kernel in pictures of every shape, and reports its device and work.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -46,7 +46,7 @@ double seconds_of(clockid_t clock)
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Seconds on a processor of all threads but this one, those that have ended among them.
+// Returns the processor seconds of all threads but this one, including ended ones.
 double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 TEST_P(Models, ExactHasTheBitsOfTheScalarText)
@@ -60,7 +60,7 @@ TEST_P(Models, ExactHasTheBitsOfTheScalarText)
     }
 }
 
-// A loop that one thread goes through draws the right picture, too.
+// A loop that runs on one thread would give the right picture, too.
 TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
 {
     const auto renderer = model.create({.precision = precision});
@@ -68,7 +68,7 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
         Image image(side, side, Image::Layers::bytes);
         return renderer->render(official_scene("bulb", side, side), image);
     };
-    drawn(32);  // threads start
+    drawn(32);  // starts the threads
     const double before = seconds_of_others();
     const RenderReport report = drawn(540);
     if (report.threads > 1 && !report.device.is_gpu) {
@@ -76,7 +76,7 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
     }
 }
 
-// The twin: another mode has other bits.
+// Negative control: another mode has other bits.
 TEST_P(Models, FastDiffersFromExactAndIsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -125,7 +125,7 @@ TEST_P(Models, HaveAPeak)
 {
     const auto peak = model.multiply_add_peak({.precision = precision});
     ASSERT_TRUE(peak.has_value());
-    EXPECT_GT(*peak, 1e8);  // operations per second: less is another unit
+    EXPECT_GT(*peak, 1e8);  // operations per second; a smaller value would be in another unit
 }
 
 std::vector<std::string> names()

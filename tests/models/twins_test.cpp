@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Twins of the models whose Mandelbox is broken on purpose (CMakeLists.txt): the check that real backends pass finds
-// the Mandelbox wrong, and the Mandelbulb, which is not broken, right.
+// Mutants of the models with a wrong Mandelbox (CMakeLists.txt): the check that real backends pass must reject the
+// Mandelbox and accept the Mandelbulb, which is not changed.
 #include <gtest/gtest.h>
 
 #include <sstream>

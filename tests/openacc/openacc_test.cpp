@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenACC's devices: GPUs, and the host, which says that it is none. tests/models has its pictures.
+// OpenACC's devices: GPUs, and the host, which is not reported as a GPU. Pictures are tested in tests/models.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -19,7 +19,7 @@ TEST(OpenaccDevices, TheHostIsLastAndSaysThatItIsNoGpu)
     for (std::size_t i = 0; i + 1 < devices.size(); ++i) EXPECT_TRUE(devices[i].is_gpu);
     const int missing = static_cast<int>(devices.size());
     EXPECT_THROW(openacc.create({.device = missing}), Unavailable);
-    // `auto` never takes the host through OpenACC.
+    // `auto` never selects the host through OpenACC.
     EXPECT_EQ(registry.automatic().backend->name(), devices.front().is_gpu ? "openacc" : "openmp");
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# program_test.sh BIN SOURCE: the programs without a GPU: they say that the host draws, and refuse a GPU that is not there.
+# program_test.sh BIN SOURCE: the programs without a GPU report that the host renders, and reject a missing GPU.
 set -uo pipefail
 bin=$1
 folder=$(mktemp -d)
@@ -12,7 +12,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-export CUDA_VISIBLE_DEVICES=  # no GPU, even where there is one
+export CUDA_VISIBLE_DEVICES=  # hides any GPU
 
 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend openacc --output a.png --stats a.json 2>stderr || fail "exit code $?"
 [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr"

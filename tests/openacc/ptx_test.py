@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_test.py text|assemble PROGRAM FRACTAL...: the PTX in a built program keeps the floating-point policy, and ptxas takes
-it without spills. Each check has broken twins that must fail. Exit code 77: no pinned ptxas."""
+"""ptx_test.py text|assemble PROGRAM FRACTAL...: the PTX in a built program follows the floating-point policy, and ptxas
+compiles it without spills. Each check has mutants that must fail. Exit code 77: no pinned ptxas."""
 import os
 import re
 import sys
@@ -12,8 +12,8 @@ import k40  # noqa: E402
 import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
-# Registers at most, by the kernel's kind and precision: blocks of 128 threads on a multiprocessor that they leave are 9, 5, 6, 3 and 16
-# for the K40, 7, 5, 5, 3 and 16 for the H100.
+# Max registers, by the kernel's kind and precision. They allow 9, 5, 6, 3 and 16 blocks of 128 threads on a
+# multiprocessor of the K40, and 7, 5, 5, 3 and 16 on one of the H100.
 MOST_REGISTERS = {
     "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},
@@ -23,7 +23,7 @@ MOST_REGISTERS = {
 
 
 def changed(ptx, kernel, old, new):
-    """The PTX with the first match of `old` in one kernel replaced."""
+    """Returns the PTX with the first match of `old` in one kernel replaced."""
     body = next(body for name, body in k40.kernels(ptx) if name.startswith(kernel))
     twin = re.sub(old, new, body, count=1)
     assert twin != body, f"{kernel} holds no {old}"
@@ -45,7 +45,7 @@ ld.f32 %r7,[%r8];
 
 
 def check_expected():
-    """Times on paper: the loops of a march, the cycles of their instructions, and the longest ray."""
+    """Checks predicted times: the loops of a march, the cycles of their instructions, and the longest ray."""
     found = []
     march = machine_code.march_of(machine_code.ptx(LOOPS, {("div", "f32"): 8}), {"double": 20})
     if march != (20, 3, 11, 3, False):

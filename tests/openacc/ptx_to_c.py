@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The instructions that gcc's nvptx compiler writes for this project's kernels, in C: so that the PTX itself can be run, one
-thread after the other, on a machine without a GPU. Anything unknown is an error."""
+"""Translates the instructions that gcc's nvptx compiler writes for this project's kernels to C, so that the PTX itself
+can run, one thread after the other, on a machine without a GPU. Unknown instructions are errors."""
 import re
 
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
            "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t"}
 COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
-UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # true where a number is not one: not the opposite
+UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # negated: these are true for NaN
 INFIX = {"xor": "^", "add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
 SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid"}
 LINE = re.compile(r"(?:@\s*(!?)\s*(%\w+)\s+)?([a-z][\w.]*)\s*(.*?);$")
@@ -34,7 +34,7 @@ class Kernel:
                 self.types[declared[2]] = declared[1]
 
     def value(self, operand, kind):
-        """An operand, read as a number of this kind."""
+        """Returns an operand as a number of this kind."""
         operand = operand.strip()
         if operand in SPECIAL:
             return SPECIAL[operand]
@@ -53,7 +53,7 @@ class Kernel:
     def operation(self, word, suffixes, operands):
         kind = suffixes[-1] if suffixes else None
         if word in ("bar", "barrier"):
-            return ""  # the first thread has run to its end before the others begin
+            return ""  # the first thread runs to its end before the others begin
         if word == "bra":
             return f"goto {operands[0].strip().replace('$', '')};"
         if word == "ret":
@@ -128,7 +128,7 @@ class Kernel:
 
 
 def translate(kernels, reader=Kernel):
-    """A C source with every kernel and the table that finds them by name."""
+    """Returns a C source with every kernel and a table that finds them by name."""
     parsed = [reader(name, body) for name, body in kernels]
     table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
     return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +

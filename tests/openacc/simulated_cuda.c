@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in for NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it: GPUs
-// that run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other. Device memory is the
-// host's.
-//   SIMULATED_GPUS    how many there are, 1 where unset
-//   SIMULATED_CAPABILITY  their compute capability, 35 where unset
-//   SIMULATED_MEMORY  free bytes, 1 GiB where unset
-//   SIMULATED_CLOCK   0: they have no events to take the time with
-//   SIMULATED_BLOCKS  1: blocks may have other sizes than 128 threads
-//   SIMULATED_WATCHED 1: a watchdog ends long kernels
-//   SIMULATED_REGISTERS  of a thread of each kernel, 100 where unset
-//   SIMULATED_FAULT   launch, lost or timeout: what the first kernel meets; link: gcc's kernels are not linked; version: PTX is
-//                     of a newer version
+// Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it:
+// simulated GPUs run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other.
+// Device memory is host memory.
+//   SIMULATED_GPUS        number of GPUs (default 1)
+//   SIMULATED_CAPABILITY  compute capability (default 35)
+//   SIMULATED_MEMORY      free bytes (default 1 GiB)
+//   SIMULATED_CLOCK       0: no events for timing
+//   SIMULATED_BLOCKS      1: blocks may have other sizes than 128 threads
+//   SIMULATED_WATCHED     1: a watchdog ends long kernels
+//   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
+//   SIMULATED_FAULT       launch, lost or timeout: fault of the first kernel; link: gcc's kernels do not link; version:
+//                         the PTX is of a newer version
 #include "kernels.h"
 
 #include <stdio.h>
@@ -27,7 +27,7 @@ enum {
     NOT_SUPPORTED = 801
 };
 
-static int pending;  // what the next synchronization tells
+static int pending;  // result of the next synchronization
 static int current = -1;
 static uint64_t taken;
 static struct {
@@ -59,7 +59,7 @@ int cuDeviceGetName(char* name, int size, int device)
 }
 int cuDeviceTotalMem_v2(size_t* bytes, int device) { return *bytes = 12ull << 30, device < 0 ? NOT_FOUND : SUCCESS; }
 int cuDeviceTotalMem(size_t* bytes, int device) { return cuDeviceTotalMem_v2(bytes, device); }
-// Numbers as cuda.h has them.
+// Attribute numbers as in cuda.h.
 int cuDeviceGetAttribute(int* value, int attribute, int device)
 {
     switch (attribute) {
@@ -120,7 +120,7 @@ int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize();
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
 int cuStreamAddCallback(void) { return NOT_SUPPORTED; }
-// The GPU's clock: kernels take a second, and nothing else takes time.
+// The GPU's clock: each kernel takes a second; nothing else takes time.
 static int seconds;
 int cuEventCreate(int** event, unsigned flags)
 {

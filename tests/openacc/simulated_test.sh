@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX that
-# stands in the program: its pictures have the bits of the scalar text, several GPUs can be chosen, and a GPU that fails
-# gives a line and the right exit code.
+# simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX
+# from the program: its pictures have the bits of the scalar kernel, several GPUs can be selected, and a failing GPU
+# gives one line and the right exit code.
 set -uo pipefail
 bin=$1
 here=$2/tests/openacc
 . "$2/tests/failures.sh"
 cp "$2"/params*.dat "$folder"
 cd "$folder"
-# expect CODE LINES PATTERN ARGUMENT...: mandelbulb's exit code and what it says on stderr.
+# expect CODE LINES PATTERN ARGUMENT...: checks mandelbulb's exit code and stderr.
 expect() {
     local code=$1 lines=$2 pattern=$3 got
     shift 3
@@ -32,7 +32,7 @@ $build libcuda.so.1 || exit 1
 export LD_LIBRARY_PATH=$folder
 unset CUDA_VISIBLE_DEVICES
 
-# The PTX draws the scalar text's bits, in exact mode; and does its work.
+# In exact mode the PTX gives the scalar kernel's bits and counts the same work.
 sed 's/^0 4.0 8.0/0 4.0 7.5/' paramsBulb.dat >power.dat
 sed 's/^2 0.5 1/-1.5 0.5 1/' paramsBox.dat >scale.dat
 for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box scale.dat"; do
@@ -48,14 +48,14 @@ grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file doe
 $draw --backend openacc --mode fast --output fast.exr || fail "fast mode"
 "$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
 
-# The twin: a GPU that fuses a multiplication and an addition where it may not.
+# Negative control: a GPU that fuses a multiplication and an addition that must not be fused.
 sed -E 's/^(r[0-9]+) = \(\(double\)(r[0-9]+)\) \+ \(\(double\)(r[0-9]+)\);/\1 = fma(\2, 1.0000000000000002, \3);/' kernels.h >twin.h
 mkdir twin && mv twin.h twin/kernels.h
 ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend openacc --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
-# Several GPUs, and the host after them.
+# Several GPUs, followed by the host.
 export SIMULATED_GPUS=3
 expect 0 0 '' --backend openacc --device 2 --output a.png --stats a.json
 grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"
@@ -64,8 +64,8 @@ expect 77 1 'there is no device 4, only 0 to 3' --backend openacc --device 4 --o
 unset SIMULATED_GPUS
 expect 0 1 '^backend openacc: openacc has the GPU Simulated K40 number 0' --output a.png
 
-# `kernel` is the GPU's own time, `host` the wall clock round it: each of three kernels takes a second of the GPU. The twin:
-# without a clock, both are the host's.
+# `kernel` is the GPU's own time, `host` the wall time around it: each of three kernels takes a second of the GPU.
+# Negative control: without a clock, both are the host's time.
 seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
 expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 [ "$(seconds kernel)" = 3.0 ] || fail "kernel is $(seconds kernel) s, not the GPU's 3"
@@ -73,14 +73,14 @@ expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 SIMULATED_CLOCK=0 expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 [ "$(seconds kernel)" != 3.0 ] || fail "kernel is 3 s without a clock"
 
-# A picture of 2^19 pixels is one launch, and two where a watchdog ends long ones.
+# A picture of 2^19 pixels is one launch, and two if a watchdog ends long ones.
 large() { "$bin/mandelbulb" paramsBulb.dat --size 750x700 --backend openacc --mode fast --precision float --without trial --output a.png --stats a.json; }
 large || fail "a picture of 2^19 pixels"
 [ "$(seconds kernel)" = 6.0 ] || fail "kernel is $(seconds kernel) s, not that of two launches"
 SIMULATED_WATCHED=1 large || fail "a picture under a watchdog"
 [ "$(seconds kernel)" = 9.0 ] || fail "kernel is $(seconds kernel) s, not that of three launches under a watchdog"
 
-# Failures: of these, gcc's run-time library ends the device's process itself, with a line of its own.
+# On these failures, gcc's run-time library ends the device process, with its own message.
 SIMULATED_FAULT=launch expect 1 1 'last words: libgomp: cuLaunchKernel error' --backend openacc --output b.png
 SIMULATED_FAULT=lost expect 1 1 'last words: libgomp: .*unspecified launch failure' --backend openacc --output b.png
 SIMULATED_FAULT=timeout expect 1 1 'last words: libgomp: .*launch timed out' --backend openacc --output b.png

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# faults_test.sh BIN SHIM ROOT: devices with faults give one clear line and the right exit code, leave no picture, and
-# do not hang; devices that are only poor draw the same picture.
+# faults_test.sh BIN SHIM ROOT: faulty devices give one clear line and the right exit code, leave no picture, and do not
+# hang; devices with limited features give the same picture.
 set -uo pipefail
 bin=$1
 shim=$2
@@ -11,14 +11,14 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failures=0
 
-draw() {  # FAULT OPTION...
+draw() {  # draw FAULT OPTION...: renders with this fault
     local fault=$1
     shift
     MANDELMARCH_FAULT=$fault MANDELMARCH_DEVICE_TIMEOUT=${patience:-100} LD_PRELOAD=$shim timeout 60 "$bin/render" --fractal box \
         "$root/paramsBox.dat" --backend opencl --size "${size:-40x30}" --output picture.exr "$@" 2>stderr
 }
 
-fails() {  # FAULT CODE TEXT OPTION...
+fails() {  # fails FAULT CODE TEXT OPTION...: expects this exit code and message
     local fault=$1 code=$2 text=$3
     shift 3
     rm -f picture.exr
@@ -30,7 +30,7 @@ fails() {  # FAULT CODE TEXT OPTION...
     fi
 }
 
-same() {  # FAULT OPTION...
+same() {  # same FAULT OPTION...: expects the picture without the fault
     local fault=$1
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
@@ -40,7 +40,7 @@ same() {  # FAULT OPTION...
     fi
 }
 
-differs() {  # FAULT OPTION...
+differs() {  # differs FAULT OPTION...: expects another picture
     local fault=$1
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
@@ -61,8 +61,8 @@ fails none 77 "there is no device 9" --device 9
 fails none 2 "no vector length" --pack 3
 same none --precision float
 same no-double --precision float
-same inexact --precision float  # quotients and roots in double
-differs inexact-liar --precision float  # the twin: inexact division shows where it is trusted
+same inexact --precision float  # division and square root in double
+differs inexact-liar --precision float  # negative control: inexact division is visible if it is trusted
 size=300x200
 same small-buffers --precision double  # in bands
 same small-buffers --precision float

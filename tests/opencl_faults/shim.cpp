@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded before libOpenCL: a device with a fault, named by MANDELMARCH_FAULT. It stands between the program and the
-// real driver, so that every other call works as always.
+// Preloaded before libOpenCL: adds a fault to a device, selected by MANDELMARCH_FAULT. All other calls go to the real
+// driver.
 #include <CL/cl.h>
 #include <dlfcn.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using mandelmarch::drivers::misconduct;
 
-// Also as a driver of its own, which the loader opens.
+// Also used as a separate driver, opened by the loader.
 __attribute__((constructor)) void load() { misconduct("load"); }
 
 bool fault(std::string_view name)
@@ -41,7 +41,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
     misconduct("launch");
     if (fault("dies")) return CL_OUT_OF_RESOURCES;
     if (fault("hangs")) {
-        // An event that nothing ever completes.
+        // An event that never completes.
         cl_context context = nullptr;
         clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof(context), &context, nullptr);
         cl_int error = CL_SUCCESS;
@@ -69,7 +69,7 @@ cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* d
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
 
-// A device whose quotient of floats is a unit or so off in the last place, whether it says so ("inexact") or not.
+// A device whose float division is about a unit off in the last place, whether it reports that ("inexact") or not.
 cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings, const size_t* lengths,
                                      cl_int* error)
 {
@@ -78,13 +78,13 @@ cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const ch
     constexpr std::string_view exact = "return a / b;";
     std::string text(strings[0], lengths[0]);
     const auto at = text.find(exact);
-    if (at == std::string::npos) std::abort();  // the prelude has changed, and this twin must follow
+    if (at == std::string::npos) std::abort();  // the prelude has changed: adapt this mutant
     text.replace(at, exact.size(), "return a * (1 / b);");
     const char* begin = text.c_str();
     return create(context, 1, &begin, nullptr, error);
 }
 
-// The picture's planes are mapped to be read.
+// The picture's planes are mapped for reading.
 void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, cl_map_flags flags, size_t offset,
                          size_t size, cl_uint waits, const cl_event* wait, cl_event* event, cl_int* error)
 {

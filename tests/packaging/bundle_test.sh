@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# bundle_test.sh BUILD SOURCE: a bundle without drivers has all that it needs, runs from anywhere and draws the build's bits.
+# bundle_test.sh BUILD SOURCE: a bundle without drivers is complete, runs from any folder and gives the build's bits.
 set -uo pipefail
 build=$(realpath "$1")
 source=$(realpath "$2")
@@ -8,13 +8,13 @@ command -v patchelf >/dev/null || { echo "no patchelf, which makes bundles"; exi
 . "$source/tests/failures.sh"
 cmake --build "$build" --target bundle_program >"$folder/log" 2>&1 || { tail "$folder/log"; exit 1; }
 ARCHIVE=no "$source/packaging/bundle" "$build" "$folder/made" OFF >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
-# Where it was made it is not.
+# Move it away from where it was made.
 mkdir "$folder/else where"
 mv "$folder"/made/* "$folder/else where/bundle"
 bundle="$folder/else where/bundle"
 in_bundle() { (cd "$folder" && env -i PATH=/usr/bin:/bin "$bundle/bin/$1" "${@:2}"); }
 
-# Libraries: all but glibc's are inside, by relative paths.
+# All libraries except glibc's are inside, by relative paths.
 outside() {
     env -i ldd "$bundle/bin/mandelmarch" | grep -vF "$bundle/" |
         grep -vE 'linux-vdso|/ld-linux|/lib(c|m|dl|pthread|rt)\.so|^\s*$'
@@ -26,7 +26,7 @@ while read -r file; do
 done < <(find "$bundle" -type f \( -name '*.so*' -o -name mandelmarch \))
 [ "$(du -sm --apparent-size "$bundle" | cut -f1)" -lt 60 ] || fail "$(du -sm "$bundle") MB"
 
-# Each file has its licence, and the README its glibc.
+# Each file has its licence, and the README names glibc's version.
 tail -n +2 "$bundle/MANIFEST.tsv" | while IFS=$'\t' read -r file bytes package version licence; do
     { [ "$bytes" = - ] || [ "$(stat -c %s "$bundle/$file")" = "$bytes" ]; } && [ -n "$package" ] && [ -n "$version" ] && [ -s "$bundle/$licence" ] ||
         echo "$file $bytes $package $version $licence"
@@ -39,7 +39,7 @@ done >"$folder/bad"
 grep -qE 'glibc 2\.[0-9]+ or newer' "$bundle/README.md" || fail "README.md does not say which glibc it wants"
 grep -q '@' "$bundle/README.md" && fail "README.md: $(grep -m1 '@' "$bundle/README.md")"
 
-# Programs: by their names and by the first argument, with the build's bits.
+# Programs start by their names and by the first argument, and give the build's bits.
 for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
     in_bundle $program --version >/dev/null || fail "$program does not start"
     in_bundle mandelmarch $program --version >/dev/null || fail "mandelmarch $program does not start"
@@ -53,11 +53,11 @@ in_bundle imgdiff a.exr b.exr >/dev/null || fail "other bits than the build's"
 in_bundle bench --backend openmp --fractal box --precision float --size 32x24 --repetitions 2 --launches 2 --json bench.json \
     >/dev/null 2>"$folder/stderr" || fail "bench: $(cat "$folder/stderr")"
 in_bundle demo --side 16 >/dev/null 2>&1 || fail "demo"
-# Without ffmpeg one line says so.
+# Without ffmpeg one line reports that.
 (cd "$folder" && env -i PATH=/nowhere "$bundle/bin/flythrough" film --frames 30 --size 64x36 --output film.mp4) 2>"$folder/stderr"
 [ $? = 1 ] && [ "$(grep -c ffmpeg "$folder/stderr")" = 1 ] || fail "without ffmpeg: $(cat "$folder/stderr")"
 
-# The twin: without one of its libraries it does not start, so that this machine's own were not taken.
+# Negative control: without one of its libraries it does not start, so the machine's own were not used.
 mv "$bundle/lib/libOpenEXR"* "$folder/"
 [ -n "$(outside)" ] || fail "a library that is away is not missed"
 finish

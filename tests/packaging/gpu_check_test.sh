@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# gpu_check_test.sh BUILD SOURCE COMPILER PYTHON: packaging/gpu_check on a simulated GPU (tests/openacc/simulated_cuda.c), PoCL and
-# lavapipe, with small pictures: a broken backend, a step that hangs and other bits stop nothing else, results are packed after each
-# step, and the reader makes a page of them.
+# gpu_check_test.sh BUILD SOURCE COMPILER PYTHON: packaging/gpu_check on a simulated GPU
+# (tests/openacc/simulated_cuda.c), PoCL and lavapipe, with small pictures: a broken backend, a step that hangs and
+# wrong bits do not stop other steps, results are packed after each step, and tools/gpu_results.py makes a page of them.
 set -uo pipefail
 source=$(realpath "$2")
 . "$source/tests/failures.sh"
@@ -38,7 +38,7 @@ grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody 
 results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
 pgrep -f "$folder/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-# The reader's page.
+# The page of results.
 reader="$4 -B $source/tools/gpu_results.py"
 $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
 in=$(echo read/rehearsal-*)
@@ -51,14 +51,14 @@ $reader bin/render read >page 2>&1 && fail "a file that is no result is read"
 [ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
 [ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
 
-# The negative control: with other hashes, bits differ. Only the named steps run.
+# Negative control: with other hashes, bits differ. Only the named steps run.
 sed -i 's/^./x/' gpu-check/gpu_check.sha256
 check bin out-bits cuda && fail "other bits are not seen"
 grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
 [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
 cp "$source"/packaging/gpu_check.sha256 gpu-check
 
-# A second run goes on with the steps that have not passed; when stopped, it leaves no process.
+# A second run resumes with the steps that have not passed; when stopped, it leaves no process.
 BACKENDS=vulkan check --work kept bin out-kept facts vulkan || fail "two steps: $(cat out)"
 BACKENDS=vulkan gpu-check/gpu_check --work kept bin out-kept >out 2>&1 &
 for _ in $(seq 300); do grep -q '^t-vk' out && break; sleep 0.1; done
@@ -68,7 +68,7 @@ grep -q '^vulkan: done before' out || fail "it does not go on: $(cat out)"
 sleep 1
 pgrep -f "$folder/bin" >processes && fail "stopped, it leaves $(cat processes)"
 
-# Unusable arguments are refused in one line.
+# Invalid arguments are reported in one line.
 check nothing out-none
 [ $? = 2 ] && [ "$(wc -l <out)" = 1 ] && grep -q 'nothing: no such file' out || fail "programs that are missing: $(cat out)"
 BACKENDS=nonsense check bin out-none

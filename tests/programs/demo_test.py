@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""demo_test.py BIN SOURCE: tools/demo leaves one page that needs no network, with what every backend drew."""
+"""demo_test.py BIN SOURCE: tools/demo makes one page that needs no network, with the pictures of every backend."""
 import base64
 import json
 import os
@@ -30,7 +30,7 @@ def text_of(path):
 
 
 def png_size(data):
-    """Width and height of a PNG whose image data can be unpacked."""
+    """Returns width and height of a PNG whose image data can be decompressed."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("no PNG")
     at, packed = 8, b""
@@ -58,7 +58,7 @@ class DemoTest(unittest.TestCase):
         shutil.rmtree(cls.folder)
 
     def page_of(self, change):
-        """What the builder makes of a changed demo.json."""
+        """Returns the page for a changed demo.json."""
         folder = tempfile.mkdtemp(dir=self.folder)
         run(os.path.join(BIN, "demo"), "--folder", folder, "--side", str(SIDE))
         path = os.path.join(folder, "demo.json")

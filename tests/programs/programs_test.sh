@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# programs_test.sh BIN SOURCE: the programs as a user runs them: exit codes, messages, files left behind.
+# programs_test.sh BIN SOURCE: the programs from outside: exit codes, messages, output files.
 set -uo pipefail
 bin=$1
 source=$2
@@ -15,7 +15,7 @@ fail() {
     failures=$((failures + 1))
 }
 
-# expect CODE COMMAND...: the exit code, and for 2 and 77 exactly one line on stderr and no new file.
+# expect CODE COMMAND...: checks the exit code and, for 2 and 77, exactly one line on stderr and no new file.
 expect() {
     local code=$1 before after got
     shift
@@ -31,7 +31,7 @@ expect() {
     [ -z "$(find . -name '.mandelmarch-*')" ] || fail "a half file is left: $*"
 }
 
-# says PATTERN: the last command's stderr.
+# says PATTERN: checks the last command's stderr.
 says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
 
 small="--size 40x30 --backend openmp"
@@ -69,7 +69,7 @@ sed 's/^imageBulb.bmp/-/' paramsBulb.dat >dash.dat
 expect 0 cmp piped.bmp a.bmp
 [ -e ./- ] && fail "a file called - is made"
 
-# Several samples a pixel smooth jagged edges: the flat background stays, and edges take values between.
+# Several samples per pixel smooth jagged edges: the flat background stays, and edges take values in between.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 3 --output fine.png
 expect 1 "$bin/imgdiff" fine.png a.png
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 1 --output fine.png
@@ -84,7 +84,7 @@ done
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
 says 'expected sides of up to'
 
-# A region equals that part of the whole picture, which may be larger than any picture that can be drawn whole.
+# A region equals that part of the whole picture, which may be larger than any picture that can be rendered whole.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,40,30 --output region.exr
 expect 0 "$bin/imgdiff" region.exr a.exr
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 5,10,20x10 --output region.ppm
@@ -106,7 +106,6 @@ done
 says 'expected X,Y,WIDTH,HEIGHT of a part of 40 x 30 pixels'
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,4,4 --eyes 1
 
-# imgdiff.
 expect 1 "$bin/imgdiff" a.bmp image.bmp
 expect 1 "$bin/imgdiff" a.bmp odd.bmp
 expect 1 "$bin/imgdiff" a.bmp image.bmp --json --map map.png
@@ -118,7 +117,7 @@ expect 2 "$bin/imgdiff" a.bmp paramsBox.dat
 expect 2 "$bin/imgdiff" a.bmp
 expect 2 "$bin/imgdiff" a.bmp a.bmp --map map.exr
 
-# A ray's trace: no picture, and the command that imgdiff prints is one that runs.
+# A ray's trace: no picture, and imgdiff prints a command that runs.
 rm -f traced.png
 expect 1 "$bin/imgdiff" a.bmp image.bmp
 traced=$(sed -n 's/^why: bin\/render --fractal FRACTAL PARAMS.dat \(--size 40x30 --pixel [0-9]*,[0-9]* --trace\),.*/\1/p' stdout)
@@ -139,14 +138,13 @@ says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom lef
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
-# Statistics.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png
 for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
     grep -q "$text" stats.json || fail "statistics without $text"
 done
 
-# A scene finer than float's digits: one line warns of it, and the statistics contain how it was drawn.
+# A scene finer than float's precision: one line warns of it, and the statistics record how it was rendered.
 sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
      s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
 expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
@@ -157,7 +155,7 @@ expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fa
 grep -q '"stride": 0\.95' stats.json || fail "statistics without the steps"
 grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 
-# Versions: one line, the version that CITATION.cff names, too. A build under a sanitizer has no bench.
+# The version is one line and equals that in CITATION.cff. Sanitizer builds have no bench.
 version=$(sed -n 's/^version: //p' "$source/CITATION.cff")
 for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
     [ -x "$bin/$program" ] || continue
@@ -166,7 +164,6 @@ for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
         fail "$program --version says $(head -c 300 stdout)"
 done
 
-# Backends and devices.
 for backend in openacc opencl vulkan; do
     "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
     expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend $backend --output new.bmp
@@ -189,7 +186,7 @@ expect 2 "$bin/render" --fractal sponge paramsBulb.dat
 expect 0 "$bin/mandelbulb" --help
 grep -q 'bytes per pixel' stdout || fail "--help gives no memory figure"
 
-# Wrong parameter files: place, then what is wrong.
+# Wrong parameter files: the message starts with the place.
 expect 2 "$bin/mandelbulb" missing.dat
 says '^missing.dat:1: .*expected'
 expect 2 "$bin/mandelbulb" .
@@ -225,7 +222,7 @@ for number in 0 1; do
     cmp -s one.png four.png && fail "super-sampling changes nothing"
 done
 
-# Wrong outputs, seen before anything is drawn.
+# Wrong outputs, reported before anything is rendered.
 sed 's/^imageBulb.bmp/image/' paramsBulb.dat >noending.dat
 expect 2 "$bin/mandelbulb" noending.dat $small
 sed 's/^imageBulb.bmp/image.tiff/' paramsBulb.dat >unknown.dat
@@ -247,7 +244,7 @@ mkdir gone
 (cd gone && rmdir ../gone && "$bin/mandelbulb" "$folder/paramsBulb.dat" $small --output a.bmp 2>"$folder/stderr")
 [ $? = 2 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
 
-# One file for two things.
+# One file for two purposes.
 cp again.bmp twice.bmp
 ln -s twice.bmp link.bmp
 ln twice.bmp hard.bmp
@@ -264,7 +261,7 @@ expect 0 cmp twice.bmp again.bmp
 expect 0 cmp parameters.bmp paramsBulb.dat
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/null --stats /dev/null
 
-# Notes that cannot be written end nothing; results that cannot be written are a failure.
+# Messages that cannot be written are ignored; results that cannot be written are a failure.
 awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >warning.dat
 expect 0 "$bin/mandelbulb" warning.dat $small --output kept.bmp
 says 'warning: '
@@ -284,7 +281,7 @@ for command in "imgdiff a.bmp a.bmp" "imgdiff a.bmp a.bmp --json" "imgdiff --hel
 done
 expect 2 bash -c "'$bin/mandelbulb' paramsBulb.dat $small --output /dev/stdout >&-"
 
-# Names with control characters and long values stay one line, and a short one.
+# Names with control characters and long values stay in one short line.
 odd=$'a\n\e[31m'
 cp warning.dat "$odd.dat"
 expect 0 "$bin/mandelbulb" "$odd.dat" $small --output a.png
@@ -301,7 +298,7 @@ expect 1 "$bin/imgdiff" "$odd.bmp" a.bmp
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size "$(head -c 100000 /dev/zero | tr '\0' 7)"
 [ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
 
-# A signal that ends the program amid a picture leaves nothing, and the status is the signal's.
+# A signal in the middle of a picture leaves no file, and the exit status is the signal's.
 sed '0,/^[^#]/s/^[^#].*/90 90 90/' paramsBulb.dat >far.dat
 for signal in INT TERM HUP; do
     env --default-signal=INT,TERM,HUP "$bin/mandelbulb" far.dat --size 3000x3000 --backend openmp --output signal.png \
@@ -316,7 +313,7 @@ for signal in INT TERM HUP; do
     [ -z "$(find . -name '.mandelmarch-*' -o -name signal.png)" ] || fail "$signal leaves $(ls -A)"
 done
 
-# Disks that are full, by device and by limit.
+# Full disks, simulated by device and by limit.
 expect 1 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/full
 says 'No space left'
 cp a.bmp kept.bmp

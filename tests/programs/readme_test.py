@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""readme_test.py BIN SOURCE: every command in README's shell blocks works as it stands there, in a folder with the built programs."""
+"""readme_test.py BIN SOURCE: every command in README's shell blocks works as written, in a folder with the built
+programs."""
 import glob
 import os
 import re
@@ -11,7 +12,7 @@ import tempfile
 import unittest
 
 BIN, SOURCE = (os.path.abspath(path) for path in sys.argv[1:3])
-# Commands that are not run here, and why; that make knows them is tested.
+# Commands that do not run here, with the reason; the make targets must exist.
 NOT_RUN = {
     "make demo": "builds, and times every backend",
     "make test": "is what runs this test",
@@ -28,7 +29,7 @@ NOT_RUN = {
 
 
 def commands(text):
-    """The commands of the shell blocks of a document, without their comments."""
+    """Returns the commands of a document's shell blocks, without comments."""
     blocks = re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)
     lines = (re.sub(r"\s+#.*", "", line) for block in blocks for line in block.splitlines())
     return [line for line in lines if line]
@@ -40,7 +41,7 @@ def run(command, folder):
 
 
 def failing(text, folder):
-    """The commands that fail, with what they say, in the order of the document."""
+    """Returns the commands that fail, with their output, in the order of the document."""
     results = [(command, *run(command, folder)) for command in commands(text) if command not in NOT_RUN]
     return [f"{command}: exit code {code}: {said}" for command, code, said in results if code != 0]
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# survey_test.sh BIN SOURCE: render warns of pictures that show nothing or are wrong, and refuses scenes that cannot
-# give a picture.
+# survey_test.sh BIN SOURCE: render warns of pictures that are empty or wrong, and rejects scenes that cannot give a
+# picture.
 set -uo pipefail
 bin=$(realpath "$1")
 source=$2
@@ -14,7 +14,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# run CODE FRACTAL ARGUMENTS...
+# run CODE FRACTAL ARGUMENTS...: runs render and checks its exit code.
 run() {
     local code=$1 got
     shift
@@ -26,7 +26,7 @@ run() {
 }
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(cat stderr)"; }
 stats() { grep -Eq -- "$1" s.json || fail "the statistics do not say '$1': $(grep -A8 survey s.json)"; }
-# The scene FILE with its line NUMBER of values replaced: change FILE NUMBER VALUES NUMBER VALUES ... >new
+# change FILE NUMBER VALUES NUMBER VALUES ... >new: replaces these lines of values in a parameter file.
 change() {
     local file=$1
     shift
@@ -34,7 +34,7 @@ change() {
         /^#/ { print; next } { ++k; print (k in to) ? to[k] : $0 }' "$file"
 }
 
-# The negative controls: official scenes give no warning, in either precision and mode.
+# Negative controls: official scenes give no warning, in any precision and mode.
 for fractal in Bulb Box Julia; do
     for how in "--precision double" "--precision float" "--precision float --mode fast"; do
         run 0 "${fractal,}" params$fractal.dat $how
@@ -70,7 +70,7 @@ change paramsBulb.dat 1 "3 .65 .5" 4 2.7 >near.dat
 run 0 bulb near.dat
 ! grep -q 'nothing' stderr || fail "a picture: $(cat stderr)"
 
-# In the solid no ray sees anything: refused if the picture has one colour, else a warning.
+# Inside the solid all rays end at once: an error if the picture has one colour, else a warning.
 change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
 run 2 bulb inside.dat
 says '^inside.dat: the camera is inside the solid'
@@ -80,7 +80,7 @@ run 0 box inside.dat
 says 'the camera is inside the solid'
 stats '"in_solid": true'
 
-# A detail level below the precision of all numbers.
+# A detail level below the resolution of both precisions.
 change paramsBox.dat 6 "-20" >fine.dat
 run 0 box fine.dat
 says '[0-9]+ % of the rays ran out of their 8000 steps'
@@ -90,7 +90,7 @@ stats '"out_of_steps": 0\.[0-9]*[1-9]'
 for depth in 1e-6 1e-7; do
     python3 - $depth >deep.dat <<'PY'
 import math, sys
-# A place just outside the surface of the Mandelbulb of power 8, found by the escape of orbits.
+# A point just outside the surface of the Mandelbulb of power 8, found by the escape of orbits.
 def escapes(r0, toward):
     place = [r0 * c for c in toward]
     x, y, z = place
@@ -101,7 +101,7 @@ def escapes(r0, toward):
         r = r ** 8
         x, y, z = r * math.sin(t) * math.cos(p) + place[0], r * math.sin(t) * math.sin(p) + place[1], r * math.cos(t) + place[2]
     return False
-# Takes a line on which the distance to the surface grows at once.
+# Choose a line on which the distance to the surface grows at once.
 for turn in range(100):
     toward = (math.cos(0.2 + turn / 100) * 0.987, math.sin(0.2 + turn / 100) * 0.987, 0.161)
     r = 1.2
@@ -125,7 +125,7 @@ PY
     done
 done
 
-# All directions are 360 by 180 degrees.
+# All directions: 360 by 180 degrees.
 panorama() {
     "$bin/render" --fractal bulb paramsBulb.dat --projection equirectangular "$@" --output p.png 2>stderr
 }

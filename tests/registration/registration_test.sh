@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# registration_test.sh BIN SOURCE PYTHON: everything that programs know of a backend follows from its line in the list.
-# Programs with the skeleton's line have the skeleton; the same sources without it refuse it by name.
+# registration_test.sh BIN SOURCE PYTHON: programs get a backend through its line in the list alone. With the skeleton's
+# line they support it; built from the same sources without it they reject its name.
 set -euo pipefail
 bin=$1
 source=$2
@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 fail() { echo "FAILED: $*" >&2; exit 1; }
-# refused PROGRAM ARGUMENT...: a usage error that names the skeleton.
+# refused PROGRAM ARGUMENT...: expects a usage error that names the skeleton.
 refused() {
     local code=0
     "$@" >/dev/null 2>err || code=$?
@@ -23,7 +23,7 @@ scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
 "$bin/render_with_skeleton" --list-devices | grep -q '^skeleton *0: skeleton' || fail "its device is not listed"
 "$bin/render_with_skeleton" --list-devices | grep -q '^openmp *0: ' || fail "openmp is not listed"
 
-# The same bits; in fast mode after a trial, as every backend but the reference has one.
+# The same bits; in fast mode after a trial, as for every backend but the reference.
 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --output skeleton.exr --stats skeleton.json
 "$bin/render" "${scene[@]}" --backend openmp --pack 1 --output openmp.exr
 "$bin/imgdiff" skeleton.exr openmp.exr >/dev/null || fail "the skeleton draws other bits"
@@ -33,7 +33,7 @@ grep -q "\"stride\": 0" fast.json || fail "no trial went before the fast picture
 grep -q "\"stride\": null" skeleton.json || fail "an exact picture has a trial"
 refused "$bin/render" "${scene[@]}" --backend skeleton --output no.exr
 
-# bench proves and times it, and knows how it was built.
+# bench verifies and times it, and reports how it was built.
 race=(--backend skeleton --fractal box --precision float --mode exact --size 32x32 --repetitions 6)
 "$bin/bench_with_skeleton" --list "${race[@]}" | grep -q '^mandelbox/float/exact/skeleton/0' || fail "--list has no row"
 "$bin/bench_with_skeleton" "${race[@]}" --json result.json >table || fail "bench: $(cat table)"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""front_numbers.py PAGE RESULTS: computes every number of the front page again, from the raw samples, counts and tables of the
-result files. It shares no code with the report and follows no path that the page names: the sentences below say what each number
-must be. A number that no sentence covers is a fault, and so is a sentence that the page lacks. Exit codes: 0 fine, 1 faults."""
+"""front_numbers.py PAGE RESULTS: computes every number of the front page again, from the raw samples, counts and tables
+of the result files. It shares no code with the report and does not use the page's places: the sentences below define
+each number. A number without a sentence is a fault, and so is a sentence missing on the page. Exit codes: 0 success, 1
+faults."""
 
 from __future__ import annotations
 
@@ -22,13 +23,13 @@ T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.3
 
 
 def text_of(page: str) -> str:
-    """The front page as a reader sees it, without its figure."""
+    """Returns the text of the front page, without its figure."""
     page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
 
 
 def two_sided(t: float, freedom: int) -> float:
-    """Student's t, by Abramowitz and Stegun's finite sums, 26.7.3 and 26.7.4."""
+    """Returns Student's t, from Abramowitz and Stegun's finite sums, 26.7.3 and 26.7.4."""
     angle = math.atan(t / math.sqrt(freedom))
     term, total = (1.0, 1.0) if freedom % 2 == 0 else (math.cos(angle), math.cos(angle))
     for k in range(2 if freedom % 2 == 0 else 3, freedom, 2):
@@ -40,7 +41,7 @@ def two_sided(t: float, freedom: int) -> float:
 
 
 class Times:
-    """A value and its interval: Student's t of the logarithms of several launches' values, widened to contain the value."""
+    """A value and its interval: Student's t on the logarithms of several runs' values, widened to contain the value."""
 
     def __init__(self, value: float, launches: list[float]):
         logs = [math.log(one) for one in launches]
@@ -72,13 +73,13 @@ class File:
         return Times(statistics.median(sum(launches, [])), [statistics.median(one) for one in launches])
 
     def speed(self, name: str, base: str) -> Times:
-        """The speed over `base`, in wall time."""
+        """Returns the speed over `base`, in wall time."""
         own, other = self.launches(name, "wall"), self.launches(base, "wall")
         ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
         return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
 
     def ratio(self, above: str, below: str) -> Times:
-        """The ratio of kernel times, paired by round."""
+        """Returns the ratio of kernel times, paired by round."""
         a, b = ({(s["launch"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
         launches: dict[int, list[float]] = {}
         for at in [at for at in a if at in b]:
@@ -98,7 +99,8 @@ def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", po
 
 
 def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
-    """For each model that compiles the text as it is: speed per thread over the scalar text, times, and factor for threads."""
+    """Returns for each model with the scalar kernel: speed per thread over the scalar kernel, times, and factor for
+    threads."""
     found: dict[str, list[tuple[float, Times, float]]] = {}
     for model in ("stdpar", "omptarget", "kokkos", "openacc"):
         for row in file.rows.values():
@@ -116,19 +118,19 @@ def ends(speeds: list[tuple[float, Times, float]]) -> list[float]:
 
 
 def comparisons(file: File) -> dict[str, Times]:
-    """Every other backend's kernel time over openmp's."""
+    """Returns every other backend's kernel time over openmp's."""
     rows = [row for row in file.rows.values() if row["samples"] and row["backend"] not in ("openmp", "reference")]
     return {row["name"]: file.ratio(row["name"], name_of(row["fractal"], row["precision"], row["mode"])) for row in rows}
 
 
 def decided(times: list[Times]) -> int:
-    """Counts the values that are above 1 with Holm's correction."""
+    """Counts the values above 1, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
 
 def standard_rows(folder: Path) -> list[dict[str, Any]]:
-    """The timed rows of all results of the standard study, without the reference's and the scalar text's."""
+    """Returns the timed rows of all results of the standard study, without the reference's and the scalar kernel's."""
     files = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.json"))]
     studies = [f for f in files if isinstance(f, dict) and f.get("schema") == "mandelmarch-bench" and f["study"] == "standard"]
     return [r for f in studies for r in f["rows"] if r["samples"] and not r["point"] and r["backend"] != "reference"]
@@ -136,8 +138,8 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
 
 @functools.cache
 def sentences(folder: Path) -> list[tuple[str, list[float]]]:
-    """The sentences of the page for these results: `#` stands for a number, `~` for one with its interval. The names of cases
-    also follow from the results."""
+    """Returns the sentences of the page for these results: `#` stands for a number, `~` for one with its interval. The
+    names of cases also follow from the results."""
     main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)
     exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
@@ -193,7 +195,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
 
 
 def other_files(folder: Path) -> list[tuple[str, list[float]]]:
-    """Random scenes, the GPU on paper and the film."""
+    """Returns the sentences on random scenes, the predicted GPU and the film."""
     wide = File(json.loads((folder / "resolution_fast.json").read_text(encoding="utf-8")))
     sums = {(s["fractal"], s["precision"]): s["all"]["off_percent"] for s in json.loads((folder / "random.json").read_text())["sums"]}
     paper = {line.split()[0]: float(line.split()[10]) for line in (folder / "k40_expected.txt").read_text().splitlines() if " float " in line and " fast " in line}
@@ -222,12 +224,12 @@ def at(fractal: str) -> str:
 
 
 def is_written(text: str, value: float) -> bool:
-    """Rounded to the digits that are printed."""
+    """Returns true if `value` rounds to the printed digits."""
     return abs(float(text.replace(",", "")) - value) <= 0.5001 * 10.0 ** -len(text.partition(".")[2])
 
 
 def faults(page: str, folder: Path) -> list[str]:
-    """Sentences that are not on the page, numbers that are not what they must be, and numbers that no sentence covers."""
+    """Returns sentences missing on the page, wrong numbers, and numbers without a sentence."""
     text, found = text_of(page), []
     for name in names(folder):
         text = text.replace(name, "*" * len(name))
@@ -246,7 +248,7 @@ def faults(page: str, folder: Path) -> list[str]:
 
 
 def names(folder: Path) -> list[str]:
-    """Names with digits, of machines, files and other things."""
+    """Returns names with digits, of machines, files and other things."""
     cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
     machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
     return [*machines, "bench.json", "Tesla K40"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every number in the front page's sentences is that of the file and place it names, computed here from the raw samples again.
-Each check is tried on a page or file that is wrong, too."""
+"""Every number in the front page's sentences equals the value at the file and place it names, computed again from the
+raw samples. Each check must fail on a wrong page or file."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import Results, read_results  # noqa: E402
 from mandelreport.sections import Material  # noqa: E402
 
-# Checked against their schemas once, which takes seconds.
+# Read once, as checking the schemas takes seconds.
 READ = read_results(ROOT / "report" / "results")
 # Student's t, by degrees of freedom.
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 
 class Sentences(html.parser.HTMLParser):
-    """Numbers of elements of class traced: `traced` those that name a place, `loose` digits that do not."""
+    """Numbers in elements of class traced: `traced` those with a place, `loose` digits without one."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -76,7 +76,8 @@ def matches(entry: Any, condition: str) -> bool:
 
 
 def numbers_at(data: Any, path: str) -> list[float]:
-    """What a file holds at a place; medians and intervals of rows come from the row's samples, not from its figures."""
+    """Returns the values at a place of a file; medians and intervals of rows come from the row's samples, not from its
+    figures."""
     if isinstance(data, str):
         begin, _, index = path.rpartition(":")
         lines = [line.split() for line in data.splitlines()]
@@ -98,7 +99,8 @@ def by_launch(pairs: list[tuple[int, float]]) -> list[list[float]]:
 
 
 def interval_of(launches: list[list[float]], middle: float | None = None) -> tuple[float, float]:
-    """Of several launches: Student's t of the medians' logarithms, widened to hold the median of all, or `middle`."""
+    """Returns the interval of several runs: Student's t on the medians' logarithms, widened to contain the median of
+    all values, or `middle`."""
     logs = [math.log(statistics.median(launch)) for launch in launches]
     half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
     middle = median_of(launches) if middle is None else middle
@@ -107,7 +109,7 @@ def interval_of(launches: list[list[float]], middle: float | None = None) -> tup
 
 
 def again(stored: Any, step: str, up: list[Any]) -> Any:
-    """The stored value, or what it must be by the samples. Intervals of one launch are taken as they are stored."""
+    """Returns the stored value, or the one computed from the samples. Intervals of one run are taken as stored."""
     row = next((e for e in up if isinstance(e, dict) and "samples" in e), None)
     entry = next((e for e in up if isinstance(e, dict) and "numerator" in e), None)
     if step == "kernel_seconds" and row is not None:
@@ -154,7 +156,7 @@ def value_of(files: dict[str, Any], values: dict[str, str], end: str = "") -> fl
 def written(value: float, style: str) -> str:
     if style in ("whole", "plain"):
         return f"{value:,.0f}" if style == "whole" else f"{value:.0f}"
-    last = 3 if style == "four" else 2  # of the digits, from 0
+    last = 3 if style == "four" else 2  # index of the last digit
     text = f"{value:.{last + 1}g}"
     shown = float(text)
     places = max(0, last - math.floor(math.log10(abs(shown)))) if shown >= 1 else 10
@@ -162,7 +164,7 @@ def written(value: float, style: str) -> str:
 
 
 def faults(page: str, files: dict[str, Any]) -> list[str]:
-    """Numbers that name no place, or another number than their place has."""
+    """Returns numbers without a place, and numbers that differ from the value at their place."""
     sentences = Sentences(page)
     found = [f"no place: {text.strip()}" for text in sentences.loose]
     for values, text in sentences.traced:
@@ -239,7 +241,7 @@ class FrontTest(unittest.TestCase):
 
 
 class MainTest(unittest.TestCase):
-    """The sentences of the main part that say what was measured: answers, and what to see in figures."""
+    """The main part's sentences about results: answers, and notes on figures."""
 
     @classmethod
     def setUpClass(cls) -> None:

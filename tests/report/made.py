@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files of made numbers, small and whole."""
+"""Synthetic result files, small and complete."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def count(fractal: str, iterations: int, view: str = "official") -> dict[str, An
 
 
 def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> dict[str, Any]:
-    """A whole result: both fractals, numbers and modes on two backends, unless rows are given."""
+    """Returns a complete result: both fractals, precisions and modes on two backends, unless rows are given."""
     made = (
         rows
         if rows is not None
@@ -236,7 +236,7 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
 
 
 def with_scalar() -> dict[str, Any]:
-    """A result with the scalar text's rows."""
+    """Returns a result that includes the scalar kernel's rows."""
     data = bench()
     kinds = [(row["fractal"], row["precision"], row["mode"]) for row in data["rows"] if row["backend"] == "openmp"]
     data["rows"] += [row(*kind, "openmp", 1.23, "pack=1", pack=1) for kind in kinds]
@@ -253,7 +253,7 @@ def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
 
 
 def write(folder: Path, files: dict[str, Any]) -> Path:
-    """Each value as JSON, or text as it is."""
+    """Writes each value as JSON, or text unchanged."""
     for name, data in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

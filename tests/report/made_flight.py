@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What flythrough writes, of made numbers."""
+"""Synthetic output of flythrough."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Made files of bench's other commands."""
+"""Synthetic files of bench's other commands."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Programs that stand in for bin/render and bin/imgdiff."""
+"""Fake bin/render and bin/imgdiff."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
 
-# Draws a grey picture; the backend vulkan is off in one pixel, opencl is not there, and another one may fail.
+# Draws a grey picture; vulkan differs in one pixel, opencl is not available, and another backend may fail.
 RENDER = f"""#!{sys.executable}
 import json, os, sys
 from PIL import Image

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed product,
-and the CSV alone shows the winner that the page names. Each check is also tried on a wrong page or number."""
+"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed
+product, and the winner named on the page follows from the CSV alone. Each check must also fail on a wrong page or
+number."""
 
 from __future__ import annotations
 
@@ -31,14 +32,15 @@ FACTORS = re.compile(
 
 
 def multiply(printed: list[str]) -> bool:
-    """The last is the product of the others, as far as their digits go."""
+    """Returns true if the last number is the product of the others, within their printed digits."""
     *factors, product = map(float, printed)
     slack = sum(0.5 * 10.0 ** -len(text.partition(".")[2]) / float(text) for text in printed)
     return abs(math.prod(factors) / product - 1) <= slack
 
 
 def winners(text: str) -> set[str]:
-    """The backend with the least kernel time for each fractal, precision and mode of a CSV of the standard study."""
+    """Returns the backend with the smallest kernel time for each fractal, precision and mode of a standard study's
+    CSV."""
     best: dict[tuple[str, ...], tuple[float, str]] = {}
     for row in csv.DictReader(io.StringIO(text)):
         if row["kernel_s"] and row["proof_fine"] == "1":
@@ -71,7 +73,8 @@ class NumbersTest(unittest.TestCase):
 
 
 class FactorsTest(unittest.TestCase):
-    """Why one fractal is slower: calls x iterations x operations, on the front page and in both precisions of the section."""
+    """Factors behind the slower fractal: DE evaluations x iterations x operations, on the front page and in both
+    precisions of the section."""
 
     def test_printed_factors_multiply_to_the_printed_product(self) -> None:
         found = FACTORS.findall(text_of(FRONT)) + FACTORS.findall(text_of(sections_of(MATERIAL, ["why"])))
@@ -85,7 +88,7 @@ class FactorsTest(unittest.TestCase):
 
 
 class CsvTest(unittest.TestCase):
-    """Winners for a reader who has only bench.csv."""
+    """Winners from bench.csv alone."""
 
     def setUp(self) -> None:
         self.named = set(re.findall(r"(\w+), for whoever has a processor", text_of(FRONT)))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report from outside: its program on made result files. Each check that matters is tried on something broken, too."""
+"""The report from outside: its program on synthetic result files. Each important check must also fail on broken
+input."""
 
 from __future__ import annotations
 
@@ -31,7 +32,7 @@ from mandelreport.sections import gpu  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
-    """Pictures without a text, and everything that a page would load from elsewhere."""
+    """Pictures without a description, and everything that a page would load from elsewhere."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -112,15 +113,15 @@ class ReportTest(unittest.TestCase):
             re.findall(r'<section id="(\w+)"', page),
             ["front", *(name for name, _ in [*MAIN, *APPENDIX])],
         )
-        # Numbers come from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s a frame, the revision.
+        # Numbers from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s per frame, the revision.
         for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
         self.assertIn(">0.12 – 0.99<", page)  # of two sets
-        # The convergence of the code; a race, whose wrong picture shows no time.
+        # The code convergence; a race, in which a wrong picture has no time.
         self.assertIn("a convergence of 0.568", page)
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[411 – 502\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
-        # Equal pictures are stored once: a good one and a broken one of each fractal.
+        # Equal pictures are stored once: a correct and a wrong one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)
         self.assertIn("1 px, 1 visibly, max 10", page)
@@ -176,17 +177,17 @@ class ReportTest(unittest.TestCase):
             return {name: style.look(backends.number_of(name))["facecolor"] for name in backends.names}
 
         self.assertEqual(looks(of(registered)), colours | {"reference": style.SKY})
-        # One more line in the registry: a colour of its own, and the others keep theirs.
+        # A new line in the registry gets a new colour; the others keep theirs.
         more = of([*registered, "skeleton"])
         self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
-        # A backend that is not in the registry has none.
+        # A backend that is not in the registry has no number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
-        # More than there are colours: still distinguishable, by bars as by lines.
+        # More series than colours are still distinguishable, in bars and in lines.
         many = [f"backend{number}" for number in range(40)]
         for kind in style.look, style.line:
             self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
-        # Roles, where a result states them, not names.
+        # Roles decide, if a result states them, not names.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
@@ -209,7 +210,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(Faults(self.page()).found, [])
 
     def test_bad_files(self) -> None:
-        # Files of one test stay in its folder and are read by name: each below comes before the broken ones.
+        # Files of one test stay in its folder and are read by name: each one below comes before the broken ones.
         self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version 2", "expected 1")
         cut_off = made.random_scenes()
         del cut_off["sums"][0]["sets"]
@@ -264,7 +265,7 @@ class ReportTest(unittest.TestCase):
 
         files = {"a.json": of("one", 1, 540), "b.json": of("one", 3, 540), "c.json": of("one", 5, 1080), "d.json": of("two", 1, 540)}
         files["e.json"] = of("three", 9, 540)
-        files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # not a whole study
+        files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # incomplete
         found = read_results(made.write(self.folder / "results", files))
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
         self.assertEqual(found.primary().name, "c.json")
@@ -329,7 +330,7 @@ class ReportTest(unittest.TestCase):
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
         with warnings.catch_warnings():
-            warnings.simplefilter("error")  # matplotlib's, where a logarithmic axis loses them
+            warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
             self.assertIsNotNone(sweeps.sweep(read_bench("made", Path("made"), study), "D", "ms", "caption"))
 
     def test_film_of_a_log(self) -> None:
@@ -339,7 +340,7 @@ class ReportTest(unittest.TestCase):
         )
         film = flight.film_of_log("film.txt", log)
         self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
-        # A film that went on where it stopped has no time of its own.
+        # A resumed film has no time for the whole film.
         self.assertIsNone(flight.film_of_log("film.txt", log.replace("10 of 10", "4 of 10")))
         self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# report_test.sh SOURCE NAME: one of the report's tests (front, models, numbers, report), where its Python packages are installed (make python); else 77.
+# report_test.sh SOURCE NAME: runs one of the report's tests (front, models, numbers, report), or exits with 77 if its
+# Python packages are missing (make python).
 set -euo pipefail
 cd "$1"
 python=build/venv/bin/python3

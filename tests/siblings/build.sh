@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh PRESET [TARGET...]: configures and builds the preset, all of it where no target is named. Warnings are errors where CI
-# is set. SPIRV: a folder of modules that need not be made once more.
+# build.sh PRESET [TARGET...]: configures and builds the preset (default: all targets). Warnings are errors if CI is
+# set. SPIRV: a folder of modules that need not be built again.
 set -euo pipefail
 preset=$1
 shift

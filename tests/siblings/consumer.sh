@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# consumer.sh BUILD: installs the build into an empty folder and builds and runs a program against the package there.
+# consumer.sh BUILD: installs the build into an empty folder, and builds and runs a program with the installed package.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# subproject.sh SOURCE: mandelmarch as a subproject leaves its parent's settings alone. The twin changes one.
+# subproject.sh SOURCE: mandelmarch as a subproject does not change its parent's settings. The negative control changes
+# one.
 set -uo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

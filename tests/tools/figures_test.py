@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""figures_test.py: marked places of documents are filled from result files, and stale ones are found."""
+"""figures_test.py: marked places of documents are filled from result files, and stale ones are detected."""
 import copy
 import json
 import os
@@ -52,7 +52,7 @@ class FiguresTest(unittest.TestCase):
             json.dump(data, file)
 
     def figures(self, text, *options):
-        """Exit code, stderr and the document afterwards."""
+        """Returns exit code, stderr and the document afterwards."""
         path = os.path.join(self.folder, "page.md")
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)

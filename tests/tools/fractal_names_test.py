@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""No code decides by a fractal's name: a name as a string stands in its files, in tests, and where it is listed here."""
+"""No code branches on a fractal's name: such strings occur only in the fractal's files, in tests, and in the files
+listed here."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
-REPORT = ROOT / "report" / "out"  # what `make report` writes
+REPORT = ROOT / "report" / "out"  # output of `make report`
 ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {
     "apps/mandelbox.cpp": "the program of that name",
@@ -25,7 +26,7 @@ ALLOWED = {
 
 
 def names() -> set[str]:
-    """Names and nicknames, as rows have them."""
+    """Returns names and nicknames from the descriptors."""
     found = set()
     for row in (ROOT / "core" / "scene" / "fractals").glob("*.cpp"):
         found |= set(re.findall(r'\.(?:nick)?name = "(\w+)"', row.read_text(encoding="utf-8")))
@@ -33,7 +34,7 @@ def names() -> set[str]:
 
 
 def strings(text: str) -> set[str]:
-    """What stands in quotes, comments left out, and behind MM_FRACTAL_."""
+    """Returns strings in quotes, outside comments, and names after MM_FRACTAL_."""
     code = re.sub(r"//.*", "", text)
     return set(re.findall(r'"(\w+)"', code)) | set(re.findall(r"\bMM_FRACTAL_(\w+)", code))
 
@@ -60,7 +61,7 @@ class FractalNames(unittest.TestCase):
         self.assertEqual({file: here for file, here in files_with_names().items() if file not in ALLOWED}, {})
 
     def test_the_check_finds_names(self) -> None:
-        """Its twin: what is allowed is found."""
+        """Negative control: permitted names are found."""
         self.assertIn("backends/reference/reference.cpp", files_with_names())
         self.assertEqual(strings('if (name == "julia") return;  // not "bulb"'), {"julia"})
         self.assertEqual(strings("#if defined(MM_FRACTAL_julia)"), {"julia"})

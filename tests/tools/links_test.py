@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""links_test.py: every link of the documentation leads to a file or a heading that is there, and every page is linked."""
+"""links_test.py: every link of the documentation leads to an existing file or heading, and every page is linked."""
 import os
 import re
 import tempfile
@@ -23,13 +23,13 @@ def read(path):
 
 
 def anchors(text):
-    """Of the headings, as GitHub makes them."""
+    """Returns the anchors of the headings, in GitHub's form."""
     found = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found}
 
 
 def targets(path):
-    """The links of a page, as (link, file, anchor); none to other sites."""
+    """Yields the links of a page, as (link, file, anchor), without links to other sites."""
     for link in LINK.findall(read(path)):
         if re.match(r"[a-z]+:", link):
             continue

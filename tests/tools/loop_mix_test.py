@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""loop_mix_test.py: the way round a loop, and what its instructions are counted as. Each check has a twin that must fail."""
+"""loop_mix_test.py: the path around a loop, and the kinds of its instructions. Each check has a negative control."""
 import os
 import sys
 import unittest
@@ -9,7 +9,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import loop_mix  # noqa: E402
 
-# From 0x14 the official way goes through 0x20; the one through 0x18 has no reciprocal, the one through 0x30 is longer.
+# From 0x14 the official path goes through 0x20; the one through 0x18 has no reciprocal, the one through 0x30 is longer.
 CODE = [
     (0x10, "vmovaps %zmm1,%zmm2"),
     (0x14, "vfmadd213ps %zmm1,%zmm2,%zmm3{%k1}"),
@@ -32,7 +32,7 @@ class LoopMixTest(unittest.TestCase):
     def test_the_shortest_way_that_has_the_marks(self) -> None:
         way = loop_mix.loop(CODE, {"vrcp14": 1})
         self.assertEqual([text.split()[0] for text in way], ["vfmadd213ps", "je", "jne", "vrcp14ps", "vaddps", "jmp"])
-        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marks the short cut is taken
+        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marks the shorter path is found
         longer = loop_mix.loop(CODE, {"vrcp14": 1, "vmulp": 3})
         self.assertEqual(sum(text.startswith("vmulps") for text in longer), 3)
 
@@ -57,7 +57,7 @@ class LoopMixTest(unittest.TestCase):
                 "vfnmadd132ps %zmm1,%zmm2,%zmm3",
                 "vaddps %zmm1,%zmm2,%zmm3",
                 "vmulps (%rax),%zmm2,%zmm3{%k2}",
-                "vmovaps %zmm1,%zmm2",  # no port's work
+                "vmovaps %zmm1,%zmm2",  # uses no arithmetic port
                 "vmovaps %zmm1,%zmm2{%k3}",
                 "vcmplt_oqps %zmm1,%zmm2,%k0{%k1}",
                 "vrangeps $0x2,%zmm1,%zmm2,%zmm3",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`make help` says of every target what it makes and how long that takes."""
+"""`make help` prints for every target its result and its time."""
 import os
 import re
 import subprocess

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""native_scalar_test.py: the ratio of two programs' user times, and the message where there is no build."""
+"""native_scalar_test.py: the ratio of two programs' user times, and the message if there is no build."""
 import os
 import random
 import subprocess
@@ -18,7 +18,8 @@ CASE = ("mandelbulb", "double", "exact")
 
 class NativeScalarTest(unittest.TestCase):
     def ratio(self, factor):
-        """The ratio of made times: the second program takes `factor` of the first one's, each with an error of 1 %."""
+        """Returns the ratio of synthetic times: the second program takes `factor` of the first one's, each with an
+        error of 1 %."""
         noise = random.Random(1)
 
         def seconds(program, _):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/reframe/bench.py on made results, beside a stand-in for ReFrame: what a run asks of it, in ReFrame's order."""
+"""tools/reframe/bench.py on synthetic results, with a fake ReFrame that makes a run's calls in ReFrame's order."""
 import importlib.util
 import json
 import os
@@ -12,7 +12,8 @@ FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "too
 
 
 def stand_in():
-    """Of ReFrame what the file asks for: decorators that leave what they get, and values that are not deferred."""
+    """Returns the part of ReFrame that the file uses: decorators that return their argument, and values that are not
+    deferred."""
     core = types.SimpleNamespace(run_before=lambda stage: lambda function: function, sanity_function=lambda function: function,
                                  variable=lambda kind, value: value)
     sanity = types.SimpleNamespace(assert_eq=lambda a, b, msg: a == b or failed(msg.format(a)), defer=lambda value: value,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/results.py on a made repository, with a program that counts its calls."""
+"""tools/results.py in a synthetic repository, with a program that counts its calls."""
 import os
 import subprocess
 import sys
@@ -12,7 +12,7 @@ LIST = """a.json 1 2 bench --launches {launches} --json {}
 b.txt 1 1 KIND=second bench print
 c.json 1 1 bench --json {}
 """
-# Prints its version; else notes its call, fails where it is told to, and writes what it was asked for.
+# Prints its version; else records its call, fails if told to, and writes the requested output.
 BENCH = """#!/bin/sh
 if [ "$1" = --version ]; then echo "bench 0.1.0 ($(cat {folder}/built))"; exit; fi
 echo "$KIND $*" >> {folder}/calls
@@ -24,7 +24,7 @@ CLEAN, DIRTY = ('{"environment": {"git": {"dirty": %s}}}' % dirty for dirty in (
 
 
 def running(pid):
-    """A process that has ended and nobody has asked for its code runs no more."""
+    """Returns true unless the process has ended; a zombie has ended."""
     try:
         with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
             return file.read().rpartition(") ")[2][0] != "Z"
@@ -80,7 +80,7 @@ class ResultsTest(unittest.TestCase):
         code, said = self.results()
         self.assertEqual(code, 0, said)
         self.assertEqual(self.text("output/a.json"), CLEAN)
-        # The twin: of another program the same code is a failure.
+        # Negative control: the same code from another program is a failure.
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
 
@@ -117,7 +117,7 @@ class ResultsTest(unittest.TestCase):
             said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130)
         self.assertEqual(said.splitlines()[-1], "results: stopped; the same command goes on")
-        for _ in range(1000):  # whoever takes orphans may need a moment
+        for _ in range(1000):  # the process that adopts orphans may need a moment
             if not running(int(self.text("sleeper"))):
                 return
             time.sleep(0.01)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/setup on a made system, whose apt-get and dpkg-query note that they were called."""
+"""tools/setup on a synthetic system, whose apt-get and dpkg-query record their calls."""
 import os
 import subprocess
 import tempfile
@@ -17,7 +17,7 @@ class SetupTest(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = scratch.name
-        # dpkg-query finds nothing; apt-get has nothing, either.
+        # dpkg-query finds nothing; apt-get has nothing to install, either.
         for name in ("apt-get", "dpkg-query", "apt-cache", "sudo"):
             path = os.path.join(self.folder, name)
             with open(path, "w", encoding="utf-8") as file:
@@ -25,7 +25,7 @@ class SetupTest(unittest.TestCase):
             os.chmod(path, 0o755)
 
     def run_on(self, system, *arguments):
-        """Exit code, what it says, and what it called."""
+        """Returns exit code, output, and recorded calls."""
         release = os.path.join(self.folder, "os-release")
         with open(release, "w", encoding="utf-8") as file:
             file.write(system)

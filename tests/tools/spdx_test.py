@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""spdx_test.py: the licence's line is put where it breaks nothing, once, and its absence is found."""
+"""spdx_test.py: the licence line is added once, where it is harmless, and its absence is detected."""
 import os
 import subprocess
 import sys

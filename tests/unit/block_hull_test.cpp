@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp paints blocks of which no ray can meet the hull, and draws the same bytes as where it asks every ray.
+// openmp fills subtiles whose rays all miss the hull; the bytes must be the same as with a test of every ray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Drawn {
     openmp::Spent spent;
 };
 
-// The bytes of a picture by the best variant, with a block hull of `share` of what it is.
+// Renders the bytes of a picture with the best variant, and with `share` of its block hull (0: every ray is tested).
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
@@ -33,7 +33,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
     const Band band{.first_row = 0, .rows = scene.height};
     openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});
-    canvas.cones = false;  // they begin at the block hull, which changes where samples are
+    canvas.cones = false;  // they start at the block hull, which changes the samples
     canvas.block_hull *= static_cast<Real>(share);
     openmp::TileQueue queue(scene.width, band, 1);
     openmp::TileQueue::Share tiles{queue};
@@ -68,7 +68,7 @@ TEST(BlockHull, PaintsWhatNoRayHits)
     expect_same<double>(Mode::exact);
 }
 
-// The twin: where blocks are asked for 0.9 of the hull, edges are cut off, so that blocks are painted indeed.
+// Negative control: 0.9 of the hull cuts edges off, which shows that subtiles are filled.
 TEST(BlockHull, TooSmallCutsEdges)
 {
     for (const Mode mode : {Mode::fast, Mode::exact}) {

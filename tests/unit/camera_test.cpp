@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras beside the original's: all directions, two eyes.
+// Cameras that the original program lacks: all directions, two eyes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Scene all_directions(int width, int height)
     return scene;
 }
 
-// The yardstick computes directions by itself.
+// The reference computes directions independently.
 TEST(AllDirections, AreTheReferencesOwn)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -32,7 +32,7 @@ TEST(AllDirections, AreTheReferencesOwn)
         const Comparison difference =
             compare(render(*make_reference_backend(), scene, {}), render(*make_openmp_backend(), scene, {}));
         EXPECT_LE(difference.visibly_differing, difference.pixels / 500) << fractal;
-        // The twin: a turned camera is found.
+        // Negative control: a turned camera is detected.
         Scene turned = scene;
         turned.up = {0.1, 1, 0};
         const Comparison found =
@@ -41,7 +41,7 @@ TEST(AllDirections, AreTheReferencesOwn)
     }
 }
 
-// The picture's middle is what the camera looks at; a quarter of the width further is to its right.
+// The target is in the middle of the picture; a quarter of the width further right is the camera's right.
 TEST(AllDirections, TurnWithTheColumns)
 {
     Scene scene = all_directions(64, 32);
@@ -53,13 +53,13 @@ TEST(AllDirections, TurnWithTheColumns)
     const Image ahead = render(*make_openmp_backend(), scene, {});
     EXPECT_NEAR(depth(ahead, 32, 16), 2.3, 0.3);
     EXPECT_TRUE(std::isinf(depth(ahead, 0, 16)));
-    scene.target = {-1, 0, 3};  // the fractal is at its right
+    scene.target = {-1, 0, 3};  // now the fractal is on the right
     const Image aside = render(*make_openmp_backend(), scene, {});
     EXPECT_EQ(depth(aside, 48, 16), depth(ahead, 32, 16));
     EXPECT_TRUE(std::isinf(depth(aside, 32, 16)));
 }
 
-// In fast mode the techniques that ask for pixels' distances hold for it: the picture is the canonical one.
+// Fast mode's techniques that use pixel distances support this camera: the picture is the canonical one.
 TEST(AllDirections, FastDrawsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -89,7 +89,7 @@ protected:
         return image;
     }
 
-    // The mean column of what is hit, in a half.
+    // Returns the mean column of hits in one half.
     static double middle(const Image& image, int side)
     {
         const int half = image.width() / 2;
@@ -121,7 +121,7 @@ TEST_F(TwoEyes, EachHasTheBitsOfItsOwnPicture)
     }
 }
 
-// What is nearer than the screen lies further right for the left eye, what is farther further left.
+// Points nearer than the screen appear further right to the left eye, farther ones further left.
 TEST_F(TwoEyes, SeeNearThingsCrossed)
 {
     const double distance = 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings that whoever asked for them no longer wants.
+// Cancelled renders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(Cancelling, EveryBackendEndsAndDrawsAgain)
     }
 }
 
-// One band holds the whole picture there, and its tiles are cancelled.
+// One band holds the whole picture, so its tiles are cancelled.
 TEST(Cancelling, OpenmpDrawsNoMoreTiles)
 {
     const Registry registry = all_backends();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quotients and roots that core/kernel/prelude/glsl_corrected.h corrects, where the device's own are some units off:
-// its text, compiled with a number whose division and square root are.
+// Divisions and square roots as corrected by core/kernel/prelude/glsl_corrected.h for devices whose results are some
+// units off: its source, compiled with a number type that simulates such a device.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,7 +10,7 @@
 namespace mandelmarch {
 namespace {
 
-// Neighbours beside the correctly rounded value that a quotient and a root of the device are.
+// Error of the device's division and square root, in units in the last place.
 int units_off = 0;
 
 float off(float value) { return std::bit_cast<float>(std::bit_cast<int>(value) + units_off); }
@@ -18,7 +18,7 @@ float off(float value) { return std::bit_cast<float>(std::bit_cast<int>(value) +
 struct Number {
     float value = 0;
     Number() = default;
-    Number(float v) : value(v) {}  // NOLINT(google-explicit-constructor): as GLSL's numbers are
+    Number(float v) : value(v) {}  // NOLINT(google-explicit-constructor): converts implicitly like GLSL's numbers
     Number operator-() const { return -value; }
     Number& operator+=(Number b) { return *this = value + b.value; }
     Number& operator*=(Number b) { return *this = value * b.value; }
@@ -44,7 +44,7 @@ Number intBitsToFloat(int bits) { return std::bit_cast<float>(bits); }
 #undef float
 #undef real
 
-// Numbers of which every bit of the mantissa is in use, and such as lie beside powers of two.
+// Generates numbers with random mantissas, and numbers next to powers of two.
 class Numbers {
 public:
     float next()
@@ -60,7 +60,7 @@ private:
     std::mt19937 random_{1};
 };
 
-// Quotients and roots of many numbers that are not IEEE 754's.
+// Returns how many of many divisions and square roots differ from IEEE 754's.
 int wrong()
 {
     Numbers numbers;
@@ -80,7 +80,7 @@ TEST(Corrected, QuotientsAndRootsAreThoseOfIeeeWhereTheDevicesAreUnitsOff)
     units_off = 0;
 }
 
-// The twin: a device that is off by far more than a step of Newton's mends.
+// Negative control: a Newton step cannot correct a device that is far off.
 TEST(Corrected, ADeviceThatIsFarOffIsNotMended)
 {
     units_off = 1 << 20;

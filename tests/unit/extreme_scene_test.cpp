@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes at the edges: reproducible, within what a parameter file may say, far apart, and with something to see.
+// Extreme scenes: reproducible, valid as parameter files, varied, and with visible surfaces.
 #include "core/scene/extreme_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What file a name means, and that no file is used for two things.
+// File identity: which file a name refers to, and that no file is used for two purposes.
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hulls change no bit of an exact picture, whatever the scene, and save work. docs/hulls.md has the proofs.
+// Hulls change no bit of an exact picture of any scene, and save work. docs/hulls.md has the proofs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "core/scene/hull.h"
 #include "tests/scenes.h"
 
-// The text once more, to draw with hulls that are too small.
+// Another copy of the kernel, to render with hulls that are too small.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
@@ -56,7 +56,7 @@ TEST(Hull, ChangesNoBitOfRandomScenes)
     EXPECT_GT(with_hull, 100);
 }
 
-// The twin: pixels that a hull of this share of its size changes.
+// Negative control: returns how many pixels change with a hull of `share` of its size.
 template <class KernelScene, class Draw>
 int changed(const Scene& scene, double share, Draw draw)
 {
@@ -111,12 +111,12 @@ TEST(Hull, IsAbsentWhereNothingIsProven)
     scene.shape[2] = 1;
     EXPECT_EQ(size_of(scene), 0);
     scene.shape[2] = 8;
-    scene.shape[1] = 1e5;  // nothing escapes so far in one iteration
+    scene.shape[1] = 1e5;  // nothing escapes this radius in one iteration
     scene.iterations = 1;
     EXPECT_EQ(size_of(scene), 0);
 }
 
-// The bounds themselves, at points outside: DE in double against what the hull says of it.
+// The bounds themselves: at points on the hull, DE in double must exceed the tolerance.
 TEST(Hull, NoPointOutsideIsASurface)
 {
     const Scene scene = official_scene("box", 10, 10);
@@ -125,11 +125,11 @@ TEST(Hull, NoPointOutsideIsASurface)
     std::memcpy(&k, &from, sizeof(k));
     const double size = size_of(scene);
     for (int i = 0; i < 100'000; ++i) {
-        // A face of the cube, whole.
+        // Covers a whole face of the cube.
         const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
         const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
         const box::vec3 p{size, u * size, v * size};
-        const double t = std::sqrt(3.0) * size + 19;  // at most, from this camera
+        const double t = std::sqrt(3.0) * size + 19;  // maximum for this camera
         EXPECT_GT(box::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
     }
 }

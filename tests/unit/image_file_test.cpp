@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Picture files: what is written can be read, appears whole or not at all, and streams are written into.
+// Picture files: files written are readable, appear complete or not at all, and streams can be written to.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-// jpeglib.h needs what cstdio declares.
+// jpeglib.h needs declarations from cstdio.
 #include <jpeglib.h>
 
 #include "core/base/error.h"
@@ -84,7 +84,7 @@ TEST_F(Files, EveryFormatComesBack)
     }
 }
 
-// The picture as libjpeg reads it, from the top row.
+// Returns the picture as decoded by libjpeg, from the top row.
 std::vector<std::uint8_t> decoded_jpeg(const std::string& file, unsigned& width, unsigned& height)
 {
     jpeg_decompress_struct info{};
@@ -253,7 +253,7 @@ std::string little_endian(std::uint32_t value, int bytes)
     return text;
 }
 
-// A BMP of two pixels of 32 bits, red 1, 4, green 2, 5, blue 3, 6, with these masks and a header of this size.
+// Returns a 32-bit BMP of two pixels, red 1, 4, green 2, 5, blue 3, 6, with these masks and this header size.
 std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t header_bytes)
 {
     std::string header = little_endian(header_bytes, 4) + little_endian(2, 4) + little_endian(1, 4) +
@@ -331,7 +331,7 @@ TEST(Averaged, PixelsAreMeansOfTheirSamples)
     const Image image = averaged(samples, 2);
     ASSERT_EQ(image.width(), 2);
     ASSERT_EQ(image.height(), 1);
-    EXPECT_EQ(image.bytes()[0], 3);  // of 0, 1, 4, 5: 2.5
+    EXPECT_EQ(image.bytes()[0], 3);  // mean 2.5 of 0, 1, 4, 5
     EXPECT_EQ(image.bytes()[3], 5);
     EXPECT_EQ(image.values()[0].red, 2.5);
     EXPECT_EQ(image.values()[0].depth, 2);

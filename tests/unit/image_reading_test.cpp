@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures that other programs made, or that were damaged on purpose.
+// Pictures from other programs, and damaged ones.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -39,7 +39,7 @@ std::string chunk(const std::string& type, const std::string& data)
     return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~crc);
 }
 
-// A zlib stream of one stored block.
+// Returns a zlib stream with one stored block.
 std::string stored(const std::string& data)
 {
     std::uint32_t a = 1;  // Adler-32
@@ -58,7 +58,7 @@ std::string stored(const std::string& data)
 
 const std::string png_end = chunk("IEND", "");
 
-// Grey, of one row of three pixels; `bits` a channel.
+// Returns a grey PNG with one row of three pixels and `bits` per channel.
 std::string png(std::uint32_t width, std::uint32_t height, int bits, const std::string& pixels)
 {
     const std::string header = big_endian(width) + big_endian(height) + static_cast<char>(bits) + std::string(4, '\0');
@@ -106,7 +106,7 @@ TEST(PngReading, MorePixelsThanTheFileCanHoldAreRefused)
     EXPECT_TRUE(holds(refusal(decode_png, png(70000, 1, 8, "abc")), "its size is 70000 x 1"));
 }
 
-// Flat channels of 0.5, or 5 as whole numbers.
+// Returns an EXR with constant channels: 0.5, or 5 in integers.
 std::string exr(const std::vector<std::string>& channels, Imf::Compression compression = Imf::ZIP_COMPRESSION,
                 int side = 4)
 {
@@ -154,14 +154,14 @@ TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
 
 TEST(ExrReading, ColoursAreLightUnlessTheyAreAnOldFilesOfOurs)
 {
-    // Light of 0.5 is 188 of 255 as displayed.
+    // Linear light of 0.5 is displayed as 188 of 255.
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "Z"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "depth"})).bytes()[0], 127);
     EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "depth"})).has_depths());
 }
 
-// Compositing programs read light in R, G and B; the values as displayed come back bit for bit.
+// Compositing programs expect linear light in R, G and B; the displayed values are read back bit for bit.
 TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
 {
     Image image(3, 1, Image::Layers::all);
@@ -199,7 +199,7 @@ TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
     EXPECT_TRUE(std::isinf(depth[1]));
 }
 
-// The file with the last corner of its data window moved.
+// Returns the file with another last corner of its data window.
 std::string claiming(std::string file, std::int32_t x, std::int32_t y)
 {
     const std::string before("dataWindow\0box2i\0\x10\0\0\0", 21);
@@ -226,11 +226,11 @@ TEST(ExrReading, AHeaderThatClaimsMoreThanTheFileIsRefused)
 {
     std::string file = exr({"R", "G", "B"});
     const std::string name("dataWindow\0box2i", 16);
-    file.at(file.find(name) + name.size() + 4) = '\x7f';  // the highest byte of its size
+    file.at(file.find(name) + name.size() + 4) = '\x7f';  // highest byte of its size
     EXPECT_TRUE(holds(refusal(decode_exr, file), "ends in its header"));
 }
 
-// The flattest pictures are not taken for ones that claim too much.
+// The most compressible pictures are not rejected as oversized.
 TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
 {
     for (int kind = Imf::NO_COMPRESSION; kind < Imf::NUM_COMPRESSION_METHODS; ++kind) {
@@ -243,7 +243,7 @@ TEST(Reading, NothingIsDecodedThatMemoryCannotHold)
 {
     const std::string path = std::filesystem::temp_directory_path() / ("large-" + std::to_string(getpid()) + ".bmp");
     std::ofstream(path) << "BM";
-    std::filesystem::resize_file(path, std::uintmax_t{1} << 43);  // a hole
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 43);  // a sparse file
     EXPECT_THROW(read_image(path), InputError);
     std::filesystem::remove(path);
 }

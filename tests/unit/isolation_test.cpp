@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drivers that crash, hang or end their process: what a program sees of them.
+// Drivers that crash, hang or end their process, and the errors that a program gets.
 #include "core/isolation/isolated.h"
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@
 namespace mandelmarch {
 namespace {
 
-// What a made driver does, by the number of its device.
+// Behaviour of the fake driver, by the index of its device.
 enum Conduct : int { draws, aborts, crashes, exits, leaves, hangs, refuses, lacks, dislikes, starves, conducts };
 enum class Where { listing, opening, drawing, releasing, nowhere };
 
@@ -28,7 +28,7 @@ void misbehave(Conduct conduct)
     switch (conduct) {
         case aborts: std::abort();
         case crashes:
-            std::signal(SIGSEGV, SIG_DFL);  // a sanitizer has a handler
+            std::signal(SIGSEGV, SIG_DFL);  // replaces a sanitizer's handler
             raise(SIGSEGV);
             break;
         case exits: std::exit(0);
@@ -51,7 +51,7 @@ public:
         if (where_ == Where::releasing) misbehave(conduct_);
     }
 
-    // A picture that depends on the scene; of a scene with detail -9 nothing is drawn.
+    // Renders a picture that depends on the scene; nothing if detail is -9.
     RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (where_ == Where::nowhere) std::puts("driver: junk on stdout");
@@ -109,7 +109,7 @@ Scene scene_of(int width, int height)
     return scene;
 }
 
-// A scene in whose drawing a driver misbehaves.
+// Returns a scene with which the driver misbehaves when it renders.
 Scene bad_scene()
 {
     Scene scene = scene_of(8, 8);
@@ -117,7 +117,7 @@ Scene bad_scene()
     return scene;
 }
 
-// What the exception says that `call` throws; "" where it throws none of that type.
+// Returns the message of the exception that `call` throws; "" if it throws none of that type.
 template <class Exception, class Call>
 std::string thrown_by(const Call& call)
 {
@@ -162,7 +162,7 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
     }
 }
 
-// The twin of the test before: nothing of a picture before is left where a driver draws nothing.
+// Negative control of the previous test: if a driver renders nothing, no earlier picture shows.
 TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
 {
     const auto backend = made(Where::nowhere);
@@ -186,12 +186,12 @@ TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
     source.request_stop();
     EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
     EXPECT_EQ(image.bytes()[1], 0);
-    // The next answer is the next picture's.
+    // The next answer must belong to the next picture.
     EXPECT_EQ(renderer->render(scene, image).timings.kernel, 1.25);
     EXPECT_NE(image.bytes()[1], 0);
 }
 
-// Its driver shows no sign of life after the word that it is cancelled.
+// After the request to cancel, the driver sends no progress.
 TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
 {
     const auto backend = made(Where::drawing);

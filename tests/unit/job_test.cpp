@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core/job: what a renderer of a model asks of its device, told by a model that counts.
+// core/job: a model's renderer and the calls it makes to its device, recorded by a fake model.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,9 +11,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double device_seconds = 7;  // that a launch takes by the device's clock
+constexpr double device_seconds = 7;  // of a launch, by the device's clock
 
-// Every byte of the job's rows becomes 200, but the second says how many pixels a thread has; planes stay as they are.
+// Sets every byte of the job's rows to 200, but the second to the number of pixels per thread; leaves planes unchanged.
 void draw(const void* address, int width, int rows)
 {
     const auto& job = *static_cast<const job::Job<layout_f32::Scene, float>*>(address);
@@ -27,7 +27,7 @@ struct Asked {
     int launches = 0;
     int current = 0;  // depth of run()
     std::set<void*> held;
-    bool outside = false;  // something was asked of a device that was not the thread's
+    bool outside = false;  // a device call was made outside the device's thread
 };
 
 class Counting : public job::Model {
@@ -99,7 +99,7 @@ TEST_F(Job, ARendererKeepsItsMemoryFromPictureToPicture)
     drawn(*renderer, 20, 20);
     drawn(*renderer, 10, 10);
     EXPECT_EQ(asked_.allocations, taken);
-    drawn(*renderer, 200, 20);  // a row is more than a band had
+    drawn(*renderer, 200, 20);  // one row exceeds the band size so far
     EXPECT_GT(asked_.allocations, taken);
 }
 
@@ -118,7 +118,7 @@ TEST_F(Job, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// Where lanes refill, as many pixels a thread as leave two waves of threads, and eight at most.
+// With refill: as many pixels per thread as leave two waves of threads, but at most eight.
 TEST_F(Job, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {

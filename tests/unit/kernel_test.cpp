@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text as scalar C++: its elementary functions, its gradients, and its entry points over stored rays.
+// The scalar kernel: its elementary functions, its gradients, and its entry points over stored rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
 
-// The text in double for every fractal, and in float; its estimators are calls, which takes a minute less to build
-// under sanitizers.
+// The kernel in double for every fractal, and in float. Its estimators are not inlined, which saves a minute of build
+// time under sanitizers.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
@@ -52,7 +52,7 @@ namespace box32 {
 namespace mandelmarch {
 namespace {
 
-// |a - b| in units of the last place of b, at 1 and above: in units of 2^-52.
+// Returns |a - b| in units of epsilon * max(1, |b|).
 double error_of(double a, double b, double epsilon) { return std::abs(a - b) / (epsilon * std::max(1.0, std::abs(b))); }
 
 TEST(ElementaryFunctions, AgreeWithTheLibraryInDouble)
@@ -112,7 +112,7 @@ KernelScene scene_for_kernel(const Scene& scene)
     return to;
 }
 
-// The angle between the analytic gradient and central differences at points seen from the camera, in radians.
+// Tests the angle, in radians, between the analytic gradient and central differences at points seen from the camera.
 TEST(Gradient, OfTheBulbAgreesWithDifferences)
 {
     for (const double power : {8.0, 3.0, 7.5}) {
@@ -140,7 +140,7 @@ TEST(Gradient, OfTheBoxAgreesWithDifferences)
     scene.iterations = 6;
     const auto k = scene_for_kernel<box64::Scene>(scene);
     int hits = 0;
-    int off = 0;  // differences across a fold see two slopes
+    int off = 0;  // differences across a fold mix two slopes
     for (int i = 0; i < 40 * 40; ++i) {
         const box64::Ray ray = box64::march(k, box64::begin(k, i % 40, i / 40), 8000);
         if (!box64::has_hit(k, ray)) continue;
@@ -172,7 +172,7 @@ TEST(Gradient, OfTheJuliaSetAgreesWithDifferences)
     EXPECT_GT(hits, 100);
 }
 
-// A ray stored after any number of steps goes on to the same pixel.
+// A ray that was stored after any number of steps continues to the same pixel.
 TEST(StagedEntries, DrawWhatTheWholePixelDraws)
 {
     for (const int canonical : {0, 1}) {
@@ -193,7 +193,7 @@ TEST(StagedEntries, DrawWhatTheWholePixelDraws)
     }
 }
 
-// But for rays that step across a dip of DE under its tolerance: one in a hundred at most.
+// Except for rays that step across a dip of DE below the tolerance: at most one in a hundred.
 TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
 {
     auto k = scene_for_kernel<box64::Scene>(official_scene("box", 30, 30));

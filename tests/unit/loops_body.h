@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops of one picture, of rays as they are. Included in the text's namespace; no guard.
+// Loop counts of one picture, for its actual rays. Include inside the kernel's namespace; no include guard.
 
 inline Loops made_by(const void* plain_scene, const void* fast_scene)
 {

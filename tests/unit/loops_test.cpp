@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the schedule believes of the text's loops (core/render/loops.h) against the loops that rays of real scenes make,
-// and the passes that come of it.
+// Loop bounds assumed by the schedule (core/render/loops.h), compared with the loops of real scenes' rays, and the
+// resulting passes.
 #include "core/render/loops.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::int64_t counted(Body body)
     return rounds() - before;
 }
 
-// The text with numbers, in double; each round of a loop, and its end, counts.
+// The kernel in double, with a prelude that counts loop iterations, and the ends of loops.
 #define MM_LOOPS rounds()
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
@@ -99,18 +99,18 @@ TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
     }
 }
 
-// The twin: with one loop less the bound would not hold, for any fractal, whatever its pixels look like.
+// Negative control: with one iteration less the bound is violated, for every fractal.
 TEST(Loops, OneLessIsTooFew)
 {
     for (const Fractal& fractal : fractals()) {
         for (const int colouring : {0, 2}) {
-            // Orbits that begin near the middle make all iterations.
+            // Orbits that start near the middle take all iterations.
             Scene scene = official_scene(std::string(fractal.nickname), 5, 5);
             scene.eye = {0.01, 0.02, 0.01};
             scene.iterations = 4;
             scene.colouring = colouring;
             if (fractal.nickname == "julia") {
-                // So do those near the unit ball, whose surface is seen from outside only.
+                // So do those near the unit ball, whose surface is visible from outside only.
                 scene.eye = {1.2, 0.1, 0};
                 scene.shape = {0, 0, 0};
                 scene.escape = 0;
@@ -123,7 +123,7 @@ TEST(Loops, OneLessIsTooFew)
     }
 }
 
-// Notes what the schedule asks for; rays march for three passes.
+// Records the schedule's calls; rays march for three passes.
 class Noting : public Executor {
 public:
     void run(Entry entry, const Band&, int steps) override
@@ -167,7 +167,7 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
     }
 }
 
-// A device that works on a band of many passes is told from one that hangs.
+// Progress distinguishes a device that works on a band of many passes from one that hangs.
 TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
 {
     Scene scene = official_scene("bulb", 8, 8);
@@ -180,7 +180,7 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
-// Bands that take too long shrink to single rows, others grow to the largest size that the device holds. Without a time
+// Bands that take too long shrink to single rows; others grow to the largest size that the device holds. Without times
 // all bands have that size.
 TEST(Loops, BandsAreCutByTime)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp draws fast pictures lattice by lattice, so that rays begin near their neighbours' hits: every pixel once, and
-// nearly the picture of rays that begin alone.
+// openmp renders fast pictures lattice by lattice, so that rays start near their neighbours' hits: every pixel is
+// rendered once, and the picture is nearly that of rays that start alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace {
 using openmp::Lattice;
 using openmp::Notes;
 
-constexpr float not_drawn = -7;  // no depth
+constexpr float not_drawn = -7;  // not a depth
 
-// Without vectors the scalar text draws all at once.
+// Without vectors the scalar kernel renders all lattices at once.
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
-// A picture in float whose lattices are drawn one by one, by one thread.
+// A float picture whose lattices are rendered one by one, by one thread.
 class DrawnLattices {
 public:
     explicit DrawnLattices(const Scene& scene)
@@ -58,7 +58,7 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
-    // True where no pixel's steps were taken but those that are on the canvas: none was drawn twice.
+    // Returns true if the steps taken are those on the canvas, so that no pixel was rendered twice.
     bool drawn_once() const
     {
         std::uint64_t steps = 0;
@@ -95,7 +95,7 @@ private:
 
 constexpr Lattice lattices[] = {{0, 4}, {4, 2}, {2, 1}};
 
-// True where exactly the pixels in columns and rows that are multiples of `apart` are drawn.
+// Returns true if exactly the pixels in columns and rows that are multiples of `apart` are rendered.
 bool drawn_are_multiples(const DrawnLattices& drawn, const Scene& scene, int apart)
 {
     for (int y = 0; y < scene.height; ++y) {
@@ -125,7 +125,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
                 << scene.fractal->name << ", " << scene.width << " x " << scene.height << ", " << lattice.apart;
         }
         EXPECT_TRUE(drawn.drawn_once()) << scene.fractal->name << ", " << scene.width << " x " << scene.height;
-        // The twins: a lattice twice, a lattice less.
+        // Negative controls: a lattice twice, a lattice less.
         if (scene.width > 17) {
             drawn.draw(lattices[2]);
             EXPECT_FALSE(drawn.drawn_once());
@@ -139,7 +139,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
     }
 }
 
-// What is off a picture drawn all at once where `change` has changed the neighbours' depths before the last lattice.
+// Compares with a picture without lattices, after `change` has modified the neighbours' depths before the last lattice.
 Comparison off(const Scene& scene, const std::function<void(float& depth)>& change)
 {
     DrawnLattices alone(scene);
@@ -167,12 +167,12 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
         const Comparison drawn = off(scene, [](float&) {});
         EXPECT_LE(percent(drawn.visibly_differing, drawn), 1) << name;
         EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
-        // Rays that begin beyond the surface begin again.
+        // Rays that start beyond the surface start again.
         const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
         const Comparison late = off(scene, [&](float& depth) { depth *= depth > 0 ? 1 + 4 * tolerance : 1; });
         EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
         EXPECT_LE(percent(late.hit_or_miss, late), 0.02) << name;
-        // The twins: hits behind the fractal, and none at all.
+        // Negative controls: hits behind the fractal, and no hits.
         const Comparison behind = off(scene, [](float& depth) { depth *= depth > 0 ? 10 : 1; });
         EXPECT_GT(percent(behind.hit_or_miss, behind), 10) << name;
         const Comparison clear = off(scene, [](float& depth) { depth = -1; });
@@ -180,9 +180,9 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
     }
 }
 
-// A film's picture of an even number of rows, a wall up to the uppermost. Before the last lattice the neighbours of
-// pair `row` of rows get the depths of those below them, and what these have found around them, changed. The pair
-// height / 2 is beyond the picture.
+// Renders a film's picture with an even number of rows, filled by a wall up to the top row. Before the last lattice the
+// neighbours in pair `row` of rows get the depths of those below them, and a modified occlusion. The pair height / 2 is
+// outside the picture.
 Image with_surroundings(std::size_t row, float change)
 {
     Scene scene = official_scene("bulb", 96, 64);
@@ -208,11 +208,11 @@ TEST(Neighbours, ShareNothingFromBeyondThePicture)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     EXPECT_EQ(compare(with_surroundings(32, 0), with_surroundings(32, 1)).differing, 0U);
-    // The twin: from within.
+    // Negative control: a pair inside the picture.
     EXPECT_GT(compare(with_surroundings(31, 0), with_surroundings(31, 1)).differing, 50U);
 }
 
-// Random scenes in which pixels are few tolerances apart, as far as they are.
+// Random scenes in which pixels are few enough tolerances apart.
 TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
@@ -240,7 +240,7 @@ TEST(Neighbours, ChangeLittleAndSaveEstimates)
         EXPECT_LE(percent(all.visibly_differing, all), 1) << fractal;
         EXPECT_LE(percent(all.hit_or_miss, all), 0.01) << fractal;
         EXPECT_LT(with.estimates, without.estimates * 9 / 10) << fractal;
-        EXPECT_GT(all.visibly_differing, 0U) << fractal;  // the technique was in use
+        EXPECT_GT(all.visibly_differing, 0U) << fractal;  // the technique was used
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that appears whole or not at all: links, /dev, descriptors, folders that are gone, signals.
+// Output that appears complete or not at all: links, /dev, descriptors, missing folders, signals.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ std::size_t entries(const fs::path& folder)
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-// How a forked process ends that runs `child` and, after that returned, is sent the signal while it sleeps.
+// Returns how a forked process ends that runs `child` and then receives the signal while it sleeps.
 int end_of(const std::function<void()>& child, int signal)
 {
     std::array<int, 2> ready{};
@@ -166,7 +166,7 @@ TEST_F(OutputFiles, SignalsThatEndTheProcessLeaveNothing)
     }
 }
 
-// The twin: a signal that nobody can handle does leave the half file.
+// Negative control: a signal that cannot be handled leaves a partial file.
 TEST_F(OutputFiles, AKilledProcessLeavesItsHalfFile)
 {
     const auto half = [this] { new OutputFile(path("a")); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameter files: what is accepted, and that everything else gets one line that says where and what.
+// Parameter files: accepted values; everything else gives one line with the place and the fault.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -36,7 +36,7 @@ Scene parse(const std::string& text, const char* fractal = "bulb")
     return parse_parameters(text, "x.dat", fractal_named(fractal)).scene;
 }
 
-// The message of the InputError that `text` gives, or nothing.
+// Returns the message of the InputError for `text`; empty without an error.
 std::string refusal(const std::string& text, const char* fractal)
 {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures themselves: against the original program's, against the reference backend, float against double.
+// The pictures: compared with the original program's, with the reference's, and float with double.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -24,7 +24,7 @@ protected:
     {
         return read_image(std::string(MANDELMARCH_SOURCE_DIR) + "/tests/reference/" + GetParam() + "_270.png");
     }
-    // "At most" of this many pixels in a hundred thousand may be visibly different.
+    // Returns the visibly different pixels per hundred thousand.
     static std::uint64_t share(const Comparison& c) { return c.visibly_differing * 100'000 / c.pixels; }
 };
 
@@ -40,7 +40,7 @@ TEST_P(Picture, ReferenceIsTheOriginals)
     EXPECT_LE(compare(image, original()).visibly_differing, bulb ? 2U : 0U);
 }
 
-// The twin: one step less of detail, and the bar is missed by far.
+// Negative control: with 4 iterations the picture misses the threshold by far.
 TEST_P(Picture, AnotherSceneIsNotTheOriginals)
 {
     Scene other = scene;
@@ -64,7 +64,7 @@ TEST_P(Picture, FastIsCloseToTheCanonicalReference)
         EXPECT_LE(share(c), 2000U) << name_of(precision);
         EXPECT_LE(c.hit_or_miss, c.pixels * 2 / 10'000) << name_of(precision);
     }
-    // The plain hit is another picture: the twin.
+    // Negative control: the plain hit gives another picture.
     EXPECT_GT(share(compare(canonical, render(openmp, small, {}))), 2000U);
 }
 
@@ -93,11 +93,11 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
     }
 }
 
-// What random scenes show against the reference's canonical pictures.
+// Agreement of random scenes with the reference's canonical pictures.
 struct Offness {
-    Comparison all;  // of the scenes together
+    Comparison all;  // sum over the scenes
     int scenes = 0;
-    int far_off = 0;  // scenes with more than 2 % of their pixels visibly off
+    int far_off = 0;  // scenes with more than 2 % of their pixels visibly different
 };
 
 void add(Offness& to, const Image& canonical, const Image& image)
@@ -110,8 +110,8 @@ void add(Offness& to, const Image& canonical, const Image& image)
     if (50 * c.visibly_differing > c.pixels) ++to.far_off;
 }
 
-// The constants of relaxed(), of fast.stride, of tails and of trials were chosen on scenes of other seeds. Shares of
-// some hundredths of a percent need the pixels of all scenes.
+// The constants of relaxed(), fast.stride, tails and trials were tuned on scenes of other seeds. Fractions of some
+// hundredths of a percent need the pixels of all scenes.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
     const Registry registry = all_backends();
@@ -138,11 +138,11 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             const Offness& sum = sums[is_float];
             EXPECT_LE(per_million(sum.all.visibly_differing, sum.all), 20'000U) << fractal << ", float " << is_float;
             EXPECT_LE(per_million(sum.all.hit_or_miss, sum.all), 200U) << fractal << ", float " << is_float;
-            // The plain hit is another picture.
+            // Negative control: the plain hit gives another picture.
             const Offness& twin = twins[is_float];
             EXPECT_GT(per_million(twin.all.visibly_differing, twin.all), 20'000U) << fractal << ", float " << is_float;
         }
-        // In double, where no scene is short of digits, all but one in forty by itself.
+        // In double, precise enough for all scenes, at most one scene in forty may exceed the limit.
         const int most = sums[0].scenes / 40;
         EXPECT_LE(sums[0].far_off, most) << fractal;
         EXPECT_GT(twins[0].far_off, most) << fractal;
@@ -158,8 +158,8 @@ NamedScene random_scene(unsigned seed, const std::string& name)
     return {};
 }
 
-// The eye is 5e-7 before the surface. Differences of the original's width step over what is seen from there: with them
-// half of the pixels were off.
+// The eye is 5e-7 in front of the surface. With differences of the original's width, which are wider than the relief
+// seen from there, half of the pixels were wrong.
 TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
 {
     const Registry registry = all_backends();
@@ -171,7 +171,7 @@ TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
     EXPECT_GT(10 * compare(canonical, wide).visibly_differing, wide.pixels());
 }
 
-// No surface is seen, and DE's gradient is noise where the estimate is nothing but its remainder.
+// No surface is visible, and DE's gradient is noise where the estimate consists of the formula's remainder term alone.
 TEST(EyeInTheSolid, CanonicalPicturesFaceIt)
 {
     const Registry registry = all_backends();
@@ -190,7 +190,7 @@ TEST(EyeInTheSolid, CanonicalPicturesFaceIt)
     }
 }
 
-// Uncut, a radius of 1000 overflows a float's gradients: 1.5 % of the pixels.
+// Without the limit a radius of 1000 overflows a float's gradients: 1.5 % of the pixels.
 TEST(Bailout, AnyRadiusFitsAFloat)
 {
     const Registry registry = all_backends();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The twin of the thread sanitizer's run: a loop whose threads write one variable. The test passes if this fails.
+// Negative control of the thread sanitizer: a loop whose threads write one variable. The test passes if this fails.
 #include <cstdio>
 
 int main()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A region of a picture has the bits of the same part of the whole picture.
+// A region of a picture has the same bits as that part of the whole picture.
 #include "core/render/region.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
 
 INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::Values("openmp", "reference", "opencl", "vulkan"));
 
-// The negative control: the same region one pixel further right is another picture.
+// Negative control: the same region one pixel further right is another picture.
 TEST(Region, OneAsideIsAnother)
 {
     const Registry registry = program_backends(0, nullptr);

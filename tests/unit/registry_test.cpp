@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs ask of backends instead of their names: facts, which every wrapper passes on, and roles.
+// Facts and roles of backends, which programs use instead of names and every wrapper passes on.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ private:
     bool has_gpu_;
 };
 
-// Whose driver ends the process at once.
+// A backend whose driver ends the process at once.
 class Crashing : public Made {
 public:
     using Made::Made;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact mode draws the same bits whatever the number of threads and pixels at once, and the staged entry points over
-// stored rays draw what the whole pixel draws. Each has a twin that must differ.
+// Exact mode gives the same bits for any number of threads and any pack width, and the staged entry points over stored
+// rays give the same picture as the entry for whole pixels. Each has a negative control.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -54,8 +54,8 @@ TEST_P(SameBits, OneThreadAndMany)
     }
 }
 
-// Which rays share a pack is chance with several threads; a compiler that fuses operations in one register of a pack
-// and not in another then changes one ray in a million.
+// With several threads it is random which rays share a pack. If a compiler fused operations in one register of a pack
+// but not in another, one ray in a million would change.
 TEST_P(SameBits, AMillionRaysInFastMode)
 {
     const Scene scene = official_scene("box", 1080, 1080);
@@ -66,7 +66,7 @@ TEST_P(SameBits, AMillionRaysInFastMode)
     }
 }
 
-// A picture of bytes alone has them from another place than one that keeps all values.
+// Byte-only rendering uses a different store path; it must give the same bytes.
 TEST_P(SameBits, BytesAlone)
 {
     for (const int pack : {0, 1}) {
@@ -81,20 +81,20 @@ TEST_P(SameBits, BytesAlone)
             EXPECT_EQ(work.steps, whole.steps);
             EXPECT_EQ(work.estimates, whole.estimates);
             EXPECT_EQ(work.iterations, whole.iterations);
-            // Work that is not asked for may be left uncounted; the picture stays.
+            // Without counts the work may be 0; the picture is the same.
             RendererOptions uncounted = options;
             uncounted.counts = false;
             Image again(scene.width, scene.height, Image::Layers::bytes);
             const Work none = openmp.create(uncounted)->render(scene, again).work;
             EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", pack " << pack << ", uncounted";
             EXPECT_TRUE(none.estimates == 0 || none.estimates == whole.estimates) << name;
-            // Builds under a sanitizer have no variant that leaves it.
+            // Sanitizer builds have no variant without counts.
             if (pack == 0) {
                 EXPECT_EQ(none.estimates == 0, !MANDELMARCH_SANITIZED) << name;
             }
         }
     }
-    // The comparison sees a single byte.
+    // Negative control: the comparison detects a single byte.
     Scene other = official_scene("bulb", 64, 64);
     Image image(64, 64, Image::Layers::bytes);
     openmp.create({.precision = GetParam()})->render(other, image);
@@ -113,7 +113,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
             try {
                 packed = draw(scene, 2, pack);
             } catch (const InputError&) {
-                break;  // this machine has no such pack
+                break;  // not supported by this machine
             }
             ++widths;
             const Image scalar = draw(scene, 2, 1);
@@ -126,7 +126,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
     EXPECT_GT(widths, 0) << "no pack width could be tried";
 }
 
-// The packs of every instruction set that this machine has, down to the smallest.
+// The packs of every instruction set of this machine, down to the smallest.
 TEST_P(SameBits, EveryInstructionSet)
 {
     std::set<std::string> ran;
@@ -137,7 +137,7 @@ TEST_P(SameBits, EveryInstructionSet)
             try {
                 ran.insert(openmp.create({.precision = GetParam()})->render(scene, packed).instruction_set);
             } catch (const InputError&) {
-                break;  // the machine has no such instructions
+                break;  // the machine lacks these instructions
             }
             const Image scalar = draw(scene, 2, 1);
             const Comparison difference = compare(scalar, packed);
@@ -147,13 +147,13 @@ TEST_P(SameBits, EveryInstructionSet)
         }
     }
     unsetenv("MANDELMARCH_INSTRUCTIONS");
-    // Builds for this machine and under sanitizers hold one instruction set (cmake/InstructionSets.cmake).
+    // Builds for this machine and sanitizer builds have one instruction set (cmake/InstructionSets.cmake).
     EXPECT_TRUE(MANDELMARCH_ONE_INSTRUCTION_SET || ran.contains("SSE4"));
     EXPECT_TRUE(ran.contains("scalar"));
     EXPECT_TRUE(ran.contains(draw_report().instruction_set));
 }
 
-// AVX-512 is called so, whatever Highway calls it, and no name is the same as none.
+// AVX-512 has its usual name, not Highway's, and an empty name means no selection.
 TEST(Instructions, HaveTheirUsualNames)
 {
     const Registry registry = all_backends();
@@ -174,7 +174,7 @@ TEST(Instructions, HaveTheirUsualNames)
     unsetenv("MANDELMARCH_INSTRUCTIONS");
 }
 
-// The twin: the comparison does see one bit.
+// Negative control: the comparison detects a single bit.
 TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
 {
     const Scene scene = official_scene("box", 64, 64);
@@ -190,7 +190,7 @@ TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
     EXPECT_FALSE(compare(image, sign).same());
 }
 
-// The other twin: contraction and the canonical hit change bits.
+// Negative control: contraction and the canonical hit change bits.
 TEST_P(SameBits, FastModeDiffers)
 {
     const Scene scene = official_scene("box", 64, 64);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two renderers draw of a scene, and what it costs them.
+// Compares the pictures and work counts of two renderers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace mandelmarch {
 
-// Both draw the same bits and count the same work. `what` names the picture in messages.
+// Expects the same bits and the same work counts from both. `what`: name of the picture in messages.
 inline void expect_same_picture(Renderer& yardstick, Renderer& renderer, const Scene& scene, const std::string& what)
 {
     Image image(scene.width, scene.height, Image::Layers::all);

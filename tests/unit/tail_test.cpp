@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Mandelbox's tails: an orbit's last iterations without their tests give the same estimates.
+// The Mandelbox's tails: the last iterations of an orbit without their tests give the same estimates.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,11 +32,11 @@ tailed::Scene scene_of(const Scene& scene, bool tails)
 
 struct Difference {
     int samples = 0;
-    int iterations = 0;  // samples whose orbits are not equally long
-    int distances = 0;   // samples whose estimates differ by more than 10^-9 of themselves
+    int iterations = 0;  // samples whose orbits differ in length
+    int distances = 0;   // samples whose estimates differ by a relative error above 10^-9
 };
 
-// Along the rays of every eighth pixel, the samples without tails.
+// Compares the estimates with and without tails at the samples of every eighth pixel's ray.
 Difference difference(const Scene& scene, const tailed::Scene& with)
 {
     const tailed::Scene without = scene_of(scene, false);
@@ -83,7 +83,7 @@ TEST(Tails, HitTheOfficialSceneInNearlyEverySample)
     EXPECT_LE(found.distances, found.samples / 200);
 }
 
-// Tails that begin too near to the spheres, or too far out, show.
+// Negative control: tails that begin too near to the spheres, or too far out.
 TEST(Tails, WrongRadiiShow)
 {
     const Scene scene = official_scene("box", 270, 270);
@@ -102,7 +102,7 @@ TEST(Tails, AreForFastModeOnly)
     EXPECT_EQ(kernel_scene<layout_f32::Scene>(scene, Mode::exact).fractal_whole, 0);
     EXPECT_GT(kernel_scene<layout_f32::Scene>(scene, Mode::fast).fractal_whole, 0);
     Scene near = scene;
-    near.escape = 10;  // no room for three iterations outside
+    near.escape = 10;  // too small for three iterations outside
     EXPECT_EQ(kernel_scene<layout_f64::Scene>(near, Mode::fast).fractal_whole, 0);
 }
 

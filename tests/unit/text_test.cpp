@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts from outside, notes and results on the console, and numbers from the environment.
+// Printable texts, messages and results on the console, and numbers from environment variables.
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -56,7 +56,7 @@ TEST(JsonDepth, DoesNotCountSiblingsOrTexts)
     EXPECT_THROW(check_json_depth("\"\\\\\"" + std::string(1000, '['), "x"), InputError);
 }
 
-// The exit code of a program with this body whose descriptors `prepare` has changed.
+// Returns the exit code of a program with this main() after `prepare` has changed its descriptors.
 int code_of(int (*body)(int, char**), const std::function<void()>& prepare)
 {
     const pid_t child = fork();

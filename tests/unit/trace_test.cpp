@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A traced pixel is the picture's pixel, and its steps are those that led to it.
+// A traced pixel equals the picture's pixel, and its steps lead to it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,6 @@ bool same_pixel(const Image& image, std::size_t index, const Trace& trace)
            std::equal(trace.bytes.begin(), trace.bytes.end(), image.bytes().begin() + static_cast<long>(3 * index));
 }
 
-// Scenes of every fractal, small.
 std::vector<NamedScene> small_scenes()
 {
     std::vector<NamedScene> scenes = odd_scenes();
@@ -69,7 +68,7 @@ TEST_P(Traces, OfAnotherPixelDiffer)
     EXPECT_FALSE(same_pixel(image, 15 * 40 + 20, trace_pixel(scene, options(Mode::exact), 21, 15)));
 }
 
-// Every sample lies where the one before it sent the ray, and the last one decides.
+// Each sample lies at the position given by the previous one, and the last one decides.
 TEST_P(Traces, HaveStepsThatLeadToTheResult)
 {
     for (const Mode mode : {Mode::exact, Mode::fast}) {
@@ -85,7 +84,7 @@ TEST_P(Traces, HaveStepsThatLeadToTheResult)
     }
 }
 
-// A canonical hit's root is bracketed closer and closer: the last one tried is near it.
+// A canonical hit's root is bracketed ever closer: the last position tried is near it.
 TEST_P(Traces, OfFastPicturesShowTheRootsTried)
 {
     const Trace trace = trace_pixel(official_scene("bulb", 40, 30), options(Mode::fast), 20, 15);

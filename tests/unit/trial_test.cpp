@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fast mode tries its steps: scenes whose surface they pass through are drawn with shorter ones.
+// Fast mode's trials: scenes whose surface is missed by its steps are rendered with shorter ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace mandelmarch {
 namespace {
 
-// Pictures made up: `off` thousandths of each have a colour that no other picture has, so that of two pictures the
-// larger one of their shares differs.
+// Synthetic pictures: `off` thousandths of each have a colour that is unique to the picture, so that two pictures
+// differ in the larger of their two fractions.
 struct Pictures {
     std::vector<int> off;
-    std::vector<double> strides{};  // asked for
+    std::vector<double> strides{};  // of the calls
 
     Trial tried(const Scene& scene)
     {
@@ -54,12 +54,12 @@ TEST(Trial, ShortensStepsUntilPicturesAgree)
     EXPECT_NEAR(apart.off, 0.06, 0.001);
     EXPECT_EQ(stay_apart.strides, (std::vector{plain_stride, 0.4, 0.2}));
     Scene low = bulb;
-    low.shape[2] = 3;  // its own steps are 0.4 of the estimate
+    low.shape[2] = 3;  // its own step factor is 0.4
     Pictures low_agree{{0, 0}};
     EXPECT_EQ(low_agree.tried(low).stride, 0.4);
     EXPECT_EQ(low_agree.strides, (std::vector{0.4, 0.2}));
     Scene shortest = bulb;
-    shortest.limits.stride = 0.1;  // nothing shorter is tried, and so nothing is known to be wrong
+    shortest.limits.stride = 0.1;  // nothing shorter is tried, so no error is found
     Pictures once{{60}};
     const Trial untried = once.tried(shortest);
     EXPECT_EQ(untried.stride, 0.1);
@@ -71,7 +71,7 @@ Scene random_bulb(unsigned seed, int number)
     return random_scenes(60, seed).at(static_cast<std::size_t>(number)).scene;
 }
 
-// Scenes of which fast mode's usual steps leave more than 2 % off.
+// Scenes in which fast mode's usual steps give more than 2 % wrong pixels.
 TEST(Trial, BringsPicturesNearTheCanonicalOnes)
 {
     const Registry registry = all_backends();
@@ -85,7 +85,7 @@ TEST(Trial, BringsPicturesNearTheCanonicalOnes)
                 return compare(canonical, render(*registry.find("openmp"), scene, options)).visibly_differing;
             };
             EXPECT_LE(50 * off(true), canonical.pixels()) << scene.shape[2];
-            EXPECT_GT(50 * off(false), canonical.pixels()) << scene.shape[2];  // the twin
+            EXPECT_GT(50 * off(false), canonical.pixels()) << scene.shape[2];  // negative control
         }
     }
 }
@@ -103,7 +103,7 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
             }
         }
     }
-    // Exact pictures, and those of hits that are not refined, are what they are on every scene.
+    // Exact pictures, and those with unrefined hits, never change.
     const Scene scene = random_bulb(1001, 12);
     const RendererOptions exact;
     const RendererOptions unrefined{.mode = Mode::fast, .techniques = {.root = false}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Vulkan backend draws the bits of the same text in scalar C++, on odd scenes too, and counts the same work. One
-// renderer draws all scenes of a test, one after another. Skipped where there is no Vulkan device.
+// The Vulkan backend gives the bits of the scalar kernel, including on odd scenes, and counts the same work. One
+// renderer renders all scenes of a test, one after another. Skipped without a Vulkan device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// In the solid, where every estimate takes all iterations: passes of one step are longer than lavapipe survives.
+// Inside the solid, every DE evaluation takes all iterations: passes of one step exceed lavapipe's limit.
 Scene long_estimates()
 {
     Scene scene = official_scene("bulb", 24, 18);
@@ -50,7 +50,7 @@ TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
     for (const auto& [name, scene] : scenes) expect_same_picture(*yardstick, *renderer, scene, name);
 }
 
-// The twin: a picture of the other mode has other bits. And a picture of the same mode is close.
+// Negative control: a picture in the other mode has other bits. A picture in the same mode is close.
 TEST_P(Vulkan, FastModeHasOtherBitsAndTheCanonicalHit)
 {
     const Scene scene = official_scene("box", 150, 150);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT names the fault, MANDELMARCH_FAULT_AFTER how many
-// calls succeed before it:
+// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT: the fault; MANDELMARCH_FAULT_AFTER: the number of
+// calls that succeed before it.
 //   memory           vkAllocateMemory returns VK_ERROR_OUT_OF_DEVICE_MEMORY
 //   lost             vkQueueSubmit returns VK_ERROR_DEVICE_LOST
-//   silent           vkWaitForFences never sees a fence signalled
+//   silent           vkWaitForFences never sees a signalled fence
 //   no_double        no device has shaderFloat64
-//   float_units      float divisions and square roots are a unit off in the last place
+//   float_units      float division and square root are a unit off in the last place
 //   contraction      sums of a float product are computed in double and rounded once
-//   float_division   float divisions are far off: shaders get a / b as a * b in place of them
-//   double_division  the same in double, and with it what float is pinned with
-//   unknown_driver   no driver says which it is
-//   discrete_gpu     every device says that it is one, with memory of its own
-//   misuse           a fence is made with flags that do not exist: what the validation layers must see
+//   float_division   float division is far off: shaders compute a * b instead of a / b
+//   double_division  the same in double, and so in the double arithmetic that corrects float
+//   unknown_driver   drivers do not report their name
+//   discrete_gpu     every device reports to be a discrete GPU with its own memory
+//   misuse           a fence is created with invalid flags, which the validation layers must report
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -34,7 +34,7 @@ using mandelmarch::Rewritten;
 using mandelmarch::without_division;
 using mandelmarch::drivers::misconduct;
 
-// The next layer's functions, taken from the last instance and the last device: all of a program's have one driver.
+// The next layer's functions, from the last instance and the last device: all of a program's have one driver.
 struct Next {
     PFN_vkGetInstanceProcAddr instance_proc = nullptr;
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
@@ -59,7 +59,7 @@ bool wanted(std::string_view fault)
     return name != nullptr && name == fault;
 }
 
-// True from the call on that is to fail.
+// Returns true from the call on that must fail.
 bool strikes(std::string_view fault)
 {
     if (!wanted(fault)) return false;
@@ -67,7 +67,7 @@ bool strikes(std::string_view fault)
     return next.calls++ >= (after == nullptr ? 0 : std::atoi(after));
 }
 
-// The layer's own entry in the chain that the loader hands to vkCreateInstance and vkCreateDevice.
+// Returns the layer's entry in the chain that the loader passes to vkCreateInstance and vkCreateDevice.
 template <class LayerInfo, class CreateInfo>
 LayerInfo* link_of(const CreateInfo* create, VkStructureType type)
 {
@@ -86,7 +86,7 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
     const auto create_next = reinterpret_cast<PFN_vkCreateInstance>(next.instance_proc(nullptr, "vkCreateInstance"));
     const VkResult result = create_next(create, memory, instance);
     if (result != VK_SUCCESS) return result;
-    // Asked for now: later the loader would answer with the first layer's.
+    // Queried now: later the loader would return the first layer's function.
     const auto ask = [&](auto& function, const char* name) {
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.instance_proc(*instance, name));
     };
@@ -128,7 +128,7 @@ void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* prope
 {
     next.get_properties(physical, properties);
     if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
-    // A name that fills its array to the end, without a 0.
+    // A name that fills its array without a terminating 0.
     if (!misconduct("enumeration")) return;
     for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
         properties->deviceName[i] =
@@ -155,7 +155,7 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
-    // Garbage: nothing is done, and said to be done.
+    // Garbage: does nothing and reports success.
     if (misconduct("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
     return next.queue_submit(queue, count, infos, fence);
@@ -251,7 +251,7 @@ PFN_vkVoidFunction own(std::string_view name)
 
 }  // namespace
 
-// The loader's way in.
+// Entry point for the loader.
 extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(
     VkNegotiateLayerInterface* interface)
 {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# faults_test.sh BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, do not answer or lack what is
-# asked; pipeline caches that are broken; and what the shaders must hold. Needs a Vulkan device (lavapipe will do).
+# faults_test.sh BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, hang or lack features; broken
+# pipeline caches; and required properties of the shaders. Needs a Vulkan device (lavapipe suffices).
 set -uo pipefail
 bin=$1
 source=$2
@@ -19,8 +19,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# draw FRACTAL OUTPUT OPTION...: a small picture on Vulkan of the official scene, or of the file $scene in $size; its exit
-# code. 60 seconds count as a hang.
+# draw FRACTAL OUTPUT OPTION...: renders a small picture with Vulkan, of the official scene, or of the file $scene at
+# $size. Returns the exit code; 60 seconds count as a hang.
 draw() {
     local fractal=$1 output=$2
     shift 2
@@ -28,7 +28,7 @@ draw() {
         --backend vulkan --output "$output" "$@" >stdout 2>stderr </dev/null
 }
 
-# with FAULT[:AFTER] COMMAND...: under the layer.
+# with FAULT[:AFTER] COMMAND...: runs the command with the layer.
 with() {
     local fault=$1
     shift
@@ -36,7 +36,8 @@ with() {
         VK_INSTANCE_LAYERS=VK_LAYER_MANDELMARCH_faults VK_LAYER_PATH=$layer:$validation "$@"
 }
 
-# refused CODE TEXT FAULT DRAW-ARGUMENTS...: the exit code, one line on stderr that holds the text, and no file.
+# refused CODE TEXT FAULT DRAW-ARGUMENTS...: expects the exit code, one line on stderr that contains the text, and no
+# file.
 refused() {
     local code=$1 text=$2 fault=$3 got
     shift 3
@@ -49,12 +50,12 @@ refused() {
     [ -z "$(find . -maxdepth 1 -name '*.exr' -o -name '.mandelmarch-*')" ] || fail "$fault: a file is left"
 }
 
-# same A B
+# same A B: expects two equal pictures.
 same() { "$bin/imgdiff" "$1" "$2" >stdout || fail "$1 and $2 differ: $(tr '\n' ' ' <stdout)"; }
 
 if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *unavailable'; then exit 77; fi
 
-# The good device, and pictures to compare with: from the same text without Vulkan.
+# The good device, and pictures to compare with: from the same kernel source without Vulkan.
 draw bulb good.exr || { fail "no picture without a fault: $(cat stderr)"; exit 1; }
 mkdir -p true
 for fractal in bulb box; do
@@ -80,7 +81,7 @@ for after in 0 3; do
 done
 MANDELMARCH_DEVICE_TIMEOUT=60
 
-# Devices that lack something: refused, or their pictures are the same bits.
+# Devices that lack a feature: an error, or pictures with the same bits.
 refused 77 'has no double' no_double bulb a.exr
 refused 77 'no double' no_double bulb a.exr --mode fast
 refused 77 'division and square root are not exact' double_division bulb a.exr
@@ -89,7 +90,7 @@ for fault in none no_double float_units float_division double_division discrete_
         with $fault draw $fractal a.exr --precision float && same a.exr true/$fractal-float.exr
     done
 done
-# How float quotients are computed: as the device does, corrected where it is a unit off, in double where it is far off.
+# Float division: by the device, corrected if the device is a unit off, in double if it is far off.
 for fault in none: float_units:,.float.quotients.corrected float_division:,.float.quotients.in.double; do
     with "${fault%%:*}" draw box a.exr --precision float --stats a.json
     grep -q "\"instruction_set\": \"SPIR-V${fault#*:}\"" a.json || fail "$fault: $(grep instruction_set a.json)"
@@ -99,7 +100,7 @@ for fault in float_division discrete_gpu; do
     with $fault draw box a.exr && same a.exr true/box-double.exr
 done
 with discrete_gpu "$bin/render" --fractal bulb --list-devices | grep -q '^vulkan *0: ' || fail "a GPU is not listed"
-# The twin: fast mode, which probes nothing, shows that the layer does change divisions.
+# Negative control: fast mode, which does not probe, shows that the layer changes divisions.
 with double_division draw bulb wrong.exr --mode fast
 draw bulb right.exr --mode fast
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
@@ -121,7 +122,7 @@ draw bulb none.exr --device 99
 [ $? = 77 ] || fail "device 99: $(cat stderr)"
 ldd "$bin/render" | grep -q libvulkan && fail "render is linked with the Vulkan loader"
 
-# Broken pipeline caches: the same picture, no word, and the file written anew.
+# Broken pipeline caches: the same picture, no message, and the file is written again.
 rm -rf cache
 draw bulb first.exr
 cache=$(find cache -name '*.bin' | sort | head -1)
@@ -135,7 +136,7 @@ break_cache() {
     draw bulb again.exr || fail "cache after $*: $(cat stderr)"
     [ -s stderr ] && fail "cache after $*: $(cat stderr)"
     same first.exr again.exr
-    # Not every driver makes the same bytes again.
+    # Not every driver reproduces the bytes.
     for file in whole/mandelmarch/*.bin; do
         file=mandelmarch/${file##*/}
         [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||
@@ -161,8 +162,8 @@ for folder_for_cache in /dev/null /proc/nowhere/at/all relative ""; do
     [ -s stderr ] && fail "cache in '$folder_for_cache': $(cat stderr)"
 done
 
-# Marches that are longer than one pass, thousands of steps of few iterations: lavapipe would cut them off silently.
-# vulkan_test has a scene whose estimates are as long.
+# Marches longer than one pass, thousands of steps of few iterations: lavapipe would cut them off silently. vulkan_test
+# has a scene with DE evaluations as long.
 for iterations in 8 18; do
     sed "s/^-4$/-7/; s/^18 100$/$iterations 100/" "$source/paramsBox.dat" >deep-$iterations.dat
 done
@@ -171,7 +172,8 @@ for scene in deep-*.dat; do
         fail "openmp"
     draw box a.exr --precision float && same a.exr true/deep.exr || fail "$scene: another picture"
 done
-# A driver that cuts loops off and does not say so is found out; where it cuts none, as newer lavapipes, the picture is right.
+# A driver that cuts loops off silently is detected; if it does not cut them, like newer lavapipes, the picture is
+# right.
 scene=deep-18.dat
 "$bin/render" --fractal box $scene --size 40x30 --backend openmp --pack 1 --precision float --output true/deep-18.exr ||
     fail "openmp"
@@ -183,7 +185,7 @@ else
         refused 1 'cut a ray off in a loop' unknown_driver box a.exr --precision float --mode $mode
     done
     unset scene
-    # Random scenes find it out, too, and leave what draws the scene again.
+    # Random scenes detect it, too, and leave parameter files that reproduce it.
     with unknown_driver "$bin/bench" equivalence --backend vulkan --fractal box --scenes 8 --seed 5 --folder cut \
         >stdout 2>stderr
     [ $? = 1 ] && grep -q 'vulkan, device 0, in float: .*cut a ray off' stderr || fail "bench equivalence: $(cat stderr)"
@@ -195,7 +197,7 @@ else
     with unknown_driver draw box a.exr --precision float && same a.exr true/box-float.exr || fail "an unknown driver"
 fi
 
-# Validation: not a word. The twin: a misuse is reported.
+# Validation reports nothing. Negative control: a misuse is reported.
 if [ -e $validation/VkLayer_khronos_validation.json ]; then
     export VK_KHRONOS_VALIDATION_REPORT_FLAGS=error,warn
     validated() { VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation draw "$@"; }
@@ -214,7 +216,7 @@ else
     echo "no validation layers here"
 fi
 
-# Every floating-point operation of the exact modules carries NoContraction; in the fast ones none does.
+# Every floating-point operation of the exact modules has NoContraction; in the fast ones none has.
 for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv "$modules"/*_corrected.spv; do
     "$modules/spirv_tool" check "$module" >stdout || fail "$(cat stdout)"
 done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SPIR-V modules made wrong: the arithmetic of devices that do not compute as IEEE 754 says.
+// Modifies SPIR-V modules to simulate devices that do not compute as IEEE 754 requires.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace mandelmarch {
 
-// Divisions of numbers of `bits` bits become products. Numbers of opcodes from the SPIR-V specification, section 3.49.
+// Replaces divisions of `bits` wide numbers by products. Opcodes from the SPIR-V specification, section 3.49.
 inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> words, std::uint32_t bits)
 {
     constexpr std::uint32_t type_float = 22;
@@ -25,13 +25,12 @@ inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> wo
     return words;
 }
 
-// A module that is taken apart and put together with other instructions. Numbers of opcodes from the SPIR-V
-// specification, section 3.49.
+// A module, taken apart and put together with other instructions. Opcodes from the SPIR-V specification, section 3.49.
 class Rewritten {
 public:
     explicit Rewritten(const std::vector<std::uint32_t>& words) : from_(words) {}
 
-    // Every quotient and root of floats, times 1 + 2^-23.
+    // Multiplies every float quotient and square root by 1 + 2^-23.
     std::vector<std::uint32_t> off_by_a_unit()
     {
         if (has_double()) return from_;
@@ -48,7 +47,7 @@ public:
         });
     }
 
-    // Every sum of a product of floats, through double.
+    // Computes every sum of a float product through double.
     std::vector<std::uint32_t> contracted()
     {
         if (has_double()) return from_;
@@ -77,7 +76,7 @@ public:
 private:
     static constexpr std::uint32_t ext_inst = 12, capability = 17, type_float = 22, constant = 43, convert = 115;
     static constexpr std::uint32_t sum = 129, multiply = 133, divide = 136;
-    static constexpr std::uint32_t sqrt = 31;     // of GLSL.std.450
+    static constexpr std::uint32_t sqrt = 31;     // in GLSL.std.450
     static constexpr std::uint32_t float64 = 10;  // a capability
 
     template <class Change>
@@ -100,7 +99,7 @@ private:
         return to_;
     }
 
-    // Modules may not name a type twice; those with a double are not of the kind that is words.
+    // A module must not declare a type twice; modules with a double are not of the kind that `words` is.
     bool has_double() const
     {
         for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
@@ -110,7 +109,7 @@ private:
     }
 
     void add(const std::vector<std::uint32_t>& words) { to_.insert(to_.end(), words.begin(), words.end()); }
-    std::uint32_t fresh() { return to_[3]++; }  // the bound of the module's numbers
+    std::uint32_t fresh() { return to_[3]++; }  // the bound of the module's ids
     std::uint32_t widened(std::uint32_t number)
     {
         const std::uint32_t wide = fresh();
@@ -121,7 +120,7 @@ private:
     const std::vector<std::uint32_t>& from_;
     std::vector<std::uint32_t> to_;
     std::uint32_t float_type_ = 0, double_type_ = 0, unit_more_ = 0;
-    std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> products_;  // of floats, and their factors
+    std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> products_;  // float products and their factors
 };
 
 }  // namespace mandelmarch

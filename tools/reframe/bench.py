@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A ReFrame test of bench: every row's picture is proven, and each kernel time is a performance figure.
-reframe -c tools/reframe/bench.py -r -S BenchTest.bench=FILE, where FILE is the program."""
+"""A ReFrame test of bench: verifies every configuration's picture, and records each kernel time as a performance
+figure. reframe -c tools/reframe/bench.py -r -S BenchTest.bench=FILE, where FILE is the program."""
 import json
 import os
 
@@ -15,7 +15,7 @@ class BenchTest(rfm.RunOnlyRegressionTest):
     valid_systems = ["*"]
     valid_prog_environs = ["*"]
     bench = variable(str, value="bench")
-    options = variable(str, value="--backend openmp")  # of bench: which rows
+    options = variable(str, value="--backend openmp")  # options of bench that select configurations
     executable_opts = ["--json", "result.json"]
 
     @run_before("run")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page's figure: every backend's time, both baselines among them."""
+"""The front page's figure: times of all backends and of both baselines."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..models import label
 from ..text import ms, plain
 from . import style
 
-# Precision and mode: filled or not, and the marker.
+# Marker of each precision and mode, and whether it is filled.
 KINDS = {
     ("double", "exact"): ("full", "o"),
     ("float", "exact"): ("none", "o"),
@@ -20,7 +20,7 @@ KINDS = {
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
-    """Narrow, so that it can be read on a phone. The reference is the last."""
+    """Narrow enough for a phone. The reference comes last."""
     rows = [row for row in map(Row, bench.data["rows"]) if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
     names = backends.order(label(row) for row in rows)

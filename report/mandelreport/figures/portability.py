@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pennycook's metric: as a cascade, efficiency over the platforms, best first, and beside code convergence."""
+"""Pennycook's metric: as a cascade of efficiencies over the platforms, best first, and against code convergence."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from . import style
 
 
 def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
-    """A panel for each fractal and mode, a line for each backend and precision: efficiency on the first 1, 2, ...
+    """Shows a panel for each fractal and mode, a line for each backend and precision: efficiency on the first 1, 2, ...
     platforms as points, the metric over them as the line."""
     if not entries:
         return None
@@ -52,7 +52,8 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
 
 
 def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backends: Backends) -> Figure | None:
-    """The navigation chart: a backend by itself is one source for all its platforms; all together share the text."""
+    """Shows the navigation chart. One backend is one source for all its platforms; all together share the kernel
+    source."""
     names = [model["backend"] for model in divergence["models"]]
     best: dict[str, list[float]] = {}
     for entry in entries:

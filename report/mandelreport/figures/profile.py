@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a picture's time goes."""
+"""Time per stage of a picture."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STAGES = ["begin", "march", "refine", "normal", "shade", "output"]
 
 
 def stage_medians(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
-    """Seconds of each stage, by fractal, precision and mode."""
+    """Returns the seconds of each stage, by fractal, precision and mode."""
     found: dict[tuple[str, str, str], dict[str, float]] = {}
     for stage in bench.data["stages"]:
         key = (stage["fractal"], stage["precision"], stage["mode"])
@@ -25,7 +25,7 @@ def stage_medians(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
 
 
 def operation_shares(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
-    """Each stage's share of the counted operations of the official scenes."""
+    """Returns each stage's fraction of the counted operations of the official scenes."""
     found = {}
     for count in bench.data["counts"]:
         if count["setting"]["view"] != "official":
@@ -37,7 +37,7 @@ def operation_shares(bench: Bench) -> dict[tuple[str, str, str], dict[str, float
 
 
 def profile(bench: Bench) -> Figure | None:
-    """Stacked bars: shares of time, and below each those of counted operations."""
+    """Shows stacked bars: fractions of time and, below each, of counted operations."""
     times = stage_medians(bench)
     if not times:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One look for all figures: colours of Okabe and Ito, and for black and white a hatch, a marker and a dash for each."""
+"""Common style of all figures: colours of Okabe and Ito, each with a hatch, a marker and a dash for black and white."""
 
 from __future__ import annotations
 
@@ -53,17 +53,17 @@ SETTINGS: Any = {
 
 
 def _turn(number: int) -> int:
-    """Series beyond the eighth have the colours again, with another hatch, marker and dash."""
+    """Returns the index of hatch, marker and dash, which differ for series of the same colour beyond the eighth."""
     return (number + number // 8) % 8
 
 
 def look(number: int) -> dict[str, Any]:
-    """Colour, hatch and edge of the bars of series `number`."""
+    """Returns colour, hatch and edge of the bars of series `number`."""
     return {"facecolor": COLOURS[number % 8], "hatch": HATCHES[_turn(number)], "edgecolor": "black", "linewidth": 0.6}
 
 
 def line(number: int) -> dict[str, Any]:
-    """Colour, marker and dash of the line of series `number`."""
+    """Returns colour, marker and dash of the line of series `number`."""
     return {"color": COLOURS[number % 8], "marker": MARKERS[_turn(number)], "linestyle": DASHES[_turn(number)]}
 
 
@@ -80,10 +80,10 @@ def _rounded(number: re.Match[str]) -> str:
 
 
 def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
-    """The drawn figure as SVG with the same bytes for the same data."""
+    """Returns the figure as SVG, reproducibly for the same data."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
     plt.close(figure)
-    # In paths a hundredth of a point is more than a printer shows; hatches have thousands of numbers.
+    # Round path coordinates to hundredths of a point, beyond a printer's resolution; hatches have thousands of them.
     short = re.sub(r'(?<= d=")[^"]*', lambda path: re.sub(r"-?\d+\.\d{3,}", _rounded, path[0]), buffer.getvalue())
     return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the sweeps: one setting varies along x."""
+"""Figures of sweeps: one setting varies along x."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from . import style
 
 
 def _series(bench: Bench) -> dict[tuple[str, str], list[Row]]:
-    """The timed rows of each fractal and line; a line is a backend, with precision and mode where several are there."""
+    """Returns the timed rows of each fractal and line; a line is a backend, with precision and mode if there are
+    several."""
     precisions, modes = bench.values("precision"), bench.values("mode")
     lines: dict[tuple[str, str], list[Row]] = {}
     for row in bench.rows:
@@ -30,7 +31,7 @@ def _label(bench: Bench, row: Row) -> str:
 
 
 def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms", ideal: bool = False) -> Figure | None:
-    """Lines over the sweep's setting, a panel for each fractal. `y`: ms, rate (Mpixel/s) or speed-up over x = 1."""
+    """Shows lines over the sweep's setting, a panel per fractal. `y`: ms, rate (Mpixel/s) or speed-up over x = 1."""
     lines = _series(bench)
     if not lines:
         return None
@@ -75,7 +76,7 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
 
 
 def ablation(bench: Bench) -> Figure | None:
-    """What each technique is worth: the time without it over the time with all."""
+    """Shows the gain from each technique: the time without it over the time with all."""
     lines = _series(bench)
     fractals = list(dict.fromkeys(fractal for fractal, _ in lines))
     if not fractals:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the standard study: times over the scalar text's, ratios, shares of the peak."""
+"""Figures of the standard study: times over the scalar kernel's, ratios, shares of the peak."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from . import style
 
 
 def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
-    """Time of every backend over that of the scalar text, the fastest first, a panel for each fractal and mode."""
+    """Shows the time of every backend over that of the scalar kernel, fastest first, a panel for each fractal and
+    mode."""
     rows = with_scalar(bench, backends.reference)
     if not any(row.point == SCALAR for row in rows):
         return None
@@ -51,11 +52,11 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
 
 
 def ratios(bench: Bench, backends: Backends, question: str, title: str, caption: str) -> Figure | None:
-    """The ratios that bench took round by round, as points with intervals, a line for each backend."""
+    """Shows the ratios that bench measured round by round, as points with intervals, a line for each backend."""
     found = bench.data["questions"][question]
     if not found:
         return None
-    # mandelbox/double/exact/openmp/0: what differs between numerator and denominator is the question.
+    # Numerator and denominator, such as mandelbox/double/exact/openmp/0, differ in what the question compares.
     entries = []
     for ratio in found:
         fractal, precision, mode, backend, device, *point = ratio["denominator"].split("/")
@@ -84,7 +85,7 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
 
 
 def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
-    """Counted operations a second as a share of the platform's measured multiply-add peak."""
+    """Shows counted operations per second as a share of the platform's measured multiply-add peak."""
     rows = [row for row in bench.rows if row.timed and row.figures["share_of_peak"] is not None]
     if not rows:
         return None
@@ -121,7 +122,7 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
 
 
 def machines(benches: list[Bench]) -> Figure | None:
-    """The fastest backend of each machine, fractal, precision and mode, side by side."""
+    """Compares the fastest backend of each machine, for each fractal, precision and mode."""
     if len(benches) < 2:
         return None
     kinds = list(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Why one fractal takes longer than the other: the measured factors."""
+"""Factors that explain why one fractal takes longer than the other."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """The operations per pixel of a picture: calls x iterations a call x operations an iteration. Calls and
-    iterations are counted over all pixels, operations an iteration and the shares of lanes in a sample."""
+    """Operations per pixel of a picture: DE evaluations x iterations per evaluation x operations per iteration. DE
+    evaluations and iterations are counted over all pixels, operations per iteration and active lanes in a sample."""
 
     fractal: str
     precision: str
     view: str
-    calls: float  # of the estimator, a pixel
-    iterations: float  # a call
-    operations: float  # an iteration
-    active: float  # share of lanes that are busy in the estimator's iterations
+    calls: float  # DE evaluations per pixel
+    iterations: float  # per DE evaluation
+    operations: float  # per iteration
+    active: float  # fraction of lanes active in DE iterations
     active_steps: float
     lanes: int
     sample: int  # pixels
-    sampled_calls: float  # a pixel of the sample
-    kernel: float | None  # seconds a picture
+    sampled_calls: float  # per pixel of the sample
+    kernel: float | None  # seconds per picture
     share_of_peak: float | None
 
     @property
@@ -36,7 +36,7 @@ class Factors:
 
 
 def factors(bench: Bench, backend: str) -> list[Factors]:
-    """The factors of every scene of the study box-vs-bulb that `backend` drew, in the order of its rows."""
+    """Returns the factors of every scene of the study box-vs-bulb that `backend` rendered, in the order of its rows."""
     found = []
     rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
     for count in bench.data["counts"]:
@@ -66,7 +66,7 @@ def factors(bench: Bench, backend: str) -> list[Factors]:
 
 
 def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
-    """Mandelbox over Mandelbulb, factor by factor, a group for each scene."""
+    """Shows Mandelbox over Mandelbulb, factor by factor, a group for each scene."""
     if not pairs:
         return None
     names = [
@@ -93,7 +93,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
             if value is None:
                 continue
             x = k + (number - (len(pairs) - 1) / 2) * width
-            # From 1: what makes the box slower goes up, what makes it faster goes down.
+            # Bars start at 1: factors that make the box slower go up, the others down.
             axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
             axis.text(x, max(value, 1) * 1.05, digits(value, 2), ha="center", va="bottom", fontsize=6.5, rotation=90)
             said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")

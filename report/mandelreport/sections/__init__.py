@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections: each module's function takes the material and returns what its template prints. front is the first page, then
-come the main part and the appendix, in the order of page.py."""
+"""Sections: each module's function takes the material and returns the values for its template. front is the first page,
+followed by the main part and the appendix, in the order of page.py."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..results import Results
 
 @dataclass(frozen=True)
 class Material:
-    """Everything that a report is made of. `work`: a folder for files in between."""
+    """All data of a report. `work`: a folder for intermediate files."""
 
     results: Results
     studio: Studio
@@ -31,5 +31,5 @@ class Material:
         return Answers(self.results, self.backends)
 
     def letter(self, name: str) -> str:
-        """What tables call a result of the standard study: A for the first."""
+        """Returns the letter of a result of the standard study in tables: A for the first."""
         return chr(ord("A") + [bench.name for bench in self.results.study("standard")].index(name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checklist of reproducible artifacts, filled in."""
+"""The completed checklist of reproducible artifacts."""
 
 from __future__ import annotations
 

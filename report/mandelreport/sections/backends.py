@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each backend's design, as the documentation has it, then frames over machines."""
+"""Each backend's design, from the documentation, and film frames on several machines."""
 
 from __future__ import annotations
 

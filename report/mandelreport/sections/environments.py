@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""On what everything was measured: results as columns, compilers and drivers once, the other files as lines."""
+"""Environments of all measurements: results as columns, compilers and drivers once, the other files as lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .method import instructions
 
 
 def _told(what: Any, words: Callable[[Any], str]) -> str:
-    """What the machine told of itself, or why it did not. Older builds of bench did not ask."""
+    """Returns the machine's reading, or why it is missing. Older builds of bench did not take it."""
     if what is None:
         return "not asked"
     return f"not told: {what['missing']}" if "missing" in what else words(what)
@@ -72,7 +72,7 @@ def _environments(material: Material) -> Table | None:
 
 
 def _backends(material: Material) -> Table | None:
-    """Compilers, flags and drivers, a line for each that differs, with the results that have it."""
+    """Returns compilers, flags and drivers, a line for each distinct one, with the results that have it."""
     lines: dict[tuple[str, ...], list[str]] = {}
     for bench in material.results.study("standard"):
         for backend in bench.environment["backends"]:

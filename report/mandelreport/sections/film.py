@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the frames are chosen, and the film's summary that the assignment asks for."""
+"""Choice of the frames, and the film's summary that the assignment requires."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _table(film: Film) -> Table:
 
 
 def _sheet(path: Path) -> Figure:
-    """A contact sheet, made small enough for the page."""
+    """Returns a contact sheet, scaled down for the page."""
     with Image.open(path) as image:
         small = image.convert("RGB")
         if small.width > SHEET_WIDTH:

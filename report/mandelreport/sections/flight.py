@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The flights: paths over time, audits, studies, and how the frames are chosen."""
+"""Flights: paths over time, audits, studies, and the choice of the frames."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _audit_table(audit: Audit) -> Table:
 
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    # The main part shows the last map.
+    # The last map appears in the main part.
     maps = [(figures.ground(m) if m is not results.maps[-1] else None, figures.over_time(m), m) for m in results.maps]
     command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
     return {

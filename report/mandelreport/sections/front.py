@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page: what was found, each answer with its number and interval."""
+"""The front page: the findings, each answer with its number and interval."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..figures.front import times
 from ..text import join
 from . import Material
 
-# As their makers write them.
+# Names as spelled by their authors.
 MODELS = {
     "openmp": "OpenMP",
     "stdpar": "C++ standard parallelism",

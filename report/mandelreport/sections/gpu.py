@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Expected and measured times of GPUs, a table for each."""
+"""Expected and measured times of GPUs, one table each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..text import digits
 from . import Material
 from .tables import time_cell
 
-SIZE = (1920, 1080)  # pixels, of the prediction
+SIZE = (1920, 1080)  # pixels of the prediction
 PAPER = re.compile(r"(\w+) on paper,")
 NAMES = {"H100": ("H100", "H200")}  # GPUs with the same multiprocessors
 HEADERS = ["fractal", "precision", "mode", "backend", "cycles a round", "cycles a step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
@@ -33,7 +33,7 @@ def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
 
 
 def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
-    """This GPU's fastest row at the expected size for a fractal, precision, mode and backend."""
+    """Returns this GPU's fastest row at the predicted size for a fractal, precision, mode and backend."""
     rows = [
         row
         for bench in material.results.benches
@@ -65,6 +65,6 @@ def _table(material: Material, gpu: str, text: str) -> Table | None:
 
 def section(material: Material) -> dict[str, Any]:
     papers = [(found[1], text) for text in material.results.files.values() if isinstance(text, str) and (found := PAPER.match(text))]
-    # The course's card first.
+    # The card used in the course comes first.
     tables: list[Block] = [table for gpu, text in sorted(papers, key=lambda paper: paper[0] != "K40") if (table := _table(material, gpu, text))]
     return {"tables": tables or [Missing("The prediction", "make k40")], "measured": material.results.gpu_measured()}

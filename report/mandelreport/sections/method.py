@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What was measured, on what, and how."""
+"""Subject, machines and method of the measurements."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ HOST_COMPILERS = ("GNU", "Clang")
 
 
 def _baseline(material: Material) -> str:
-    """The instruction sets that the host's backends were compiled for, and the scalar text's gain from the processor's own."""
+    """Names the instruction sets of the host's backends, and the scalar kernel's gain from the processor's own."""
     bench = material.answers.primary
     if bench is None:
         return ""

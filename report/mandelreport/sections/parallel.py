@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How it was parallelised: the profile, the threads, and what each technique is worth."""
+"""Parallelisation: the profile, the threads, and the gain from each technique."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FIRST = "to_first_point"
 
 
 def _march(material: Material) -> str:
-    """That marching takes most of the time, where every profile says so."""
+    """States that marching takes most of the time, if every profile shows it."""
     shares = [
         stages["march"] / sum(stages.get(stage, 0) for stage in STAGES)
         for bench in material.results.study("profile")
@@ -31,12 +31,12 @@ def _march(material: Material) -> str:
 
 
 def _traced(material: Material, bench: Bench, row: Row) -> Markup:
-    """A point of a sweep over the first, with its interval."""
+    """Formats the ratio of a sweep value to the first one, with its interval."""
     return material.answers.trace.times(bench.name, f"questions:{FIRST}:numerator={row.name}:ratio")
 
 
 def _scaling(material: Material) -> str:
-    """The time with as many threads as the processor has, over that of one."""
+    """Compares the time on all of the processor's threads with that on one."""
     found = []
     for bench in material.results.study("threads"):
         cores = str(bench.environment["cpu"]["cores_usable"])
@@ -48,7 +48,7 @@ def _scaling(material: Material) -> str:
 
 
 def _worth(material: Material) -> str:
-    """The technique that is worth most and that which is worth least, of those that leave the picture what it is."""
+    """Names the techniques with the largest and the smallest gain among those that do not change the picture."""
     longest: dict[str, tuple[float, Markup]] = {}
     for bench in material.results.study("ablation"):
         for row in (row for row in bench.timed() if row.value not in ("none", "root")):

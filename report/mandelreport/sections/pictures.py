@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pictures of every backend, how they differ, and by how much."""
+"""Pictures of all backends and their differences."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from . import Material
 
 @dataclass(frozen=True)
 class Shown:
-    """A picture that is stored once, and all that have its bytes."""
+    """A picture, stored once for all keys with the same bytes."""
 
     name: str  # in the page
     figure: Figure
@@ -27,7 +27,7 @@ class Shown:
 
 
 def _names(keys: list[Key]) -> str:
-    """openmp, opencl (double, exact); openmp (float, exact)"""
+    """Returns "openmp, opencl (double, exact); openmp (float, exact)"."""
     kinds: dict[str, list[str]] = {}
     for key in keys:
         kinds.setdefault(f"{key.precision}, {key.mode}", []).append(key.backend)

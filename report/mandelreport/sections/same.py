@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Is it the same picture everywhere: both scenes, and what the proofs found."""
+"""Agreement of all pictures: both scenes, and the results of verification."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _picture(material: Material, fractal: str) -> Figure | None:
 
 
 def _proofs(material: Material) -> Block:
-    """What the proof of each row of the primary study said, backends as columns."""
+    """Returns the verification result of each row of the primary study, backends as columns."""
     bench = material.answers.primary
     if bench is None:
         return Missing("The proofs", "make bench")

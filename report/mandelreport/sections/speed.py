@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The fastest backends: those of the primary study beside both baselines."""
+"""The fastest backends of the primary study, compared with both baselines."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _see(figure: Figure | None, text: str) -> Figure | None:
 
 
 def _table(material: Material, bench: Bench) -> Table:
-    """Backends as lines, the fastest first, then the host beside both baselines."""
+    """Returns backends as lines, fastest first, then the host compared with both baselines."""
     host, backends = material.backends.host, material.backends
     rows = with_scalar(bench, backends.reference)
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in rows))
@@ -54,7 +54,7 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
 
 
 def fastest(bench: Bench) -> str:
-    """The backends that are fastest in some fractal, precision and mode."""
+    """Names the backends that are fastest for some fractal, precision and mode."""
     kinds = dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.timed())
     of_kind = [[row for row in bench.timed() if (row.fractal, row.precision, row.mode) == kind] for kind in kinds]
     best = dict.fromkeys(where(min(rows, key=lambda row: row.kernel.median)) for rows in of_kind)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sweeps: one setting varies. Threads and the ablation are in the main part."""
+"""Sweeps: one setting varies. Threads and the ablation are in the main part."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..blocks import Block, Missing
 from ..figures import sweeps
 from . import Material
 
-# study, axis, what it shows (y), caption
+# study, title of x, quantity on y, caption
 SWEEPS = [
     (
         "resolution",
@@ -39,7 +39,7 @@ Y_TITLES = {"rate": "Mpixel/s", "speed-up": "speed-up", "ms": "time [ms]"}
 
 
 def sweep(material: Material, study: str, x_title: str, y: str, caption: str) -> list[Block]:
-    """A figure for each result of the study, or what makes one."""
+    """Returns a figure for each result of the study, or a note how to make one."""
     blocks: list[Block] = []
     for bench in material.results.study(study):
         about = f"{caption} {' and '.join(bench.values('mode')).capitalize()} mode; {bench.machine}."

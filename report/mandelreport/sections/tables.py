@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every result of the standard study, once: machines and settings are the columns, by the letters of the main part."""
+"""All results of the standard study: machines and settings are the columns, by the letters of the main part."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from .why import factor_table
 
 
 def time_cell(row: Row | None) -> str:
-    """Kernel time and its interval in ms."""
+    """Formats the kernel time and its interval in ms."""
     if row is None or not row.timed:
         return "–"
     return ms(row.kernel.median) + (f" [{interval_ms(row.kernel)}]" if row.kernel.low is not None else "")
 
 
 def quotient_cell(row: Row, key: str) -> str:
-    """A speed-up and its interval; none for a baseline beside itself."""
+    """Formats a speed-up and its interval; no interval for a baseline compared with itself."""
     value, interval = row.figures.get(key), row.figures.get(f"{key}_interval")
     if value is None:
         return "–"
@@ -37,7 +37,7 @@ def quotient_cell(row: Row, key: str) -> str:
 
 
 def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
-    """A line for each fractal, precision, mode and backend, a column for each result; lines that say nothing are left out."""
+    """Returns a line for each fractal, precision, mode and backend, a column for each result, without empty lines."""
     benches = material.results.study("standard")
     found: dict[tuple[str, ...], dict[str, str]] = {}
     for bench in benches:
@@ -65,7 +65,7 @@ def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str
 
 
 def _reasons(material: Material) -> list[str]:
-    """Why rows were not timed, each reason once."""
+    """Returns the distinct reasons why rows were not timed."""
     rows = [row for bench in material.results.study("standard") for row in bench.rows if not row.timed]
     return list(dict.fromkeys(row.unavailable or row.failure or f"{row.name}: {row.proof['text']}" for row in rows))
 
@@ -84,7 +84,7 @@ def _peaks(material: Material) -> Table | None:
 
 
 def _portability(material: Material) -> list[dict[str, Any]]:
-    """The metric over all platforms: from a file, from the one result there is, or from bench over several."""
+    """Returns the metric over all platforms: from a file, from a single result, or from bench over several results."""
     results, standard = material.results, material.results.machines()
     if results.portability is not None or not standard:
         return results.portability or []
@@ -137,7 +137,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
 
 
 def _packs(material: Material) -> Table | None:
-    """The host's packs over the scalar text, where a sweep of packs has both."""
+    """Compares the host's packs with the scalar kernel, if a sweep of pack widths has both."""
     rows = [
         [bench.name, row.fractal, row.precision, row.mode, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
         for bench in material.results.study("packs")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Why the Mandelbox is, or is not, slower than the Mandelbulb, and what double costs."""
+"""Mandelbox compared with Mandelbulb, and the cost of double."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FRACTALS = ("mandelbox", "mandelbulb")
 
 
 def factor_table(material: Material) -> Table | None:
-    """What a picture of each scene of every such study costs."""
+    """Returns the cost of a picture of each scene of all such studies."""
     found = [(bench.name, f) for bench in material.results.study("box-vs-bulb") for f in factors(bench, material.backends.host)]
     rows = [
         [
@@ -71,7 +71,7 @@ def factor_table(material: Material) -> Table | None:
 
 
 def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
-    """The official scenes' factors, each with its place."""
+    """Returns the official scenes' factors, each with its place."""
     trace, host, file = material.answers.trace, material.backends.host, bench.name
     of = {f.fractal: f for f in found if f.view == "official" and f.precision == precision}
     if set(of) != set(FRACTALS):
@@ -89,7 +89,7 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         return next((entry for entry in bench.data["questions"].get(question, []) if entry["numerator"] == numerator), None)
 
     def ratio(question: str, numerator: str, denominator: str) -> Markup:
-        """Paired by round where the file has it."""
+        """Paired by round if the file has such a ratio."""
         if paired(question, numerator):
             return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
         return trace.number(kernel(numerator), over=kernel(denominator))
@@ -142,7 +142,7 @@ def _study(material: Material, bench: Bench) -> dict[str, Any]:
 
 
 def _see(pairs: list[tuple[Factors, Factors]]) -> str:
-    """Which scene has the largest ratio."""
+    """Names the scene with the largest ratio."""
     box, bulb = max(pairs, key=lambda pair: (pair[0].kernel or 0) / (pair[1].kernel or 1))
     if not box.kernel or not bulb.kernel:
         return ""
@@ -162,7 +162,7 @@ def section(material: Material) -> dict[str, Any]:
         f"How many times longer double takes, round by round, with 95 % intervals ({primary.name}).",
     )
     studies = material.results.study("box-vs-bulb")
-    # The study that asked most backends, in both numbers.
+    # The study with the most backends, in both precisions.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
     return {
         "study": _study(material, first) if first else None,

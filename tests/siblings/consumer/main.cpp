@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a small Mandelbulb with the installed package and counts the pixels that hit.
+// Renders a small Mandelbulb with the installed package and counts the pixels that hit.
 #include <cmath>
 #include <cstdio>
 
