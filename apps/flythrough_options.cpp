@@ -165,12 +165,6 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     take_size(texts.size, options);
     options.conservative = texts.estimate == conservative_estimate;
     options.samples = real_option("samples", texts.samples, 1, 8);
-<<<<<<< HEAD
-=======
-    if (options.stereo && options.projection != Projection::perspective) {
-        throw InputError("--stereo: cannot be combined with --projection equirectangular");
-    }
->>>>>>> p2
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
     }

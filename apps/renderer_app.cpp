@@ -55,11 +55,7 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
-<<<<<<< HEAD
-    int samples = 0;  // per pixel and side; 0: as the parameter file says
-=======
-    int samples = 1;  // per pixel side
->>>>>>> p2
+    int samples = 0;  // per pixel side; 0: as the parameter file says
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
@@ -85,13 +81,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     std::string estimate{counted_estimate};
     std::string without;
     std::string eyes;
-<<<<<<< HEAD
     std::string samples;
-    app.add_option("PARAMS", options.parameters, "parameter file (.dat), - for standard input");
-=======
-    std::string samples = "1";
     app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
->>>>>>> p2
     if (fractal == nullptr) {
         std::string names;
         for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
@@ -110,20 +101,12 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--eyes", eyes, "render side-by-side stereo with this eye distance, in scene units");
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k (default: from PARAMS)");
     app.add_option("--region", options.region,
-<<<<<<< HEAD
-                   "X,Y,WIDTH,HEIGHT, in pixels from the bottom left: this part of the picture alone, in exact mode "
-                   "with the bits of the whole one, whose sides may then have a million pixels");
-    app.add_option("--samples", samples,
-                   "samples along a pixel's side, 1 to 8: 2 means 4 a pixel (default 1, or 2 if PARAMS has the "
-                   "super-sampling of an older format)");
-    app.add_option("--threads", threads, "threads on the host, 0: one for each core that the process may use");
-    app.add_option("--pack", pack, "openmp: pixels at once on a core, 1: scalar, 0: what suits the machine");
-=======
                    "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
-    app.add_option("--samples", samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")->capture_default_str();
+    app.add_option("--samples", samples,
+                   "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS asks for "
+                   "super-sampling)");
     app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use");
     app.add_option("--pack", pack, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
->>>>>>> p2
     app.add_option(
         "--without", without,
         "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,root,tail,normal,surroundings");

@@ -32,26 +32,15 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
         ->default_str("perspective");
 }
 
-<<<<<<< HEAD
-// Throws InputError for a picture of all directions that is not 360 by 180 degrees. `pictures`: 2 for two eyes, whose
+// Throws InputError if an equirectangular picture is not twice as wide as high. `pictures`: 2 for two eyes, whose
 // pictures stand side by side.
 inline void check_panorama(Projection projection, int width, int height, int pictures = 1)
-=======
-// Throws InputError if an equirectangular picture is not twice as wide as high.
-inline void check_panorama(Projection projection, int width, int height)
->>>>>>> p2
 {
     if (projection != Projection::equirectangular || width == 2 * pictures * height) return;
     throw InputError(
-<<<<<<< HEAD
         fmt::format("--projection equirectangular: {} x {} pixels given, expected {} times as wide as high (360 by 180 "
-                    "degrees{}), --size {}x1080, say",
+                    "degrees{}), such as --size {}x1080",
                     width, height, 2 * pictures, pictures == 2 ? " for each eye" : "", 2160 * pictures));
-=======
-        fmt::format("--projection equirectangular: {} x {} pixels given, expected twice as wide as high (360 "
-                    "by 180 degrees), such as --size 2160x1080",
-                    width, height));
->>>>>>> p2
 }
 
 }  // namespace mandelmarch

@@ -82,11 +82,7 @@ if [ "$given" -gt 1 ]; then
     free_of_places "$bin/flythrough" plan q.json --frames 60 --backend openmp
 fi
 
-<<<<<<< HEAD
-# An option that a backend does not support is refused; auto chooses one that supports it.
-=======
 # An option that a backend does not support is an error; auto selects a backend that supports it.
->>>>>>> p3
 refused() {
     "$@" >/dev/null 2>stderr
     [ $? = 2 ] && grep -q 'not supported by backend .*, expected one of .*openmp' stderr || fail "not refused: $*: $(cat stderr)"
