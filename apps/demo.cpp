@@ -9,7 +9,7 @@
 #include <map>
 
 #include "apps/demo_folder.h"
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/cores.h"
@@ -55,8 +55,8 @@ public:
                                              fmt::format("{}{}", row.backend, row.pack == 1 ? " 1" : ""),
                                              name_of(row.precision), name_of(row.mode));
         if (!row.drawn) {
-            print("{}{}: {}\n", head, row.fine ? "unavailable" : "FAILED", row.said);
-        } else if (row.fine) {
+            print("{}{}: {}\n", head, row.ok ? "unavailable" : "FAILED", row.said);
+        } else if (row.ok) {
             print("{}{:9.1f} {:>9.2f}   {}\n", head, 1e3 * row.seconds, row.speed_up, row.said);
         } else {
             print("{}{:>9} {:>9}   FAILED: {}\n", head, "-", "-", row.said);
@@ -70,28 +70,28 @@ public:
         DemoRow row;
         row.fractal = scene.fractal->name;
         row.backend = backend.name();
-        row.fine = listing.failure.empty();
+        row.ok = listing.failure.empty();
         row.said = listing.unavailable + listing.failure;
         rows_.push_back(row);
-        print("{:<11} {:<10} {}: {}\n", row.fractal, row.backend, row.fine ? "unavailable" : "FAILED", row.said);
+        print("{:<11} {:<10} {}: {}\n", row.fractal, row.backend, row.ok ? "unavailable" : "FAILED", row.said);
     }
 
     // Writes the table; returns true if no row failed.
     bool finish() const
     {
         folder_.table(rows_, side_, repetitions);
-        return std::all_of(rows_.begin(), rows_.end(), [](const DemoRow& row) { return row.fine; });
+        return std::all_of(rows_.begin(), rows_.end(), [](const DemoRow& row) { return row.ok; });
     }
 
 private:
     void draw(DemoRow& row, const Backend& backend, const Scene& scene, const RendererOptions& options)
     {
-        const bool is_reference = backend.facts().role == Role::reference;
+        const bool is_reference = backend.info().role == Role::reference;
         Image image;
         try {
             const auto renderer = backend.create(options);
             image = Image(scene.width, scene.height, Image::Layers::all);
-            const RenderReport report = renderer->render(scene, image);
+            const RenderStats report = renderer->render(scene, image);
             row.device = report.device.name;
             row.seconds = report.timings.wall;
             double spent = report.timings.wall;
@@ -105,7 +105,7 @@ private:
             return;
         } catch (const Error& error) {
             row.said = error.what();
-            row.fine = false;
+            row.ok = false;
             return;
         }
         row.drawn = true;
@@ -123,13 +123,13 @@ private:
     {
         const Comparison c = compare(reference_.at({row.fractal, options.mode}).first, image);
         const double percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
-        row.fine = percent <= allowed_percent(scene, options);
+        row.ok = percent <= allowed_percent(scene, options);
         row.said = fmt::format("{:.3f} % off the reference", percent);
         if (options.mode != Mode::exact) return;
         // All backends must produce the same bits in exact mode; the first picture sets them.
         const auto [first, is_first] = exact_.try_emplace({row.fractal, options.precision}, image);
         const bool same = compare(first->second, image).same();
-        row.fine = row.fine && same;
+        row.ok = row.ok && same;
         row.said += is_first ? "" : same ? ", same bits" : ", OTHER BITS";
     }
 
@@ -146,7 +146,7 @@ void draw_all(Demo& demo, const Registry& registry, int side)
         const Scene scene = official_scene(fractal, side, side);
         if (!registry.with(Role::reference).draws(scene)) continue;
         for (const auto& backend : registry.backends()) {
-            const Role role = backend->facts().role;
+            const Role role = backend->info().role;
             const Listing listing = listing_of(*backend);
             if (listing.devices.empty()) {
                 demo.absent(*backend, scene, listing);
@@ -190,7 +190,7 @@ int body(int argc, char** argv)
           "picture");
     Demo demo(side, folder);
     draw_all(demo, registry, side);
-    return demo.finish() ? exit_fine : exit_failure;
+    return demo.finish() ? exit_success : exit_failure;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/base/version.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch {
 
@@ -51,7 +51,7 @@ void DemoFolder::table(const std::vector<DemoRow>& rows, int side, int repetitio
             {"precision", name_of(row.precision)},
             {"mode", name_of(row.mode)},
             {"drawn", row.drawn},
-            {"fine", row.fine},
+            {"fine", row.ok},
             {"said", row.said},
             {"device", row.device},
             {"wall_seconds", row.seconds},

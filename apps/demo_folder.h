@@ -20,7 +20,7 @@ struct DemoRow {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     bool drawn = false;   // false: unavailable, or the device failed
-    bool fine = true;     // false: the picture is wrong, or the device failed
+    bool ok = true;       // false: the picture is wrong, or the device failed
     std::string said;     // the result of the comparison, or the reason why there is no picture
     std::string device;   // name of the device used
     double seconds = 0;   // wall time of the fastest picture

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-#include "apps/backend_option.h"
+#include "cli/backend_option.h"
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
 #include "core/base/console.h"
@@ -20,12 +20,12 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/map.h"
+#include "flight/plan/map.h"
 #include "flight/field/hull.h"
 #include "flight/film/film.h"
 #include "flight/film/ranks_one.h"
 #include "flight/film/summary.h"
-#include "flight/film/truth.h"
+#include "flight/film/convergence.h"
 #include "flight/path/rate.h"
 #include "flight/plan/planner.h"
 
@@ -150,7 +150,7 @@ int plan_command(const Flythrough& options, const Backend& backend, const Render
     const Plan made = make_plan(options);
     write_file(options.output, to_text(made.path));
     write_map(options, made);
-    return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_fine : exit_failure;
+    return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_success : exit_failure;
 }
 
 // Returns the renderer's options for this rank, with its own GPU, if any, and its part of the machine's cores.
@@ -224,18 +224,18 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
     if (!options.stills.empty()) {
         const std::size_t pictures = make_stills(path, backend, still_options(options, renderer), ranks);
         if (ranks.rank() == 0) say("stills: {} pictures in {}\n", pictures, options.stills);
-        return exit_fine;
+        return exit_success;
     }
     const FilmOptions film = film_options(options, renderer);
-    const FilmReport report = make_film(path, backend, film, ranks);
-    if (ranks.rank() != 0) return exit_fine;
+    const FilmStats report = make_film(path, backend, film, ranks);
+    if (ranks.rank() != 0) return exit_success;
     say("film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered, report.segments,
         report.seconds, ranks.size(), ranks.size() == 1 ? "" : "es",
         report.joined ? film.output + " is complete" : std::string("segments only, the film is not joined"));
     if (!options.summary.empty()) {
         write_file(options.summary, summary_of(path, backend, film, report, ranks.size()));
     }
-    return exit_fine;
+    return exit_success;
 }
 
 int run(const Registry& registry, const Flythrough& options)
@@ -246,7 +246,7 @@ int run(const Registry& registry, const Flythrough& options)
         const RendererOptions renderer = renderer_of(options, backend, *one_rank());
         static_cast<void>(backend.create(renderer));
         if (options.command == Command::plan) return plan_command(options, backend, renderer);
-        return show_audit(options, read_path(options.path), 0, backend, renderer) ? exit_fine : exit_failure;
+        return show_audit(options, read_path(options.path), 0, backend, renderer) ? exit_success : exit_failure;
     }
     const auto ranks = make_ranks();
     try {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "apps/backend_option.h"
-#include "apps/option_values.h"
+#include "cli/backend_option.h"
+#include "cli/option_values.h"
 #include "apps/scene_options.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"

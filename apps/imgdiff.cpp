@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -14,7 +14,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/image/compare.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace {
 
@@ -122,7 +122,7 @@ int body(int argc, char** argv)
     } else {
         print_text(a, b, comparison);
     }
-    return comparison.same() ? exit_fine : exit_failure;
+    return comparison.same() ? exit_success : exit_failure;
 }
 
 }  // namespace

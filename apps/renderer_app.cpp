@@ -9,9 +9,9 @@
 #include <optional>
 #include <tuple>
 
-#include "apps/backend_option.h"
-#include "apps/option_values.h"
-#include "apps/progress_bar.h"
+#include "cli/backend_option.h"
+#include "cli/option_values.h"
+#include "cli/progress_bar.h"
 #include "apps/scene_json.h"
 #include "apps/scene_options.h"
 #include "apps/stats.h"
@@ -25,12 +25,13 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/image/averaged.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 #include "core/render/region.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {
@@ -224,19 +225,19 @@ void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
         drawing.region.width, drawing.region.height, needed >> 20, available >> 20));
 }
 
-std::pair<Image, RenderReport> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,
-                                    const Progress& progress)
+std::pair<Image, RenderStats> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,
+                                   const Progress& progress)
 {
     if (eyes == 0) return render_region(renderer, drawing.scene, drawing.region, layers, progress);
     Image image(drawing.scene.width, drawing.scene.height, layers);
-    RenderReport report = render_stereo(renderer, drawing.scene, eyes, image, progress);
+    RenderStats report = render_stereo(renderer, drawing.scene, eyes, image, progress);
     return {std::move(image), std::move(report)};
 }
 
 // Lists every backend and its devices; returns false if a driver failed.
 bool list_devices(const Registry& registry)
 {
-    bool fine = true;
+    bool ok = true;
     for (const auto& backend : registry.backends()) {
         const Listing listing = listing_of(*backend);
         int index = 0;
@@ -245,9 +246,9 @@ bool list_devices(const Registry& registry)
         }
         if (!listing.unavailable.empty()) print("{:<10} unavailable: {}\n", backend->name(), listing.unavailable);
         if (!listing.failure.empty()) print("{:<10} FAILED: {}\n", backend->name(), listing.failure);
-        fine = fine && listing.failure.empty();
+        ok = ok && listing.failure.empty();
     }
-    return fine;
+    return ok;
 }
 
 // `off`: the fraction of a trial's pixels that shorter steps still change.
@@ -269,7 +270,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
     if (is_tried(options.renderer)) {
         const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
         const Trial trial = try_steps(scene, backend, options.renderer);
-        scene.limits.stride = trial.stride;
+        scene.limits.step_factor = trial.step_factor;
         print("a trial on {} chose the stride\n", backend.name());
         if (!trial.settled()) warn_unsettled(program, trial.off, options.renderer.precision);
     }
@@ -284,11 +285,11 @@ int render_program(const Registry& registry, const char* program, const char* fr
     Options options = parse_options(program, fractal, registry, argc, argv, done);
     if (done) return *done;
     if (options.list_devices) {
-        return list_devices(registry) ? exit_fine : exit_failure;
+        return list_devices(registry) ? exit_success : exit_failure;
     }
     if (options.list_fractals) {
         print(std::string_view(options.json ? fractals_json() : fractals_text()));
-        return exit_fine;
+        return exit_success;
     }
     ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
@@ -300,11 +301,11 @@ int render_program(const Registry& registry, const char* program, const char* fr
     check_panorama(scene.projection, scene.width, scene.height, options.eyes > 0 ? 2 : 1);
     if (options.print_scene) {
         print(std::string_view(scene_json(scene, options.renderer)));
-        return exit_fine;
+        return exit_success;
     }
     if (options.trace) {
         print_trace(program, options, registry, scene);
-        return exit_fine;
+        return exit_success;
     }
 
     const std::string output = options.output.empty() ? output_name(scene.image_file) : options.output;
@@ -332,7 +333,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     if (report.unsettled > 0 && words.empty()) warn_unsettled(program, report.unsettled, options.renderer.precision);
     write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
-    return exit_fine;
+    return exit_success;
 }
 
 }  // namespace mandelmarch

@@ -29,7 +29,7 @@ FractalInputs<Formula> named_inputs()
 
 // The slider is null if the parameter is unused. If the fractal's descriptor does not set one, it covers values around
 // the official one.
-Json of(const Meaning& meaning, double official)
+Json of(const ParameterInfo& meaning, double official)
 {
     Json slider;
     if (meaning.slider) {
@@ -67,13 +67,13 @@ Json of(const Fractal& fractal)
         shape.push_back(of(fractal.shape.at(i), official.shape.at(i)));
     }
     return {{"name", fractal.name},
-            {"nickname", fractal.nickname},
+            {"short_name", fractal.short_name},
             {"official", parameters_of(official)},
             {"shape", shape},
             {"escape", of(fractal.escape, official.escape)},
             {"constants", values},
             {"whole", constants.whole.text()},
-            {"stride", fractal.fast.stride.text(inputs).text()},
+            {"step_factor", fractal.fast.step_factor.text(inputs).text()},
             {"root_share", fractal.fast.root_share}};
 }
 
@@ -91,7 +91,7 @@ Json json_of(const Layout& k)
             {"canonical", k.canonical},
             {"differences", k.differences},
             {"tolerance", k.tolerance},
-            {"stride", k.stride},
+            {"step_factor", k.step_factor},
             {"end", k.end},
             {"miss", finite(k.miss)},
             {"brightness", k.brightness},
@@ -122,7 +122,7 @@ std::string fractals_json()
                       {"max_steps", max_steps},
                       {"degrees_per_field", degrees_per_field},
                       {"largest", float_range},
-                      {"plain_stride", plain_stride},
+                      {"plain_step_factor", plain_step_factor},
                       {"longest_relaxed", longest_relaxed},
                       {"colouring_types", colouring_types},
                       {"max_iterations", max_iterations},
@@ -136,8 +136,8 @@ std::string fractals_text()
 {
     std::string text;
     for (const Fractal& fractal : fractals()) {
-        text += fmt::format("{} ({})\n", fractal.name, fractal.nickname);
-        const auto line = [&](std::string_view where, const Meaning& meaning) {
+        text += fmt::format("{} ({})\n", fractal.name, fractal.short_name);
+        const auto line = [&](std::string_view where, const ParameterInfo& meaning) {
             if (meaning.name == ignored_number.name) return;
             text += fmt::format("  {:<24} {}, {}{} to {}\n", where, meaning.name, meaning.open_low ? "over " : "",
                                 meaning.low, meaning.high);

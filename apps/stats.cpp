@@ -8,7 +8,7 @@
 
 namespace mandelmarch {
 
-void write_stats(const std::string& path, const Scene& scene, const RenderReport& report, const Survey& survey,
+void write_stats(const std::string& path, const Scene& scene, const RenderStats& report, const Survey& survey,
                  const std::vector<std::string>& warnings)
 {
     const Timings& t = report.timings;
@@ -32,7 +32,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
         {"threads", report.threads},
         {"pack", report.pack},
         {"instruction_set", report.instruction_set},
-        {"stride", report.stride > 0 ? nlohmann::ordered_json(report.stride) : nlohmann::ordered_json()},
+        {"stride", report.step_factor > 0 ? nlohmann::ordered_json(report.step_factor) : nlohmann::ordered_json()},
         {"unsettled", report.unsettled},
         {"survey",
          {{"rays", survey.rays},
@@ -50,7 +50,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderReport
           {"readback", t.readback},
           {"wall", t.wall}}},
         {"work",
-         {{"steps", report.work.steps}, {"de_calls", report.work.estimates}, {"iterations", report.work.iterations}}},
+         {{"steps", report.work.steps}, {"de_calls", report.work.de_calls}, {"iterations", report.work.iterations}}},
         {"kernels", kernels},
     };
     // A driver's name is not always valid UTF-8.

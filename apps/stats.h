@@ -11,7 +11,7 @@
 namespace mandelmarch {
 
 // Times in seconds. Throws Error if the file cannot be written.
-void write_stats(const std::string& path, const Scene& scene, const RenderReport& report, const Survey& survey,
+void write_stats(const std::string& path, const Scene& scene, const RenderStats& report, const Survey& survey,
                  const std::vector<std::string>& warnings);
 
 }  // namespace mandelmarch

@@ -59,14 +59,14 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string_view>&
 {
     std::vector<std::unique_ptr<Backend>> backends;
     const auto add = [&](std::unique_ptr<Backend> backend) {
-        const Facts facts = backend->facts();
-        if (facts.has_driver && !opened.empty() && std::ranges::find(opened, backend->name()) == opened.end()) {
+        const BackendInfo info = backend->info();
+        if (info.has_driver && !opened.empty() && std::ranges::find(opened, backend->name()) == opened.end()) {
             backends.push_back(without_backend(backend->name(), "left out by MANDELMARCH_BACKENDS"));
             return;
         }
         // The reference backend needs no trials: its steps are short enough.
-        if (facts.role != Role::reference) backend = with_trials(std::move(backend));
-        if (facts.has_driver && isolates_drivers) backend = isolated(std::move(backend));
+        if (info.role != Role::reference) backend = with_trials(std::move(backend));
+        if (info.has_driver && isolates_drivers) backend = isolated(std::move(backend));
         backends.push_back(std::move(backend));
     };
 #define MM_BUILT(name) add(make_##name##_backend());

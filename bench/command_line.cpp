@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "apps/backend_option.h"
-#include "apps/option_values.h"
+#include "cli/backend_option.h"
+#include "cli/option_values.h"
 #include "bench/study.h"
 #include "core/base/error.h"
 #include "core/base/version.h"

@@ -33,8 +33,8 @@ struct CommandLine {
     Command command = Command::run;
     Options options;
     std::vector<std::string> files;  // for compare, csv, json and portability
-    DuelPlan duel;
-    RacePlan race;
+    DuelOptions duel;
+    RaceOptions race;
     RandomOptions random;
     EquivalenceOptions equivalence;
     std::string folder;                  // equivalence: where to write scenes that differ; divergence: the sources

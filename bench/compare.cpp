@@ -122,7 +122,7 @@ bool ComparedResults::regression() const
 ComparedResults compare_results(const Result& old_given, const Result& new_given)
 {
     const std::array<Result, 2> given{old_given, new_given};
-    const std::vector<Result> apart = told_apart(given);
+    const std::vector<Result> apart = disambiguated(given);
     const Result& old_result = apart[0];
     const Result& new_result = apart[1];
     ComparedResults comparison;

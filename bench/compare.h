@@ -30,9 +30,9 @@ struct ComparedResults {
     bool regression() const;
 };
 
-// Pairs configurations by name and platform, after told_apart(). The test compares medians of runs, as samples of one
-// process share its memory layout and clock frequency and are not independent. If either result has only one run, it
-// compares medians of groups of three or more rounds and warns that differences between runs are unseen. A
+// Pairs configurations by name and platform, after disambiguated(). The test compares medians of runs, as samples of
+// one process share its memory layout and clock frequency and are not independent. If either result has only one run,
+// it compares medians of groups of three or more rounds and warns that differences between runs are unseen. A
 // configuration is lost if the old result has a comparable speed for it and the new one does not (missing, unavailable,
 // failed, other setting, too few times above 0). It is added if only the new result has a speed for it. Throws
 // InputError if the results have no configuration in common.

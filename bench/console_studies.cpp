@@ -67,7 +67,7 @@ std::string counts_table(const Result& result)
         text +=
             fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
                         c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
-                        static_cast<double>(work.estimates) / pixels, ratio(n.march_iterations, n.march_estimates),
+                        static_cast<double>(work.de_calls) / pixels, ratio(n.march_iterations, n.march_estimates),
                         n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
                         n.per_iteration() * static_cast<double>(work.iterations) / pixels,
                         100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);

@@ -45,7 +45,7 @@ std::string ending(int status)
 
 }  // namespace
 
-Contender::Contender(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock)
+DuelProcess::DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock)
     : clock_(clock)
 {
     std::array<int, 2> pair{};
@@ -78,7 +78,7 @@ Contender::Contender(const std::string& program, const std::vector<std::string>&
     }
 }
 
-Contender::~Contender()
+DuelProcess::~DuelProcess()
 {
     socket_.reset();  // tells the process to exit
     for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
@@ -87,7 +87,7 @@ Contender::~Contender()
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
-bool Contender::ended()
+bool DuelProcess::ended()
 {
     if (process_ == 0 || status_) return true;
     int status = 0;
@@ -96,13 +96,13 @@ bool Contender::ended()
     return found == process_ || (found < 0 && errno == ECHILD);
 }
 
-std::string Contender::how_it_ended()
+std::string DuelProcess::how_it_ended()
 {
     for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
     return status_ ? ending(*status_) : "closed its socket";
 }
 
-Json Contender::receive()
+Json DuelProcess::receive()
 {
     std::string line;
     if (!socket_->receive(line, [this] { return ended(); })) {
@@ -114,7 +114,7 @@ Json Contender::receive()
     return json;
 }
 
-void Contender::wait()
+void DuelProcess::wait()
 {
     const Json hello = receive();
     try {
@@ -130,7 +130,7 @@ void Contender::wait()
     }
 }
 
-Contender::Drawn Contender::draw(const std::string& row)
+DuelProcess::Drawn DuelProcess::draw(const std::string& row)
 {
     try {
         socket_->send(row);

@@ -15,7 +15,7 @@
 
 namespace mandelmarch::bench {
 
-class Contender {
+class DuelProcess {
 public:
     // A configuration as the process reports it.
     struct Ready {
@@ -31,11 +31,11 @@ public:
     };
 
     // Starts `program` with the arguments and `--on-demand`. Throws Error if it cannot be started.
-    Contender(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
+    DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
     // Ends the process.
-    ~Contender();
-    Contender(const Contender&) = delete;
-    Contender& operator=(const Contender&) = delete;
+    ~DuelProcess();
+    DuelProcess(const DuelProcess&) = delete;
+    DuelProcess& operator=(const DuelProcess&) = delete;
 
     // Waits until the configurations are ready. Throws Error if the process ends first or sends an invalid message.
     void wait();

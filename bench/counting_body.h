@@ -31,6 +31,6 @@ inline void count_pixel(const void* data, int i, int j, PixelCount& to, RaySteps
         pixel = counted(stage(Stage::shade), [&] { return shade_with(scene, hit, pixel, at, normal); });
     }
     to.work.steps += static_cast<std::uint64_t>(pixel.steps);
-    to.work.estimates += static_cast<std::uint64_t>(pixel.estimates);
+    to.work.de_calls += static_cast<std::uint64_t>(pixel.de_calls);
     to.work.iterations += static_cast<std::uint64_t>(pixel.iterations);
 }

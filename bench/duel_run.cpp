@@ -42,7 +42,7 @@ std::vector<std::string> arguments_of(const Options& o, bool first)
 
 class RunningDuel {
 public:
-    RunningDuel(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
+    RunningDuel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress)
         : plan_(plan), options_(options), progress_(progress), random_(options.seed)
     {
         duel_.old_side.program = plan.old_program;
@@ -84,8 +84,8 @@ private:
     void launch(int number)
     {
         const std::vector<std::string> arguments = arguments_of(options_, duel_.launches == 0);
-        Contender old_one(plan_.old_program, arguments, plan_.clock);
-        Contender new_one(plan_.new_program, arguments, plan_.clock);
+        DuelProcess old_one(plan_.old_program, arguments, plan_.clock);
+        DuelProcess new_one(plan_.new_program, arguments, plan_.clock);
         of("old", [&] { old_one.wait(); });
         of("new", [&] { new_one.wait(); });
         if (duel_.launches == 0) {
@@ -116,8 +116,8 @@ private:
 
     // Returns why a program has no valid picture of a configuration in this run; empty if it has. `first`: the same
     // program's configurations in the first run.
-    std::string failure_of(const std::string& name, const Contender& now,
-                           const std::map<std::string, Contender::Ready>& first) const
+    std::string failure_of(const std::string& name, const DuelProcess& now,
+                           const std::map<std::string, DuelProcess::Ready>& first) const
     {
         const auto found = now.rows().find(name);
         if (found == now.rows().end()) return "there is no such row";
@@ -130,7 +130,7 @@ private:
         return same ? std::string() : "the picture is not the one that the first launch has proven";
     }
 
-    void look(DuelRow& row, const Contender& old_one, const Contender& new_one)
+    void look(DuelRow& row, const DuelProcess& old_one, const DuelProcess& new_one)
     {
         if (row.old_failure.empty()) row.old_failure = failure_of(row.name, old_one, first_.first);
         if (row.new_failure.empty()) row.new_failure = failure_of(row.name, new_one, first_.second);
@@ -138,11 +138,11 @@ private:
         row.same_picture = old_one.rows().at(row.name).fingerprint == new_one.rows().at(row.name).fingerprint;
     }
 
-    void draw(DuelRow& row, std::vector<DuelPair>& pairs, DuelPair pair, Contender& old_one, Contender& new_one)
+    void draw(DuelRow& row, std::vector<DuelPair>& pairs, DuelPair pair, DuelProcess& old_one, DuelProcess& new_one)
     {
         if (!row.old_failure.empty() || !row.new_failure.empty()) return;
-        Contender::Drawn by_old;
-        Contender::Drawn by_new;
+        DuelProcess::Drawn by_old;
+        DuelProcess::Drawn by_new;
         const auto old_draws = [&] { by_old = of("old", [&] { return old_one.draw(row.name); }); };
         const auto new_draws = [&] { by_new = of("new", [&] { return new_one.draw(row.name); }); };
         const bool old_first = random_() % 2 == 0;
@@ -157,17 +157,17 @@ private:
         pairs.push_back(pair);
     }
 
-    const DuelPlan& plan_;
+    const DuelOptions& plan_;
     const Options& options_;
     const std::function<void(double)>& progress_;
     std::mt19937_64 random_;
     Duel duel_;
-    std::pair<std::map<std::string, Contender::Ready>, std::map<std::string, Contender::Ready>> first_;
+    std::pair<std::map<std::string, DuelProcess::Ready>, std::map<std::string, DuelProcess::Ready>> first_;
 };
 
 }  // namespace
 
-Duel run_duel(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress)
+Duel run_duel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress)
 {
     check_program(plan.old_program);
     check_program(plan.new_program);

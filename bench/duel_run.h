@@ -10,7 +10,7 @@
 
 namespace mandelmarch::bench {
 
-struct DuelPlan {
+struct DuelOptions {
     std::string old_program, new_program;  // paths
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
@@ -23,6 +23,6 @@ struct DuelPlan {
 // programs is random, so that a lasting disturbance slows both alike. The pictures are verified in the first run and
 // must not change in later runs. If a program dies, its run is left out, with a warning. `progress` receives the
 // completed fraction, 0 to 1. Throws InputError if a program is not an executable file, Error if no run was measured.
-Duel run_duel(const DuelPlan& plan, const Options& options, const std::function<void(double)>& progress);
+Duel run_duel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

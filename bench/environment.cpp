@@ -136,13 +136,13 @@ Json backends(const Registry& registry)
                                {"is_gpu", device.is_gpu}});
         }
         const std::string why = listing.unavailable + listing.failure;
-        const Facts facts = backend->facts();
+        const BackendInfo info = backend->info();
         found.push_back({{"name", backend->name()},
-                         {"role", name_of(facts.role)},
+                         {"role", name_of(info.role)},
                          {"unavailable", or_null(why)},
-                         {"compiler", facts.build.compiler},
-                         {"flags_exact", facts.build.exact},
-                         {"flags_fast", facts.build.fast},
+                         {"compiler", info.build.compiler},
+                         {"flags_exact", info.build.exact},
+                         {"flags_fast", info.build.fast},
                          {"devices", devices}});
     }
     return found;
@@ -153,7 +153,7 @@ Json variables(const Registry& registry)
 {
     Json set = Json::object();
     for (const auto& backend : registry.backends()) {
-        for (const std::string_view name : backend->facts().variables) {
+        for (const std::string_view name : backend->info().variables) {
             if (const char* value = std::getenv(std::string(name).c_str())) set[std::string(name)] = value;
         }
     }

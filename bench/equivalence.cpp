@@ -46,7 +46,7 @@ std::string difference(const Drawn& expected, const Drawn& got)
         return fmt::format("{} of {} pixels have other colours, {} another depth; {}", c.differing_colours, c.pixels,
                            c.differing_depths, describe_pixel(expected.image, got.image, c.first));
     }
-    const auto counts = [](const Work& w) { return fmt::format("{}/{}/{}", w.steps, w.estimates, w.iterations); };
+    const auto counts = [](const Work& w) { return fmt::format("{}/{}/{}", w.steps, w.de_calls, w.iterations); };
     const std::string right = counts(expected.work);
     const std::string work = counts(got.work);
     if (work == right) return {};
@@ -54,9 +54,9 @@ std::string difference(const Drawn& expected, const Drawn& got)
 }
 
 // A tested configuration with its renderer, which is reused from scene to scene and created again after an error.
-class Contestant {
+class TestedBackend {
 public:
-    Contestant(const Backend& backend, Subject& subject) : backend_(backend), subject_(subject) {}
+    TestedBackend(const Backend& backend, Tested& subject) : backend_(backend), subject_(subject) {}
 
     // Describes the error in the picture; empty if there is none.
     std::string draw(const Scene& scene, const Drawn& expected)
@@ -77,11 +77,11 @@ public:
         }
     }
 
-    const Subject& subject() const { return subject_; }
+    const Tested& subject() const { return subject_; }
 
 private:
     const Backend& backend_;
-    Subject& subject_;
+    Tested& subject_;
     std::unique_ptr<Renderer> renderer_;
 };
 
@@ -103,13 +103,13 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
     return widths;
 }
 
-std::vector<Subject> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& right,
-                                 const Scene& any, EquivalenceResult& result)
+std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& right,
+                                const Scene& any, EquivalenceResult& result)
 {
-    std::vector<Subject> subjects;
+    std::vector<Tested> subjects;
     for (const auto& backend : registry.backends()) {
         // The reference is a separate implementation: its bits differ.
-        if (backend->facts().role == Role::reference) continue;
+        if (backend->info().role == Role::reference) continue;
         if (!names_backend(options.backend, backend->name())) continue;
         const Listing listing = listing_of(*backend);
         if (!listing.unavailable.empty()) {
@@ -170,7 +170,7 @@ std::vector<const Fractal*> fractals_of(const EquivalenceOptions& options)
 
 }  // namespace
 
-std::string Subject::name() const
+std::string Tested::name() const
 {
     const std::string pack = options.pack > 0 ? fmt::format(", pack {}", options.pack) : "";
     return fmt::format("{}, device {}{}, in {}", backend, options.device, pack, name_of(options.precision));
@@ -195,8 +195,8 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     result.subjects = subjects_of(registry, options, right, any, result);
     if (result.subjects.empty() && !result.failures.empty()) throw Error(result.failures.front());
     if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
-    std::vector<Contestant> contestants;
-    for (Subject& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
+    std::vector<TestedBackend> contestants;
+    for (Tested& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
     std::vector<std::unique_ptr<Renderer>> packs;
     std::vector<std::unique_ptr<Renderer>> scalar;
     for (const Precision precision : precisions) {
@@ -212,11 +212,11 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
             const Scene scene = affordable(packs, extreme_scene(*of[i], options.seed, number));
             for (std::size_t p = 0; p < std::size(precisions); ++p) {
                 const Drawn expected = drawn(*scalar[p], scene);
-                for (Contestant& contestant : contestants) {
+                for (TestedBackend& contestant : contestants) {
                     if (contestant.subject().options.precision != precisions[p]) continue;
                     const std::string what = contestant.draw(scene, expected);
                     if (what.empty()) continue;
-                    result.discrepancies.push_back({fmt::format("{}-{}-{}", of[i]->nickname, options.seed, number),
+                    result.discrepancies.push_back({fmt::format("{}-{}-{}", of[i]->short_name, options.seed, number),
                                                     to_parameters(scene), contestant.subject().name(), what});
                     found(result.discrepancies.back());
                 }
@@ -230,7 +230,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
 nlohmann::ordered_json json_of(const EquivalenceResult& result)
 {
     Json subjects = Json::array();
-    for (const Subject& s : result.subjects) {
+    for (const Tested& s : result.subjects) {
         subjects.push_back({{"backend", s.backend},
                             {"device", s.device},
                             {"pack", s.options.pack},
@@ -263,13 +263,13 @@ std::string to_console(const EquivalenceResult& result)
                                    result.options.scenes, result.options.seed, result.yardstick);
     text += fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
                         "precision", "pack", "pictures", "unavailable", "wrong");
-    for (const Subject& s : result.subjects) {
+    for (const Tested& s : result.subjects) {
         text += fmt::format("{:<8} {:>3} {:<32.32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
                             s.device, name_of(s.options.precision),
                             s.options.pack > 0 ? fmt::format("{}", s.options.pack) : "", s.pictures, s.unavailable,
                             s.wrong);
     }
-    for (const Subject& s : result.subjects) {
+    for (const Tested& s : result.subjects) {
         if (s.unavailable > 0) text += fmt::format("{}: unavailable, the first: {}\n", s.name(), s.refusal);
     }
     for (const std::string& why : result.missing) text += why + "\n";

@@ -19,7 +19,7 @@ struct EquivalenceOptions {
 };
 
 // A tested configuration of a backend, in one precision, and its tally.
-struct Subject {
+struct Tested {
     std::string backend;
     RendererOptions options;
     std::string device;     // name
@@ -43,7 +43,7 @@ struct EquivalenceResult {
     EquivalenceOptions options;
     std::string yardstick;  // backend with the role of the host
     nlohmann::ordered_json environment;
-    std::vector<Subject> subjects;
+    std::vector<Tested> subjects;
     std::vector<std::string> missing;   // backends without a device, and why
     std::vector<std::string> failures;  // backends that could not list their devices
     std::vector<Discrepancy> discrepancies;

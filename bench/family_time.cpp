@@ -43,7 +43,7 @@ Usage usage_of(const std::filesystem::path& process)
 
 }  // namespace
 
-double family_seconds()
+double process_tree_seconds()
 {
     std::map<int, Usage> all;
     std::error_code ignored;

@@ -6,6 +6,6 @@ namespace mandelmarch::bench {
 
 // Returns seconds of user and system time of this process and all its descendants since they started. Ended processes
 // count once their parent has waited for them.
-double family_seconds();
+double process_tree_seconds();
 
 }  // namespace mandelmarch::bench

@@ -129,7 +129,7 @@ Figures figures_of(const Result& result, const Row& row)
     const double seconds = f.kernel.median;
     if (seconds > 0) {
         f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
-        f.estimate_rate = static_cast<double>(row.work.estimates) / seconds;
+        f.estimate_rate = static_cast<double>(row.work.de_calls) / seconds;
         f.iteration_rate = static_cast<double>(row.work.iterations) / seconds;
         if (row.operations > 0) f.operation_rate = row.operations / seconds;
     }

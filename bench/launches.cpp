@@ -89,7 +89,7 @@ Result merged(std::vector<Result> results)
             }
             same->samples.insert(same->samples.end(), row.samples.begin(), row.samples.end());
             if (same->failure.empty()) same->failure = row.failure;
-            same->proof.fine = same->proof.fine && (row.proof.fine || !row.unavailable.empty());
+            same->proof.passed = same->proof.passed && (row.proof.passed || !row.unavailable.empty());
         }
         raise_peaks(all.peaks, one.peaks);
         for (StageTime& time : one.stages) {
@@ -106,7 +106,7 @@ Result merged(std::vector<Result> results)
     return all;
 }
 
-Result with_further_launches(Result first, int count, const Launch& launch)
+Result with_further_launches(Result first, int count, const Run& launch)
 {
     std::vector<Result> results{std::move(first)};
     std::vector<std::string> lost;
@@ -133,7 +133,7 @@ Result launch_again(const std::vector<std::string>& arguments, int launch)
     words.push_back(std::to_string(launch));
     const int code = run(words, file.descriptor());
     // bench leaves a result with these two exit codes only (failure: a wrong picture).
-    if (code != exit_fine && code != exit_failure) throw Error(fmt::format("ended with {}", code));
+    if (code != exit_success && code != exit_failure) throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();
     if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));
     try {

@@ -11,7 +11,7 @@
 namespace mandelmarch::bench {
 
 // Executes one run and returns its result. Throws Error if it left none.
-using Launch = std::function<Result(int launch)>;
+using Run = std::function<Result(int launch)>;
 
 // Merges results: all samples, tagged by run; the highest peaks; everything else from the first run. A configuration
 // that fails in any run fails.
@@ -19,7 +19,7 @@ Result merged(std::vector<Result> results);
 
 // Merges `first` with the results of runs 1 to count - 1. A run without a result adds a warning and a line on stderr;
 // Result::launches counts the runs with a result.
-Result with_further_launches(Result first, int count, const Launch& launch);
+Result with_further_launches(Result first, int count, const Run& launch);
 
 // Starts this program with the given arguments and `--launch N --json - --quiet`, and parses its output. Throws Error
 // if the process leaves no result.

@@ -21,14 +21,14 @@ Json row_of(const Case& one, std::uint64_t fingerprint)
 {
     const Row& row = one.row;
     return {{"name", row.name()},
-            {"in_process", !one.backend->facts().has_driver},
+            {"in_process", !one.backend->info().has_driver},
             {"fingerprint", fmt::format("{:016x}", fingerprint)},
             {"failure", row.failure.empty() ? Json() : Json(row.failure)}};
 }
 
-Json answer(std::vector<Live>& rows, Image& image, const std::string& name)
+Json answer(std::vector<TimedCase>& rows, Image& image, const std::string& name)
 {
-    const auto found = std::ranges::find(rows, name, [](const Live& live) { return live.one->row.name(); });
+    const auto found = std::ranges::find(rows, name, [](const TimedCase& live) { return live.one->row.name(); });
     if (found == rows.end()) return {{"failure", "no such row"}};
     const Scene& scene = found->one->scene;
     if (image.width() != scene.width || image.height() != scene.height) {
@@ -53,7 +53,7 @@ void draw_on_demand(const Registry& registry, const Options& options, bool prove
         if (one.backend != nullptr) order.push_back(&one);
     }
     if (prove) std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
-    std::vector<Live> ready;
+    std::vector<TimedCase> ready;
     Json rows = Json::array();
     for (Case* one : order) {
         auto live = prove ? proven(*one, yardsticks) : unproven(*one);

@@ -10,7 +10,7 @@ namespace mandelmarch::bench {
 
 struct Options {
     std::string backend = "all";
-    std::string fractal = "all";  // all: those studied by default; or a fractal's name or nickname
+    std::string fractal = "all";  // all: those studied by default; or a fractal's name or short_name
     std::string precision = "all";
     std::string mode;  // empty: all in the standard study, exact in sweeps
     std::string size;  // WxH; empty: default of the study

@@ -71,7 +71,7 @@ void rename(Result& result, const std::string& platform, const std::string& name
 
 }  // namespace
 
-std::vector<Result> told_apart(std::span<const Result> results)
+std::vector<Result> disambiguated(std::span<const Result> results)
 {
     std::vector<Result> renamed(results.begin(), results.end());
     std::map<std::string, std::vector<std::size_t>> holders;  // results that have the platform

@@ -16,6 +16,6 @@ inline constexpr double same_peak = 1.5;
 // cores, as far as both results have them; any device in its measured peak, by more than the factor same_peak. CPUs of
 // one boot of one system are one machine, whatever their peaks. The machine's number, from 1, is appended: "AMD EPYC
 // (family 26 model 2), machine 2".
-std::vector<Result> told_apart(std::span<const Result> results);
+std::vector<Result> disambiguated(std::span<const Result> results);
 
 }  // namespace mandelmarch::bench

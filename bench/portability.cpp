@@ -225,7 +225,7 @@ double performance_portability(std::span<const double> efficiencies)
 
 std::vector<Portability> portability(std::span<const Result> given)
 {
-    const std::vector<Result> results = told_apart(given);
+    const std::vector<Result> results = disambiguated(given);
     std::map<Problem, Field> fields;
     std::set<std::string> applications;
     for (const Result& result : results) {

@@ -52,7 +52,7 @@ struct Portability {
     std::vector<CascadeStep> cascade;
 };
 
-// Computes the metric over all platforms of all results, after told_apart(). Configurations of sweeps, of the scalar
+// Computes the metric over all platforms of all results, after disambiguated(). Configurations of sweeps, of the scalar
 // kernel and of the reference, which is not an application, are left out. If a backend runs on a platform as several
 // devices, the fastest counts. An application does not support a platform if a result has both but no correct picture:
 // the application is unavailable there, its picture is wrong, or it ran only on other platforms of that result. An

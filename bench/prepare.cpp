@@ -22,24 +22,24 @@ void check_memory(const Scene& scene)
     }
 }
 
-void describe(Row& row, const RenderReport& report)
+void describe(Row& row, const RenderStats& report)
 {
     row.threads = report.threads;
     row.pack = report.pack;
     row.instruction_set = report.instruction_set;
     row.context = report.timings.context;
     row.build = report.timings.build;
-    row.stride = report.stride;
+    row.step_factor = report.step_factor;
     row.unsettled = report.unsettled;
     row.work = report.work;
 }
 
 // Calls `draw`. An exception becomes the reason why the configuration has no speed.
 template <class Draw>
-std::optional<Live> prepared(Case& one, const Draw& draw)
+std::optional<TimedCase> prepared(Case& one, const Draw& draw)
 {
     Row& row = one.row;
-    Live live;
+    TimedCase live;
     live.one = &one;
     try {
         check_memory(one.scene);
@@ -53,41 +53,41 @@ std::optional<Live> prepared(Case& one, const Draw& draw)
     } catch (const Error& error) {
         row.failure = error.what();
     }
-    if (!row.proof.fine || !row.unavailable.empty()) return std::nullopt;
+    if (!row.proof.passed || !row.unavailable.empty()) return std::nullopt;
     live.expected = live.first.timings.kernel;
     return live;
 }
 
 }  // namespace
 
-std::optional<Live> proven(Case& one, Yardsticks& yardsticks)
+std::optional<TimedCase> proven(Case& one, Yardsticks& yardsticks)
 {
-    return prepared(one, [&](Live& live) {
+    return prepared(one, [&](TimedCase& live) {
         Row& row = one.row;
         const auto& yardstick = yardsticks.for_case(one);
         live.renderer = one.backend->create(one.options);
         if (yardsticks.is_yardstick(one)) {
             live.first = yardstick.report;
-            row.proof.drawn = row.proof.fine = row.proof.yardstick = true;
+            row.proof.drawn = row.proof.passed = row.proof.yardstick = true;
             row.proof.text = row.proof.level = "yardstick";
             live.fingerprint = fingerprint(yardstick.image);
         } else {
             Image image(one.scene.width, one.scene.height, Image::Layers::all);
             live.first = live.renderer->render(one.scene, image);
-            prove(row, one.backend->facts().role, image, yardstick);
+            prove(row, one.backend->info().role, image, yardstick);
             live.fingerprint = fingerprint(image);
         }
     });
 }
 
-std::optional<Live> unproven(Case& one)
+std::optional<TimedCase> unproven(Case& one)
 {
-    return prepared(one, [&](Live& live) {
+    return prepared(one, [&](TimedCase& live) {
         live.renderer = one.backend->create(one.options);
         Image image(one.scene.width, one.scene.height, Image::Layers::bytes);
         live.first = live.renderer->render(one.scene, image);
         live.fingerprint = fingerprint(image);
-        one.row.proof.fine = true;
+        one.row.proof.passed = true;
     });
 }
 

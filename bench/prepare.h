@@ -10,10 +10,10 @@
 namespace mandelmarch::bench {
 
 // Renders the configuration's picture once and verifies it. Returns nullopt if it cannot be timed; its row says why.
-std::optional<Live> proven(Case& one, Yardsticks& yardsticks);
+std::optional<TimedCase> proven(Case& one, Yardsticks& yardsticks);
 
 // The same without verification, for further processes of a program that has verified the picture. The caller compares
 // fingerprints.
-std::optional<Live> unproven(Case& one);
+std::optional<TimedCase> unproven(Case& one);
 
 }  // namespace mandelmarch::bench

@@ -67,11 +67,11 @@ std::vector<StageTime> profile(const Registry& registry, const Options& options,
     std::vector<StageTime> times;
     const auto [width, height] = size_of(options);
     const int repetitions = options.repetitions.value_or(usual_repetitions);
-    for (const std::string& nickname : fractals_of(options.fractal)) {
-        const Scene scene = official_scene_of(nickname, width, height);
+    for (const std::string& short_name : fractals_of(options.fractal)) {
+        const Scene scene = official_scene_of(short_name, width, height);
         for (const Precision precision : precisions_of(options)) {
             for (const Mode mode : modes_of(options)) {
-                phase({"profile", 0, nickname});
+                phase({"profile", 0, short_name});
                 add(times, registry, scene, precision, mode, repetitions);
             }
         }

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "apps/progress_bar.h"
+#include "cli/progress_bar.h"
 #include "bench/command_line.h"
 #include "bench/compare.h"
 #include "bench/divergence.h"
@@ -75,7 +75,7 @@ int run(const Registry& registry, const CommandLine& line)
     const Options& options = line.options;
     if (options.list || line.list_names) {
         list(registry, options, line.list_names);
-        return exit_fine;
+        return exit_success;
     }
     Result result;
     Outputs outputs;
@@ -99,11 +99,11 @@ int run(const Registry& registry, const CommandLine& line)
     }
     display.finish();
 
-    bool fine = outputs.write_files();
+    bool ok = outputs.write_files();
     for (const Row& row : result.rows) {
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
-    fine = fine && !result.failed() && result.launches == options.launches;
+    ok = ok && !result.failed() && result.launches == options.launches;
     // With a format, standard output is for data alone.
     if (!line.quiet && options.format.empty()) {
         const std::string table = to_console(result, options.wide);
@@ -114,7 +114,7 @@ int run(const Registry& registry, const CommandLine& line)
         }
     }
     outputs.write_stdout();
-    return fine ? exit_fine : exit_failure;
+    return ok ? exit_success : exit_failure;
 }
 
 int peak(const Registry& registry, const CommandLine& line)
@@ -129,7 +129,7 @@ int peak(const Registry& registry, const CommandLine& line)
                             name_of(p.precision), 1e-9 * p.rate);
     }
     print(std::string_view(text));
-    return exit_fine;
+    return exit_success;
 }
 
 int portability_of(const CommandLine& line)
@@ -154,7 +154,7 @@ int portability_of(const CommandLine& line)
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
     outputs.write_stdout();
-    return written ? exit_fine : exit_failure;
+    return written ? exit_success : exit_failure;
 }
 
 int divergence(const CommandLine& line)
@@ -168,7 +168,7 @@ int divergence(const CommandLine& line)
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
     outputs.write_stdout();
-    return written ? exit_fine : exit_failure;
+    return written ? exit_success : exit_failure;
 }
 
 int random_scenes(const Registry& registry, const CommandLine& line)
@@ -183,14 +183,14 @@ int random_scenes(const Registry& registry, const CommandLine& line)
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
     outputs.write_stdout();
-    return written && result.held() ? exit_fine : exit_failure;
+    return written && result.held() ? exit_success : exit_failure;
 }
 
 int compare_files(const std::string& old_file, const std::string& new_file)
 {
     const ComparedResults comparison = compare_results(read_result(old_file), read_result(new_file));
     print(std::string_view(to_console(comparison)));
-    return comparison.regression() ? exit_failure : exit_fine;
+    return comparison.regression() ? exit_failure : exit_success;
 }
 
 int duel(const CommandLine& line)
@@ -213,7 +213,7 @@ int duel(const CommandLine& line)
     }
     outputs.write_stdout();
     const bool whole = found.launches == line.duel.launches;
-    return written && whole && !regression(judged) ? exit_fine : exit_failure;
+    return written && whole && !regression(judged) ? exit_success : exit_failure;
 }
 
 int race(const Registry& registry, const CommandLine& line)
@@ -235,13 +235,13 @@ int race(const Registry& registry, const CommandLine& line)
         print(std::string_view(table));
     }
     outputs.write_stdout();
-    return written && found.held() ? exit_fine : exit_failure;
+    return written && found.held() ? exit_success : exit_failure;
 }
 
 int on_demand(const Registry& registry, const CommandLine& line)
 {
     draw_on_demand(registry, line.options, !line.unproven);
-    return exit_fine;
+    return exit_success;
 }
 
 // Prints each discrepancy at once on stderr, with the parameters that reproduce it.
@@ -270,7 +270,7 @@ int equivalence(const Registry& registry, const CommandLine& line)
     const bool written = outputs.write_files();
     if (!outputs.on_stdout()) print(std::string_view(to_console(result)));
     outputs.write_stdout();
-    return written && result.failures.empty() && result.discrepancies.empty() ? exit_fine : exit_failure;
+    return written && result.failures.empty() && result.discrepancies.empty() ? exit_success : exit_failure;
 }
 
 }  // namespace
@@ -289,8 +289,10 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::race: return race(registry, line);
         case Command::on_demand: return on_demand(registry, line);
         case Command::compare: return compare_files(line.files.at(0), line.files.at(1));
-        case Command::json: print(std::string_view(text_of(json_of(read_result(line.files.at(0)))))); return exit_fine;
-        case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_fine;
+        case Command::json:
+            print(std::string_view(text_of(json_of(read_result(line.files.at(0))))));
+            return exit_success;
+        case Command::csv: print(std::string_view(to_csv(read_result(line.files.at(0))))); return exit_success;
         default: return run(registry, line);
     }
 }

@@ -39,8 +39,8 @@ std::string Yardsticks::key(const Case& one) const
         "centred {} part {} {} of {} {} step {} {} {}",
         s.fractal->name, s.width, s.height, s.iterations, s.detail, fmt::join(s.shape, " "), s.escape, triple(s.eye),
         triple(s.target), triple(s.up), s.field_of_view, s.colouring, s.brightness, s.conservative, s.smooth, s.centred,
-        s.part.left, s.part.bottom, s.part.whole_width, s.part.whole_height, s.limits.stride, s.limits.root_share,
-        source_for(one).name);
+        s.crop_window.left, s.crop_window.bottom, s.crop_window.whole_width, s.crop_window.whole_height,
+        s.limits.step_factor, s.limits.root_share, source_for(one).name);
 }
 
 bool Yardsticks::is_yardstick(const Case& one) const
@@ -61,7 +61,7 @@ const Yardsticks::Yardstick& Yardsticks::for_case(const Case& one)
     }
     kept = {};
     Image image(one.scene.width, one.scene.height, Image::Layers::all);
-    RenderReport report = source.backend->create(source.options)->render(one.scene, image);
+    RenderStats report = source.backend->create(source.options)->render(one.scene, image);
     kept = {wanted, source.name, std::move(image), std::move(report)};
     return kept;
 }
@@ -73,10 +73,10 @@ void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick&
     const Level required = role == Role::reference ? Level::perceptual : level_required(row.mode);
     Proof& proof = row.proof;
     proof.drawn = true;
-    proof.fine = found.level <= required;
+    proof.passed = found.level <= required;
     // Without refinement the same rays hit, but at slightly different points.
     if (!techniques_without(row.setting.without).root) {
-        proof.fine = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
+        proof.passed = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
     }
     proof.level = name_of(found.level);
     proof.text = summary(found);
@@ -86,7 +86,7 @@ void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick&
     proof.visibly_differing = found.comparison.visibly_differing;
     proof.largest_ulps = found.largest_ulps;
     proof.psnr = found.comparison.psnr;
-    if (!proof.fine) {
+    if (!proof.passed) {
         row.failure =
             fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} of them visibly, {} required",
                         found.comparison.differing, found.comparison.pixels, yardstick.name,

@@ -22,7 +22,7 @@ public:
         std::string key;
         std::string name;  // for messages
         Image image;
-        RenderReport report;
+        RenderStats report;
     };
 
     // Throws Unavailable if this build has no suitable backend to compare with.

@@ -17,38 +17,38 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t name_columns = 28;
 
-std::vector<double> seconds_of(const Racer& racer)
+std::vector<double> seconds_of(const RacedProgram& racer)
 {
     std::vector<double> seconds;
     for (const RaceSample& sample : racer.samples) seconds.push_back(sample.seconds);
     return seconds;
 }
 
-bool timed(const Racer& racer) { return is_right(racer.verdict) && !racer.samples.empty(); }
+bool timed(const RacedProgram& racer) { return is_right(racer.verdict) && !racer.samples.empty(); }
 
 // Returns our program, the baseline of the times; nullptr if it was not timed.
-const Racer* pace_of(const Race& race)
+const RacedProgram* pace_of(const Race& race)
 {
-    const auto found = std::ranges::find_if(race.racers, [](const Racer& r) { return r.ours && timed(r); });
+    const auto found = std::ranges::find_if(race.racers, [](const RacedProgram& r) { return r.ours && timed(r); });
     return found == race.racers.end() ? nullptr : &*found;
 }
 
-std::optional<Quotient> times_ours(const Race& race, const Racer& racer)
+std::optional<Quotient> times_ours(const Race& race, const RacedProgram& racer)
 {
-    const Racer* pace = pace_of(race);
+    const RacedProgram* pace = pace_of(race);
     if (pace == nullptr || !timed(racer)) return std::nullopt;
     return quotient({{0, seconds_of(racer)}}, {{0, seconds_of(*pace)}});
 }
 
 // Truncates a long name at its start, as the end tells more.
-std::string name_in_table(const Racer& racer)
+std::string name_in_table(const RacedProgram& racer)
 {
     std::string name = printable(racer.name);
     if (name.size() > name_columns) name = "..." + name.substr(name.size() - name_columns + 3);
     return name;
 }
 
-std::string verdict_in_table(const Racer& racer, double pixels)
+std::string verdict_in_table(const RacedProgram& racer, double pixels)
 {
     if (racer.verdict != RaceVerdict::close) return std::string(name_of(racer.verdict));
     return fmt::format("{:.3f} % off", 100 * static_cast<double>(racer.picture->visibly_differing) / pixels);
@@ -75,7 +75,7 @@ std::string_view name_of(RaceVerdict verdict)
 
 bool Race::held() const
 {
-    return std::ranges::all_of(racers, [](const Racer& racer) { return is_right(racer.verdict); });
+    return std::ranges::all_of(racers, [](const RacedProgram& racer) { return is_right(racer.verdict); });
 }
 
 std::string to_console(const Race& race)
@@ -84,7 +84,7 @@ std::string to_console(const Race& race)
     std::string text = fmt::format("{:<28} {:<13} {:>9} {:<20} {:>8} {:<16} {:>7} {:>5}\n", "program", "picture",
                                    "wall ms", "95 % interval", "x ours", "95 % interval", "MB", "exit");
     const auto line = [&](const std::string& whole) { text += clipped(whole, console_columns) + "\n"; };
-    for (const Racer& racer : race.racers) {
+    for (const RacedProgram& racer : race.racers) {
         const std::string verdict = verdict_in_table(racer, pixels);
         if (!timed(racer)) {
             line(fmt::format("{:<28} {:<13} {}", name_in_table(racer), verdict, printable(racer.why)));
@@ -112,7 +112,7 @@ nlohmann::ordered_json json_of(const Race& race)
     const auto interval = [](const std::optional<Interval>& i) { return i ? Json{i->low, i->high} : Json(); };
     const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
     Json racers = Json::array();
-    for (const Racer& racer : race.racers) {
+    for (const RacedProgram& racer : race.racers) {
         Json picture;
         if (racer.picture) {
             const RacePicture& p = *racer.picture;

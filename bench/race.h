@@ -43,7 +43,7 @@ struct RaceSample {
     double seconds = 0, processor = 0;  // of the whole process: wall time, and processor time of all threads
 };
 
-struct Racer {
+struct RacedProgram {
     std::string name;
     bool ours = false;
     RaceVerdict verdict = RaceVerdict::no_start;
@@ -62,7 +62,7 @@ struct Race {
     double limit = 0;        // seconds
     int rounds = 0;
     std::vector<std::string> warnings{};
-    std::vector<Racer> racers{};  // ours first
+    std::vector<RacedProgram> racers{};  // ours first
 
     // Returns true if every program's picture is correct.
     bool held() const;

@@ -13,7 +13,7 @@
 #include <random>
 #include <tuple>
 
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "bench/environment.h"
 #include "bench/proof.h"
 #include "bench/steadiness.h"
@@ -23,7 +23,7 @@
 #include "core/base/output_file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 #include "core/render/agreement.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -75,7 +75,7 @@ std::string absolute_program(const std::string& program)
     return fs::absolute(program).string();
 }
 
-Scene scene_of(const RacePlan& plan, const Options& options)
+Scene scene_of(const RaceOptions& plan, const Options& options)
 {
     if (!plan.scene.empty() && options.fractal == "all") {
         throw InputError("bench race: --scene without --fractal given, expected the fractal that the file is of");
@@ -104,7 +104,7 @@ Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 
 class RunningRace {
 public:
-    RunningRace(const RacePlan& plan, const Options& options, const std::function<void(double)>& progress)
+    RunningRace(const RaceOptions& plan, const Options& options, const std::function<void(double)>& progress)
         : plan_(plan), progress_(progress), scene_(scene_of(plan, options)), random_(options.seed)
     {
         race_.fractal = scene_.fractal->name;
@@ -142,7 +142,7 @@ public:
         std::vector<std::size_t> timed;
         for (std::size_t i = 0; i < words_.size(); ++i) {
             progress_(0.5 * static_cast<double>(i) / static_cast<double>(words_.size()));
-            Racer& racer = race_.racers[i];
+            RacedProgram& racer = race_.racers[i];
             const Drawn proof = draw(racer, words_[i]);
             if (proof.image) judge(racer, *proof.image);
             if (!is_right(racer.verdict)) continue;
@@ -176,7 +176,7 @@ private:
 
     Image expected(const std::string& parameters)
     {
-        Racer scalar{.name = "the scalar text", .ours = true};
+        RacedProgram scalar{.name = "the scalar text", .ours = true};
         view_.parameters = parameters;
         Drawn drawn = draw(scalar, yardstick_);
         if (!drawn.image) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
@@ -204,7 +204,7 @@ private:
     }
 
     // Runs the program. Without a picture, sets the racer's verdict and reason.
-    Drawn draw(Racer& racer, const std::vector<std::string>& words)
+    Drawn draw(RacedProgram& racer, const std::vector<std::string>& words)
     {
         const Folder folder;
         const fs::path work = folder.path() / "work";
@@ -231,7 +231,7 @@ private:
             return fails(RaceVerdict::crashed,
                          fmt::format("ended by signal {}, {}{}", *ended.signal, sigdescr_np(*ended.signal), said));
         }
-        if (ended.code != exit_fine)
+        if (ended.code != exit_success)
             return fails(RaceVerdict::failed, fmt::format("exit code {}{}", *ended.code, said));
         const fs::path picture = work / image_name;
         if (!fs::is_regular_file(picture)) return fails(RaceVerdict::no_picture, "no " + what_is_left(work) + said);
@@ -255,7 +255,7 @@ private:
         return image_name;
     }
 
-    void judge(Racer& racer, const Image& image)
+    void judge(RacedProgram& racer, const Image& image)
     {
         const Image& expected = view_.expected;
         if (image.width() != expected.width() || image.height() != expected.height()) {
@@ -288,7 +288,7 @@ private:
     // Runs a program whose first picture was correct on the round's view.
     void again(std::size_t i, int round)
     {
-        Racer& racer = race_.racers[i];
+        RacedProgram& racer = race_.racers[i];
         if (!is_right(racer.verdict)) return;
         Drawn drawn = draw(racer, words_[i]);
         if (!drawn.image) return;
@@ -306,7 +306,7 @@ private:
         racer.samples.push_back(drawn.sample);
     }
 
-    const RacePlan& plan_;
+    const RaceOptions& plan_;
     const std::function<void(double)>& progress_;
     Scene scene_;
     std::mt19937_64 random_;                          // for the order
@@ -319,7 +319,7 @@ private:
 
 }  // namespace
 
-Race run_race(const RacePlan& plan, const Options& options, const Registry& registry,
+Race run_race(const RaceOptions& plan, const Options& options, const Registry& registry,
               const std::function<void(double)>& progress)
 {
     RunningRace running(plan, options, progress);

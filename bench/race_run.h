@@ -12,7 +12,7 @@
 
 namespace mandelmarch::bench {
 
-struct RacePlan {
+struct RaceOptions {
     std::vector<std::string> programs;  // paths
     std::string scene;                  // a parameter file; empty: the fractal's official scene
     double limit = 60;                  // seconds per picture
@@ -27,7 +27,7 @@ struct RacePlan {
 // InputError if a program is not an executable file or the scene cannot be read, Error if our own picture cannot be
 // rendered.
 inline constexpr double longest_repeated = 20;  // seconds
-Race run_race(const RacePlan& plan, const Options& options, const Registry& registry,
+Race run_race(const RaceOptions& plan, const Options& options, const Registry& registry,
               const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

@@ -45,7 +45,7 @@ std::vector<DrawnScene> scenes_of(const RandomOptions& options)
             for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
         }
     }
-    std::ranges::stable_sort(scenes, {}, [](const DrawnScene& one) { return one.scene.fractal->rank; });
+    std::ranges::stable_sort(scenes, {}, [](const DrawnScene& one) { return one.scene.fractal->list_order; });
     return scenes;
 }
 
@@ -134,7 +134,7 @@ RandomSum RandomResult::sum(std::string_view fractal, Precision precision, const
 {
     RandomSum sum;
     for (const RandomRow& row : rows) {
-        const bool asked = row.scene.fractal->nickname == fractal && row.precision == precision;
+        const bool asked = row.scene.fractal->short_name == fractal && row.precision == precision;
         if (asked && (set == nullptr || row.set == *set)) sum.add(row);
     }
     return sum;
@@ -212,7 +212,7 @@ nlohmann::ordered_json json_of(const RandomResult& result)
     }
     Json rows = Json::array();
     for (const RandomRow& row : result.rows) {
-        rows.push_back({{"fractal", row.scene.fractal->nickname},
+        rows.push_back({{"fractal", row.scene.fractal->short_name},
                         {"precision", name_of(row.precision)},
                         {"set", row.set},
                         {"number", row.number},

@@ -8,6 +8,7 @@
 #include "bench/report.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -155,7 +156,7 @@ Proof proof_at(const Json& parent, const char* key)
     const Json& json = at(parent, key);
     Proof p;
     p.drawn = flag_at(json, "drawn");
-    p.fine = flag_at(json, "fine");
+    p.passed = flag_at(json, "fine");
     p.yardstick = flag_at(json, "yardstick");
     p.level = text_at(json, "level");
     p.text = text_at(json, "text");
@@ -204,7 +205,7 @@ Row row_of(const Json& json)
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
     // Missing in old files of version 1.
-    row.stride = known_number_at(json, "stride", 0, 1).value_or(0);
+    row.step_factor = known_number_at(json, "stride", 0, 1).value_or(0);
     if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");
     row.operations = number_at(json, "operations", 0, most_rate);

@@ -14,9 +14,9 @@
 namespace mandelmarch::bench {
 namespace {
 
-std::string nickname(const std::string& fractal)
+std::string short_name(const std::string& fractal)
 {
-    return fractal == "all" ? fractal : std::string(fractal_named(fractal).nickname);
+    return fractal == "all" ? fractal : std::string(fractal_named(fractal).short_name);
 }
 
 // Returns "[12.30, 12.45]", or why there is no interval.
@@ -40,7 +40,7 @@ std::string of(const std::optional<double>& value, double unit) { return value ?
 
 std::string head(const Result& result, const Row& row)
 {
-    return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", nickname(row.fractal), name_of(row.precision),
+    return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", short_name(row.fractal), name_of(row.precision),
                        name_of(row.mode), application_of(result, row), row.device);
 }
 
@@ -194,7 +194,7 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
                         "95 % interval", "pairs", "");
     for (const Ratio& ratio : ratios) {
         const Row& row = *ratio.denominator;
-        text += fmt::format(fmt::runtime(line), fractal ? nickname(row.fractal) : name_of(row.precision),
+        text += fmt::format(fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision),
                             name_of(row.mode), application_of(result, row), row.device,
                             ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
                             ratio.summary.count, point_of(result, row));

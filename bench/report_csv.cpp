@@ -84,7 +84,7 @@ std::string to_csv(const Result& result)
                                              fmt::format("{}", row.pack),
                                              fmt::format("{}", s.frames),
                                              csv_cell(row.proof.text),
-                                             row.proof.drawn ? (row.proof.fine ? "1" : "0") : "",
+                                             row.proof.drawn ? (row.proof.passed ? "1" : "0") : "",
                                              row.proof.drawn ? fmt::format("{}", row.proof.differing) : "",
                                              fmt::format("{}", row.samples.size()),
                                              timed(f.kernel.median),
@@ -114,7 +114,7 @@ std::string to_csv(const Result& result)
                                              scalar[1],
                                              scalar[2],
                                              timed(static_cast<double>(row.work.steps)),
-                                             timed(static_cast<double>(row.work.estimates)),
+                                             timed(static_cast<double>(row.work.de_calls)),
                                              timed(static_cast<double>(row.work.iterations)),
                                              csv_cell(row.unavailable),
                                              csv_cell(row.failure)};

@@ -36,7 +36,7 @@ Json of(const Setting& s)
             {"frames", s.frames}};
 }
 
-Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.estimates}, {"iterations", w.iterations}}; }
+Json of(const Work& w) { return {{"steps", w.steps}, {"de_calls", w.de_calls}, {"iterations", w.iterations}}; }
 
 Json of(const Operations& o)
 {
@@ -46,7 +46,7 @@ Json of(const Operations& o)
 Json of(const Proof& p)
 {
     return {{"drawn", p.drawn},
-            {"fine", p.fine},
+            {"fine", p.passed},
             {"yardstick", p.yardstick},
             {"level", p.level},
             {"text", p.text},
@@ -114,7 +114,7 @@ Json of(const Result& result, const Row& row)
             {"proof", of(row.proof)},
             {"context_seconds", row.context},
             {"build_seconds", row.build},
-            {"stride", row.stride > 0 ? Json(row.stride) : Json()},
+            {"stride", row.step_factor > 0 ? Json(row.step_factor) : Json()},
             {"unsettled", row.unsettled},
             {"work", of(row.work)},
             {"operations", row.operations},

@@ -40,7 +40,7 @@ struct Setting {
 // Comparison of the configuration's picture with the expected one.
 struct Proof {
     bool drawn = false;  // there was a picture to compare
-    bool fine = false;
+    bool passed = false;
     bool yardstick = false;  // renders the expected picture itself
     std::string level;       // name_of(Level)
     std::string text;        // for the table: "same bits", "3 ULP", "0.193 % off"
@@ -67,8 +67,8 @@ struct Row {
     int threads = 0, pack = 0;  // actually used
     Proof proof;
     double context = 0, build = 0;  // seconds, of the first picture
-    // From the trial of the verified picture (RenderReport); 0 and 0 without one.
-    double stride = 0, unsettled = 0;
+    // From the trial of the verified picture (RenderStats); 0 and 0 without one.
+    double step_factor = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counting kernel; 0: unknown
     // Its standard error, as operations are counted on a sample of the pixels; unknown in results of older builds.
@@ -79,8 +79,8 @@ struct Row {
     // device.
     std::string name() const;
     // Returns true if there is a speed to show.
-    bool timed() const { return unavailable.empty() && failure.empty() && proof.fine && !samples.empty(); }
-    bool failed() const { return unavailable.empty() && (!failure.empty() || (proof.drawn && !proof.fine)); }
+    bool timed() const { return unavailable.empty() && failure.empty() && proof.passed && !samples.empty(); }
+    bool failed() const { return unavailable.empty() && (!failure.empty() || (proof.drawn && !proof.passed)); }
 };
 
 struct Peak {

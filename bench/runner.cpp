@@ -35,7 +35,7 @@ bool narrow_enough(const Row& row, double half_width)
 
 class Rounds {
 public:
-    Rounds(std::vector<Live>& rows, const Rules& rules)
+    Rounds(std::vector<TimedCase>& rows, const Rules& rules)
         : rows_(rows),
           rules_(rules),
           random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.launch))
@@ -45,19 +45,19 @@ public:
     void run(const RoundProgress& progress)
     {
         for (int round = 0; round < most(); ++round) {
-            std::vector<Live*> order = unfinished();
+            std::vector<TimedCase*> order = unfinished();
             if (order.empty()) break;
             std::shuffle(order.begin(), order.end(), random_);
             draw(order, round, progress);
-            for (Live* row : order) row->done = row->done || finished(*row);
+            for (TimedCase* row : order) row->done = row->done || finished(*row);
         }
     }
 
 private:
-    std::vector<Live*> unfinished()
+    std::vector<TimedCase*> unfinished()
     {
-        std::vector<Live*> order;
-        for (Live& row : rows_) {
+        std::vector<TimedCase*> order;
+        for (TimedCase& row : rows_) {
             if (!row.done) order.push_back(&row);
         }
         return order;
@@ -65,7 +65,7 @@ private:
 
     int most() const { return rules_.repetitions.value_or(rules_.most); }
 
-    void draw(const std::vector<Live*>& order, int round, const RoundProgress& progress)
+    void draw(const std::vector<TimedCase*>& order, int round, const RoundProgress& progress)
     {
         const std::string text =
             fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
@@ -76,7 +76,7 @@ private:
         }
     }
 
-    void draw(Live& live, int round)
+    void draw(TimedCase& live, int round)
     {
         Row& row = live.one->row;
         try {
@@ -94,7 +94,7 @@ private:
 
     bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
 
-    bool finished(const Live& live) const
+    bool finished(const TimedCase& live) const
     {
         if (rules_.repetitions) return false;
         const Row& row = live.one->row;
@@ -107,12 +107,12 @@ private:
     double share(double of_rounds) const
     {
         if (rules_.repetitions) return of_rounds;
-        const auto done = std::ranges::count_if(rows_, &Live::done);
+        const auto done = std::ranges::count_if(rows_, &TimedCase::done);
         const double of_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
         return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / rules_.budget}));
     }
 
-    Image& image_for(const Live& live)
+    Image& image_for(const TimedCase& live)
     {
         const Scene& scene = live.one->scene;
         if (image_.width() != scene.width || image_.height() != scene.height) {
@@ -121,7 +121,7 @@ private:
         return image_;
     }
 
-    std::vector<Live>& rows_;
+    std::vector<TimedCase>& rows_;
     const Rules& rules_;
     std::mt19937_64 random_;
     Clock::time_point start_ = Clock::now();
@@ -130,7 +130,7 @@ private:
 
 }  // namespace
 
-Sample draw_sample(Live& row, Image& image)
+Sample draw_sample(TimedCase& row, Image& image)
 {
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
@@ -165,9 +165,9 @@ Sample draw_sample(Live& row, Image& image)
     return sample;
 }
 
-void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
+void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
 {
-    for (Live& live : rows) {
+    for (TimedCase& live : rows) {
         if (live.expected <= rules.long_picture) continue;
         const Timings& t = live.first.timings;
         live.one->row.samples.push_back({.launch = rules.launch,
@@ -181,7 +181,7 @@ void keep_long_pictures(std::vector<Live>& rows, const Rules& rules)
     }
 }
 
-void run_rounds(std::vector<Live>& rows, const Rules& rules, const RoundProgress& progress)
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress)
 {
     Rounds(rows, rules).run(progress);
 }

@@ -18,10 +18,10 @@
 namespace mandelmarch::bench {
 
 // A verified configuration, ready to be timed.
-struct Live {
+struct TimedCase {
     Case* one = nullptr;
     std::unique_ptr<Renderer> renderer;
-    RenderReport first = {};        // of the verified picture
+    RenderStats first = {};         // of the verified picture
     std::uint64_t fingerprint = 0;  // of that picture; every timed picture must have the same
     double expected = 0;            // seconds per picture
     double spent = 0;               // seconds so far in the timed rounds
@@ -42,16 +42,16 @@ struct Rules {
 
 // Marks configurations as done whose picture takes longer than rules.long_picture; the verified picture is their
 // sample.
-void keep_long_pictures(std::vector<Live>& rows, const Rules& rules);
+void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
 
 // Renders the rounds and adds the samples to the configurations. If one throws, or its picture is no longer the
 // verified one, it fails and loses its samples. `progress` receives the completed fraction, 0 to 1, and the round,
 // "round 3 of 40".
 using RoundProgress = std::function<void(double share, const std::string& round)>;
-void run_rounds(std::vector<Live>& rows, const Rules& rules, const RoundProgress& progress);
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress);
 
 // Takes one sample: one picture, or setting.frames pictures from a fresh renderer. Throws what the backend throws, and
 // Error if the picture is not the verified one.
-Sample draw_sample(Live& row, Image& image);
+Sample draw_sample(TimedCase& row, Image& image);
 
 }  // namespace mandelmarch::bench

@@ -27,14 +27,14 @@ constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
 // Counts each picture once, and sets the operations of all configurations that render it.
-void count_all(std::vector<Live>& rows, Result& result, const Phase& phase)
+void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
-    for (Live& live : rows) {
+    for (TimedCase& live : rows) {
         phase({"counting operations", static_cast<double>(done++) / static_cast<double>(rows.size())});
         Row& row = live.one->row;
         // The reference is a separate implementation with other operations.
-        if (live.one->backend->facts().role == Role::reference) continue;
+        if (live.one->backend->info().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
             Counted counted{.fractal = row.fractal,
@@ -122,7 +122,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const auto start = Clock::now();
     Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
-    std::vector<Live> live;
+    std::vector<TimedCase> live;
     // In the order of expected pictures, so that each is rendered once.
     std::vector<Case*> order;
     for (Case& one : cases) {

@@ -68,9 +68,9 @@ std::string unlike_threads(const Result& result)
 
 Steadiness::Steadiness() : start_(look()) {}
 
-Steadiness::Look Steadiness::look()
+Steadiness::Snapshot Steadiness::look()
 {
-    Look now;
+    Snapshot now;
     std::istringstream(first_line("/proc/loadavg")) >> now.load;
     now.frequency = fastest_clock();
     // Fields: cpu user nice system idle iowait irq softirq steal, in ticks since boot.
@@ -83,13 +83,13 @@ Steadiness::Look Steadiness::look()
     for (const double value : ticks) now.processors += value / per_second;
     now.stolen = ticks[7] / per_second;
     now.throttling = throttling();
-    now.others = (ticks[0] + ticks[1] + ticks[2]) / per_second - family_seconds();
+    now.others = (ticks[0] + ticks[1] + ticks[2]) / per_second - process_tree_seconds();
     return now;
 }
 
 nlohmann::ordered_json Steadiness::during() const
 {
-    const Look end = look();
+    const Snapshot end = look();
     const double processors = std::max(1e-9, end.processors - start_.processors);
     return {{"load_at_start", start_.load},
             {"load_at_end", end.load},

@@ -25,7 +25,7 @@ public:
     nlohmann::ordered_json during() const;
 
 private:
-    struct Look {
+    struct Snapshot {
         double load = 0;        // average number of running threads over the last minute
         double frequency = 0;   // of the fastest core, MHz; 0: unknown
         double stolen = 0;      // seconds since boot that a hypervisor took from all processors together
@@ -33,9 +33,9 @@ private:
         double others = 0;      // seconds thereof used by other processes
         Throttling throttling;  // by a quota of control groups
     };
-    static Look look();
+    static Snapshot look();
 
-    Look start_;
+    Snapshot start_;
 };
 
 }  // namespace mandelmarch::bench

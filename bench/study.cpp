@@ -9,7 +9,7 @@
 #include <regex>
 #include <tuple>
 
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "bench/views.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
@@ -45,7 +45,7 @@ struct Point {
     Setting change;  // only members other than 0 apply
 };
 
-std::vector<Point> points_of(std::string_view study, std::string_view nickname)
+std::vector<Point> points_of(std::string_view study, std::string_view short_name)
 {
     const auto points = [](std::string_view name, int Setting::*member, std::span<const int> values) {
         std::vector<Point> made;
@@ -65,7 +65,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     }
     if (study == "frames") return points("frames", &Setting::frames, std::array{1, 2, 5, 10, 30, 100});
     if (study == "iterations") {
-        return points("iterations", &Setting::iterations, fractal_named(nickname).study.iterations);
+        return points("iterations", &Setting::iterations, fractal_named(short_name).study.iterations);
     }
     if (study == "detail") {
         std::vector<Point> made;
@@ -101,7 +101,7 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
     }
     if (study == "box-vs-bulb") {
         std::vector<Point> made;
-        for (const View& view : views_of(nickname, 1, 1)) {
+        for (const View& view : views_of(short_name, 1, 1)) {
             made.push_back({fmt::format("scene={}", view.name), {.view = std::string(view.name)}});
         }
         return made;
@@ -110,40 +110,40 @@ std::vector<Point> points_of(std::string_view study, std::string_view nickname)
 }
 
 // Adds the scalar kernel: a speed-up over it does not come from another program or from more threads.
-std::vector<Point> points_for(const Options& options, std::string_view nickname, const Facts& facts)
+std::vector<Point> points_for(const Options& options, std::string_view short_name, const BackendInfo& info)
 {
-    std::vector<Point> points = points_of(options.study, nickname);
-    if (options.baselines && options.study == standard_study && facts.role == Role::host && facts.pack)
+    std::vector<Point> points = points_of(options.study, short_name);
+    if (options.baselines && options.study == standard_study && info.role == Role::host && info.pack)
         points.push_back({"pack=1", {.pack = 1}});
     return points;
 }
 
 // Returns true for baselines of the standard study, which --backend does not exclude.
-bool is_baseline(const Facts& facts, const Point& point, Precision precision, Mode mode)
+bool is_baseline(const BackendInfo& info, const Point& point, Precision precision, Mode mode)
 {
-    if (facts.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
-    return facts.role == Role::host && point.change.pack == 1;
+    if (info.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
+    return info.role == Role::host && point.change.pack == 1;
 }
 
 // Returns true if the backend has what the study varies.
-bool takes_part(std::string_view study, const Facts& facts)
+bool takes_part(std::string_view study, const BackendInfo& info)
 {
-    if (study == "tiles") return facts.chunk;
-    if (study == "bands") return facts.band;
-    if (study == "blocks") return facts.block;
-    if (study == "threads") return facts.threads;
-    if (study == "packs") return facts.pack;
+    if (study == "tiles") return info.chunk;
+    if (study == "bands") return info.band;
+    if (study == "blocks") return info.block;
+    if (study == "threads") return info.threads;
+    if (study == "packs") return info.pack;
     // The profiled stages are those of openmp (profile.h).
-    if (study == "profile") return facts.role == Role::host;
+    if (study == "profile") return info.role == Role::host;
     // Sweeps leave out the reference, which would take minutes.
-    if (study != standard_study) return facts.role != Role::reference;
+    if (study != standard_study) return info.role != Role::reference;
     return true;
 }
 
-Case case_of(const std::string& nickname, const Point& point, std::pair<int, int> size)
+Case case_of(const std::string& short_name, const Point& point, std::pair<int, int> size)
 {
     Case made;
-    for (const View& view : views_of(nickname, size.first, size.second)) {
+    for (const View& view : views_of(short_name, size.first, size.second)) {
         if (view.name == point.change.view) made.scene = view.scene;
     }
     Setting& setting = made.row.setting;
@@ -203,12 +203,12 @@ const Study& study_named(std::string_view name)
 
 std::vector<std::string> fractals_of(std::string_view option)
 {
-    if (option != "all") return {std::string(fractal_named(option).nickname)};
-    std::vector<std::string> studied;
+    if (option != "all") return {std::string(fractal_named(option).short_name)};
+    std::vector<std::string> in_default_study;
     for (const Fractal& fractal : fractals()) {
-        if (fractal.studied) studied.emplace_back(fractal.nickname);
+        if (fractal.in_default_study) in_default_study.emplace_back(fractal.short_name);
     }
-    return studied;
+    return in_default_study;
 }
 
 std::vector<Precision> precisions_of(const Options& options)
@@ -267,26 +267,26 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     const auto size = size_of(options);
     check_backends(registry, options.backend);
     for (const auto& backend : registry.backends()) {
-        const Facts facts = backend->facts();
+        const BackendInfo info = backend->info();
         // Speed-ups need their baselines.
-        const bool baselines = options.baselines && options.study == standard_study && facts.role != Role::none &&
-                               facts.role != Role::accelerator;
-        const bool all = options.backend == "all" && (options.baselines || facts.role != Role::reference);
+        const bool baselines = options.baselines && options.study == standard_study && info.role != Role::none &&
+                               info.role != Role::accelerator;
+        const bool all = options.backend == "all" && (options.baselines || info.role != Role::reference);
         const bool asked = all || names_backend(options.backend, backend->name());
-        if ((!asked && !baselines) || !takes_part(options.study, facts)) continue;
+        if ((!asked && !baselines) || !takes_part(options.study, info)) continue;
         Listing listing = listing_of(*backend);
         if (listing.devices.empty()) {
             if (asked) cases.push_back(missing(*backend, std::move(listing)));
             continue;
         }
         const std::vector<Device>& devices = listing.devices;
-        for (const std::string& nickname : fractals_of(options.fractal)) {
-            for (const Point& point : points_for(options, nickname, facts)) {
+        for (const std::string& short_name : fractals_of(options.fractal)) {
+            for (const Point& point : points_for(options, short_name, info)) {
                 for (const Precision precision : precisions_of(options)) {
                     for (const Mode mode : modes_of(options)) {
-                        if (!asked && !is_baseline(facts, point, precision, mode)) continue;
+                        if (!asked && !is_baseline(info, point, precision, mode)) continue;
                         for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
-                            Case made = case_of(nickname, point, size);
+                            Case made = case_of(short_name, point, size);
                             const Setting& setting = made.row.setting;
                             made.options = {.device = device,
                                             .precision = precision,

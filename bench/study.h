@@ -43,7 +43,7 @@ void check_backends(const Registry& registry, std::string_view asked);
 // which holds the reason. Throws InputError for an unknown name or an invalid size.
 std::vector<Case> cases_of(const Registry& registry, const Options& options);
 
-// Returns the nicknames of the fractals that --fractal selects; for all, those studied by default.
+// Returns the short names of the fractals that --fractal selects; for all, those studied by default.
 std::vector<std::string> fractals_of(std::string_view option);
 std::vector<Precision> precisions_of(const Options& options);
 std::vector<Mode> modes_of(const Options& options);

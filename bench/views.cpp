@@ -7,7 +7,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-void look_from(Scene& scene, const FractalStudy::Look& look)
+void look_from(Scene& scene, const FractalStudy::CloseUp& look)
 {
     scene.eye = look.eye;
     scene.target = look.target;
@@ -17,14 +17,14 @@ void look_from(Scene& scene, const FractalStudy::Look& look)
 
 }  // namespace
 
-Scene official_scene_of(std::string_view nickname, int width, int height)
+Scene official_scene_of(std::string_view short_name, int width, int height)
 {
-    return official_scene(fractal_named(nickname), width, height);
+    return official_scene(fractal_named(short_name), width, height);
 }
 
-std::vector<View> views_of(std::string_view nickname, int width, int height)
+std::vector<View> views_of(std::string_view short_name, int width, int height)
 {
-    const Scene official = official_scene_of(nickname, width, height);
+    const Scene official = official_scene_of(short_name, width, height);
     std::vector<View> views{{"official", official}, {"near", official}, {"far", official}, {"coarse", official}};
     views[1].scene.eye = 0.75 * official.eye;
     views[2].scene.eye = 3.0 * official.eye;

@@ -14,7 +14,7 @@ function(mandelmarch_fractals texts rows)
         set(row ${rows}/${name}.cpp)
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text} ${row})
         # Fractals of the default study, as set in their descriptors.
-        file(STRINGS ${row} studied REGEX "^ *\\.studied = true,$")
+        file(STRINGS ${row} studied REGEX "^ *\\.in_default_study = true,$")
         if(studied)
             list(APPEND MANDELMARCH_STUDIED_FRACTALS ${name})
         endif()

@@ -40,7 +40,7 @@ int usage(bool wanted)
     std::fputs("mandelmarch PROGRAM [ARGUMENT]...\nprograms:", out);
     for (const Program& program : programs) std::fprintf(out, " %s", program.name.data());
     std::fputs("\n", out);
-    return wanted ? mandelmarch::exit_fine : mandelmarch::exit_usage;
+    return wanted ? mandelmarch::exit_success : mandelmarch::exit_usage;
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 
 namespace mandelmarch {
 
-Scene official_scene(const std::string& nickname, int width, int height)
+Scene official_scene(const std::string& short_name, int width, int height)
 {
-    return mandelmarch::official_scene(fractal_named(nickname), width, height);
+    return mandelmarch::official_scene(fractal_named(short_name), width, height);
 }
 
 namespace {
@@ -68,7 +68,7 @@ public:
     {
         Scene& scene = add(std::move(name), of);
         scene.conservative = scene.smooth = scene.centred = true;
-        scene.part = {.left = 900, .bottom = 500, .whole_width = 1920, .whole_height = 1080};
+        scene.crop_window = {.left = 900, .bottom = 500, .whole_width = 1920, .whole_height = 1080};
     }
 
     std::vector<NamedScene> take() { return std::move(scenes_); }
@@ -84,26 +84,26 @@ std::vector<NamedScene> odd_scenes()
     Scenes scenes;
     for (const Fractal& fractal : fractals()) {
         const Scene scene = official_scene(fractal, 47, 33);
-        if (fractal.nickname == "bulb") scenes.add_bulbs(scene);
-        if (fractal.nickname == "box") scenes.add_boxes(scene);
-        if (fractal.nickname == "julia") scenes.add_julias(scene);
+        if (fractal.short_name == "bulb") scenes.add_bulbs(scene);
+        if (fractal.short_name == "box") scenes.add_boxes(scene);
+        if (fractal.short_name == "julia") scenes.add_julias(scene);
     }
     // Our own looks, on every fractal.
     for (int look = 2; look < colouring_types; ++look) {
         for (const Fractal& fractal : fractals()) {
-            const std::string name = fmt::format("{}, look {}", fractal.nickname, look);
+            const std::string name = fmt::format("{}, look {}", fractal.short_name, look);
             scenes.add(name, official_scene(fractal, 47, 33)).colouring = look;
         }
     }
     for (const Fractal& fractal : fractals()) {
         Scene scene = official_scene(fractal, 47, 33);
         scene.sun = {-0.6, 0.8, 0};
-        scenes.add(fmt::format("{}, another sun", fractal.nickname), scene).colouring = 2;
+        scenes.add(fmt::format("{}, another sun", fractal.short_name), scene).colouring = 2;
         scene.projection = Projection::equirectangular;
-        scenes.add(fmt::format("{}, all directions", fractal.nickname), scene);
+        scenes.add(fmt::format("{}, all directions", fractal.short_name), scene);
         scene.centred = true;
-        scene.part = {.left = 40, .bottom = 20, .whole_width = 160, .whole_height = 80};
-        scenes.add(fmt::format("{}, some of all directions", fractal.nickname), scene);
+        scene.crop_window = {.left = 40, .bottom = 20, .whole_width = 160, .whole_height = 80};
+        scenes.add(fmt::format("{}, some of all directions", fractal.short_name), scene);
     }
     return scenes.take();
 }
@@ -115,7 +115,7 @@ std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed)
     for (const Fractal& fractal : fractals()) {
         const Scene like = official_scene(fractal, 61, 45);
         for (int i = 0; i < per_fractal; ++i) {
-            scenes.push_back({fmt::format("{}, random {}", fractal.nickname, i), random_scene(like, i, random)});
+            scenes.push_back({fmt::format("{}, random {}", fractal.short_name, i), random_scene(like, i, random)});
         }
     }
     return scenes;

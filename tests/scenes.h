@@ -9,7 +9,7 @@
 namespace mandelmarch {
 
 // Returns an official scene at another size, in pixels.
-Scene official_scene(const std::string& nickname, int width, int height);
+Scene official_scene(const std::string& short_name, int width, int height);
 
 // A scene that differs from the official ones: other powers, a negative scale, other radii, other up vectors, a camera
 // inside.

@@ -38,7 +38,7 @@ void next_backend(Explorer& explorer)
     }
     setup.backend = backends[at]->name();
     setup.device = 0;
-    if (backends[at]->facts().role == Role::reference) setup.precision = Precision::f64;
+    if (backends[at]->info().role == Role::reference) setup.precision = Precision::f64;
     set(explorer, setup);
 }
 
@@ -96,24 +96,24 @@ void begin_again(Explorer& explorer)
 
 void step_path(Explorer& explorer, double frames)
 {
-    if (!explorer.desk.has_path()) return explorer.say("there is no path: Ctrl+R records one");
-    explorer.desk.playing = false;
-    explorer.desk.go_to(explorer.desk.at() + frames);
+    if (!explorer.path_editor.has_path()) return explorer.say("there is no path: Ctrl+R records one");
+    explorer.path_editor.playing = false;
+    explorer.path_editor.go_to(explorer.path_editor.at() + frames);
     explorer.show_path();
 }
 
 void play(Explorer& explorer)
 {
-    if (!explorer.desk.has_path()) return explorer.say("there is no path: Ctrl+R records one");
-    if (explorer.desk.recording()) explorer.toggle_recording();
-    Desk& desk = explorer.desk;
-    desk.playing = !desk.playing;
-    if (desk.playing && desk.at() + 1 >= static_cast<double>(desk.frames())) desk.go_to(0);
+    if (!explorer.path_editor.has_path()) return explorer.say("there is no path: Ctrl+R records one");
+    if (explorer.path_editor.recording()) explorer.toggle_recording();
+    PathEditor& path_editor = explorer.path_editor;
+    path_editor.playing = !path_editor.playing;
+    if (path_editor.playing && path_editor.at() + 1 >= static_cast<double>(path_editor.frames())) path_editor.go_to(0);
 }
 
 void plan_tour(Explorer& explorer)
 {
-    explorer.desk.plan(explorer.scene, static_cast<std::uint64_t>(explorer.tour_seed), explorer.tour_frames);
+    explorer.path_editor.plan(explorer.scene, static_cast<std::uint64_t>(explorer.tour_seed), explorer.tour_frames);
     explorer.paths = true;
     explorer.say("planning a tour");
 }
@@ -167,7 +167,7 @@ constexpr std::array table{
     Command{SDLK_v, true, "show the view of the clipboard's parameter file", [](Explorer& e) { e.paste_view(); }},
     Command{SDLK_p, true, "save a picture, in the size set in the panel", [](Explorer& e) { e.save_picture(); }},
     Command{SDLK_r, true, "record a path, or end the recording", [](Explorer& e) { e.toggle_recording(); }},
-    Command{SDLK_l, true, "smooth the path", [](Explorer& e) { e.guarded([&] { e.desk.smooth(); }); }},
+    Command{SDLK_l, true, "smooth the path", [](Explorer& e) { e.guarded([&] { e.path_editor.smooth(); }); }},
     Command{SDLK_d, true, "save the path", [](Explorer& e) { e.save_path(); }},
     Command{SDLK_m, true, "render a film of the path", [](Explorer& e) { e.film_path(); }},
     Command{SDLK_t, true, "plan a tour from the seed", plan_tour},
@@ -178,7 +178,7 @@ constexpr std::array table{
     Command{SDLK_PAGEUP, false, "one second back", [](Explorer& e) { step_path(e, -30); }, true},
     Command{SDLK_PAGEDOWN, false, "one second forwards", [](Explorer& e) { step_path(e, 30); }, true},
     Command{SDLK_n, false, "go to the next broken promise or missed bar", [](Explorer& e) { e.go_to_broken(); }, true},
-    Command{SDLK_k, false, "move the path's camera here", [](Explorer& e) { e.desk.put_camera(e.scene); }, true},
+    Command{SDLK_k, false, "move the path's camera here", [](Explorer& e) { e.path_editor.put_camera(e.scene); }, true},
     Command{SDLK_q, true, "quit", [](Explorer& e) { e.quit = true; }},
 };
 

@@ -77,26 +77,26 @@ void Explorer::take_events()
                 if (SDL_PointInRect(&at, &place) != 0) panes.choose(i);
             }
         }
-        hands_.take(event, io.WantCaptureMouse, io.WantCaptureKeyboard || io.WantTextInput, radians);
+        input_.take(event, io.WantCaptureMouse, io.WantCaptureKeyboard || io.WantTextInput, radians);
     }
 }
 
 void Explorer::move(double seconds)
 {
-    const Wish wish = hands_.wish();
-    if (const double notches = hands_.take_notches(); notches != 0) {
+    const MotionInput wish = input_.wish();
+    if (const double notches = input_.take_notches(); notches != 0) {
         motion.speed = std::clamp(motion.speed * std::pow(notch, notches), least_speed, most_speed);
     }
     const bool flies = wish.any();
     if (flies && !flew_) remember();
-    const bool played = desk.playing && desk.has_path() && !flies;
-    if (flies) desk.playing = false;
+    const bool played = path_editor.playing && path_editor.has_path() && !flies;
+    if (flies) path_editor.playing = false;
     flew_ = flies;
     if (played) {
-        desk.advance(seconds);
+        path_editor.advance(seconds);
         motion.stop();
         const SDL_Rect place = panes.place(0);
-        scene = desk.scene(place.w, place.h);
+        scene = path_editor.scene(place.w, place.h);
     }
     moving_ = false;
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
@@ -104,7 +104,7 @@ void Explorer::move(double seconds)
     if (moving_) {
         as_file(scene);
     }
-    if (moving_ && desk.recording()) desk.record(scene, seconds);
+    if (moving_ && path_editor.recording()) path_editor.record(scene, seconds);
     moving_ = moving_ || played;
     const SDL_Rect area = area_beside_panels(*this);
     const bool resized = SDL_RectEquals(&area, &area_) == SDL_FALSE;
@@ -125,7 +125,7 @@ double Explorer::budget() const
     const double one = period - showing_ - spare;
     const SDL_Rect place = panes.place(0);
     const double count = static_cast<double>(panes.all().size());
-    const auto small = panes.all().front()->pace.size(place.w, place.h, one / count).first < place.w * 3 / 8;
+    const auto small = panes.all().front()->resolution.size(place.w, place.h, one / count).first < place.w * 3 / 8;
     return std::max(one + (small ? period : 0), 0.002);
 }
 
@@ -139,7 +139,7 @@ void Explorer::tick(Script* script)
     if (script != nullptr) guarded([&] { script->step(*this); });
     take_events();
     move(seconds);
-    if (const std::string news = desk.take_news(); !news.empty()) say(news);
+    if (const std::string news = path_editor.take_news(); !news.empty()) say(news);
     if (const std::string news = picture.take_news(); !news.empty()) say(news);
 
     const double given = budget();
@@ -172,7 +172,7 @@ void Explorer::tick(Script* script)
 
 void Explorer::wait_if_idle()
 {
-    if (moving_ || measure.on() || tasks_running() || desk.planning() || !at_rest()) return;
+    if (moving_ || measure.on() || tasks_running() || path_editor.planning() || !at_rest()) return;
     SDL_WaitEventTimeout(nullptr, idle_wait);
     last_ = presented_ = due_ = Clock::now();
 }
@@ -233,7 +233,7 @@ void Explorer::redo()
 void Explorer::set_scene(const Scene& wanted)
 {
     scene = wanted;
-    desk.playing = false;
+    path_editor.playing = false;
     motion.stop();
     changed();
 }
@@ -246,7 +246,7 @@ void Explorer::set_setup(const Setup& setup)
 
 void Explorer::focus_panel()
 {
-    hands_.let_go();
+    input_.let_go();
     focus_ = true;
     settings.panel = true;
 }

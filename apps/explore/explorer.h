@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/desk.h"
+#include "apps/explore/path_editor.h"
 #include "apps/explore/devices.h"
-#include "apps/explore/handout.h"
-#include "apps/explore/hands.h"
-#include "apps/explore/measure.h"
+#include "apps/explore/export.h"
+#include "apps/explore/input.h"
+#include "apps/explore/frame_statistics.h"
 #include "apps/explore/motion.h"
 #include "apps/explore/panes.h"
 #include "apps/explore/settings.h"
@@ -35,10 +35,10 @@ public:
     std::string folder;  // for files that explore names itself
     Panes panes;
     Motion motion;
-    Desk desk;
+    PathEditor path_editor;
     PictureTask picture;
     Devices devices;
-    Measure measure;
+    FrameStatistics measure;
     Scene scene;  // the view; its size is unused
     bool help = false;
     bool paths = false;
@@ -86,7 +86,7 @@ public:
     void focus_panel();
 
     bool at_rest() const { return !moving_ && !panes.missing() && !panes.drawing(); }
-    bool tasks_running() const { return picture.running() || desk.planning() || desk.filming(); }
+    bool tasks_running() const { return picture.running() || path_editor.planning() || path_editor.filming(); }
     std::uint64_t frame() const { return frame_; }
     std::uint64_t view() const { return view_; }
     double clearance() const { return clearance_; }
@@ -110,7 +110,7 @@ private:
     void set_state(const State& state);
     void wait_if_idle();
 
-    Hands hands_;
+    Input input_;
     std::vector<State> past_, future_;
     std::string said_;
     std::string shot_;

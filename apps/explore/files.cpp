@@ -16,12 +16,12 @@ void Explorer::open(const std::string& file)
 {
     guarded([&] {
         if (file.ends_with(".json")) {
-            desk.open(file);
+            path_editor.open(file);
             remember();
-            desk.go_to(0);
+            path_editor.go_to(0);
             paths = true;
             show_path();
-            say(fmt::format("{}: {} frames", file, desk.frames()));
+            say(fmt::format("{}: {} frames", file, path_editor.frames()));
             return;
         }
         const Scene read = read_view(file, *scene.fractal);
@@ -33,9 +33,9 @@ void Explorer::open(const std::string& file)
 
 void Explorer::show_path()
 {
-    desk.playing = false;
+    path_editor.playing = false;
     const SDL_Rect place = panes.place(0);
-    set_scene(desk.scene(place.w, place.h));
+    set_scene(path_editor.scene(place.w, place.h));
 }
 
 void Explorer::save_view()
@@ -84,11 +84,11 @@ void Explorer::save_picture()
 
 void Explorer::toggle_recording()
 {
-    if (desk.recording()) {
-        desk.end_recording();
-        return say(fmt::format("recorded {} frames", desk.frames()));
+    if (path_editor.recording()) {
+        path_editor.end_recording();
+        return say(fmt::format("recorded {} frames", path_editor.frames()));
     }
-    desk.begin_recording(scene);
+    path_editor.begin_recording(scene);
     paths = true;
     say("recording: fly");
 }
@@ -97,7 +97,7 @@ void Explorer::save_path()
 {
     guarded([&] {
         const std::string name = free_name(folder, "path") + ".json";
-        desk.save(name);
+        path_editor.save(name);
         say(fmt::format("{}: bin/flythrough render {} --output film.mp4", name, name));
     });
 }
@@ -105,16 +105,17 @@ void Explorer::save_path()
 void Explorer::film_path()
 {
     guarded([&] {
-        desk.film(registry, panes.chosen().setup, free_name(folder, "film") + ".mp4", picture_width, picture_height);
+        path_editor.film(registry, panes.chosen().setup, free_name(folder, "film") + ".mp4", picture_width,
+                         picture_height);
         say("filming");
     });
 }
 
 void Explorer::go_to_broken()
 {
-    const auto frame = desk.next_broken();
+    const auto frame = path_editor.next_broken();
     if (!frame) return say("no broken promise or missed bar has a frame number");
-    desk.go_to(static_cast<double>(*frame));
+    path_editor.go_to(static_cast<double>(*frame));
     show_path();
     say(fmt::format("frame {}", *frame));
 }
@@ -133,18 +134,21 @@ std::string Explorer::told() const
                          {"visibly", pane->compared ? Json(pane->compared->visibly_differing) : Json()}});
     }
     int broken = 0;
-    for (const Row& row : desk.rows()) broken += row.promise && !row.kept() ? 1 : 0;
-    const Json json{
-        {"frame", frame_},
-        {"view", view_},
-        {"fractal", scene.fractal->name},
-        {"colouring", scene.colouring},
-        {"eye", {scene.eye.x, scene.eye.y, scene.eye.z}},
-        {"field_of_view", scene.field_of_view},
-        {"clearance", clearance_},
-        {"panes", drawn},
-        {"said", said_},
-        {"path", {{"frames", desk.frames()}, {"at", desk.at()}, {"rows", desk.rows().size()}, {"broken", broken}}}};
+    for (const Row& row : path_editor.rows()) broken += row.promise && !row.kept() ? 1 : 0;
+    const Json json{{"frame", frame_},
+                    {"view", view_},
+                    {"fractal", scene.fractal->name},
+                    {"colouring", scene.colouring},
+                    {"eye", {scene.eye.x, scene.eye.y, scene.eye.z}},
+                    {"field_of_view", scene.field_of_view},
+                    {"clearance", clearance_},
+                    {"panes", drawn},
+                    {"said", said_},
+                    {"path",
+                     {{"frames", path_editor.frames()},
+                      {"at", path_editor.at()},
+                      {"rows", path_editor.rows().size()},
+                      {"broken", broken}}}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "apps/backend_option.h"
+#include "cli/backend_option.h"
 #include "apps/explore/explorer.h"
 #include "apps/explore/script.h"
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -125,7 +125,7 @@ int body(int argc, char** argv)
         }
     }
     flush_stdout();
-    leave(exit_fine);
+    leave(exit_success);
 }
 
 }  // namespace

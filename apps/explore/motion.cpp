@@ -36,19 +36,19 @@ bool same_fractal(const Scene& a, const Scene& b)
 
 }  // namespace
 
-const Field& Motion::field(const Scene& scene) const
+const DistanceField& Motion::field(const Scene& scene) const
 {
     if (field_ == nullptr || !same_fractal(field_->scene(), scene)) {
         Scene conservative = scene;
         conservative.conservative = true;
-        field_ = std::make_unique<Field>(conservative, 1);
+        field_ = std::make_unique<DistanceField>(conservative, 1);
     }
     return *field_;
 }
 
 double Motion::clearance(const Scene& scene) const { return field(scene).distance(scene.eye); }
 
-bool Motion::move(Scene& scene, const Wish& wish, double seconds)
+bool Motion::move(Scene& scene, const MotionInput& wish, double seconds)
 {
     const double share = 1 - std::exp(-seconds / inertia);
     way_ = towards(way_, wish.way, share);
@@ -70,9 +70,9 @@ bool Motion::move(Scene& scene, const Wish& wish, double seconds)
         scene.up = unit(up);
     }
     if (length(way_) != 0) {
-        const Field& known = field(scene);
+        const DistanceField& known = field(scene);
         const double clearance = known.distance(scene.eye);
-        const double least = nearest * known.hull().size;
+        const double least = nearest * known.bounds().size;
         Vector step =
             (speed * seconds * std::max(clearance, least)) * (way_.x * right + way_.y * up + way_.z * forward);
         if (collides) {

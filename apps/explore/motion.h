@@ -10,7 +10,7 @@
 namespace mandelmarch::explore {
 
 // Requested motion.
-struct Wish {
+struct MotionInput {
     Vector way;        // velocity to the right, up and forward: -1 to 1
     Vector turn;       // rate of turning right, up and roll: -1 to 1
     double yaw = 0;    // immediate turn by dragging, radians
@@ -29,19 +29,19 @@ public:
 
     // Moves the scene's camera for `seconds`; returns false if it does not move. Velocities follow the requested ones
     // with a delay, so that flights are smooth.
-    bool move(Scene& scene, const Wish& wish, double seconds);
+    bool move(Scene& scene, const MotionInput& wish, double seconds);
     // Stops immediately.
     void stop() { way_ = turn_ = {}; }
 
     // Returns the conservative distance estimate at the scene's eye; 0 inside solid.
     double clearance(const Scene& scene) const;
     // Returns the size of the fractal's bounds.
-    double size(const Scene& scene) const { return field(scene).hull().size; }
+    double size(const Scene& scene) const { return field(scene).bounds().size; }
 
 private:
-    const Field& field(const Scene& scene) const;
+    const DistanceField& field(const Scene& scene) const;
 
-    mutable std::unique_ptr<Field> field_;
+    mutable std::unique_ptr<DistanceField> field_;
     Vector way_, turn_;  // current velocities
 };
 

@@ -90,9 +90,10 @@ void show_statistics(Explorer& explorer)
     }
     above(explorer.said(), letters);
     above(explorer.panes.trouble(), warning);
-    if (explorer.desk.recording()) above(fmt::format("recording, {} frames", explorer.desk.frames()), warning);
-    if (explorer.desk.planning()) above("planning a tour", letters);
-    if (explorer.desk.filming()) above("filming", letters);
+    if (explorer.path_editor.recording())
+        above(fmt::format("recording, {} frames", explorer.path_editor.frames()), warning);
+    if (explorer.path_editor.planning()) above("planning a tour", letters);
+    if (explorer.path_editor.filming()) above("filming", letters);
 }
 
 void show_help(Explorer& explorer)

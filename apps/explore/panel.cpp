@@ -8,6 +8,7 @@
 #include "apps/explore/panels.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -27,7 +28,7 @@ void follow(Explorer& explorer, bool is_new, const Scene& before)
     if (is_new) explorer.changed();
 }
 
-void number(Explorer& explorer, const std::string& name, double& value, const Meaning& meaning, double official)
+void number(Explorer& explorer, const std::string& name, double& value, const ParameterInfo& meaning, double official)
 {
     if (meaning.name == ignored_number.name) return;
     const Scene before = explorer.scene;
@@ -87,10 +88,11 @@ void view(Explorer& explorer)
     }
     number(explorer, std::string(fractal.escape.name), scene.escape, fractal.escape, official.escape);
     whole(explorer, "iterations", scene.iterations, 1, max_iterations, 200);
-    number(explorer, "detail level", scene.detail, {"", -37, 3, false, Meaning::Slider{-6, -1, 0.1}}, -3);
-    number(explorer, "field of view", scene.field_of_view, {"", 1e-3, 2.7, false, Meaning::Slider{0.2, 2.5, 0.05}}, 1);
+    number(explorer, "detail level", scene.detail, {"", -37, 3, false, ParameterInfo::Slider{-6, -1, 0.1}}, -3);
+    number(explorer, "field of view", scene.field_of_view,
+           {"", 1e-3, 2.7, false, ParameterInfo::Slider{0.2, 2.5, 0.05}}, 1);
     whole(explorer, "colouring type", scene.colouring, 0, colouring_types - 1, colouring_types - 1);
-    number(explorer, "brightness", scene.brightness, {"", 0, 1e6, false, Meaning::Slider{0.2, 3, 0.1}}, 1);
+    number(explorer, "brightness", scene.brightness, {"", 0, 1e6, false, ParameterInfo::Slider{0.2, 3, 0.1}}, 1);
     const Scene before = scene;
     follow(explorer, ImGui::Checkbox("conservative estimate", &scene.conservative), before);
     vector(explorer, "eye", scene.eye);
@@ -149,7 +151,7 @@ void drawn_by(Explorer& explorer)
                 Setup setup = now;
                 setup.backend = backend->name();
                 setup.device = static_cast<int>(i);
-                if (backend->facts().role == Role::reference) setup.precision = Precision::f64;
+                if (backend->info().role == Role::reference) setup.precision = Precision::f64;
                 choose_setup(explorer, setup);
             }
             const std::string& why = listing.failure.empty() ? listing.unavailable : listing.failure;

@@ -21,7 +21,7 @@ constexpr int visible = 2;  // of 255: the threshold of core/image/compare.h
 
 }  // namespace
 
-Panes::Panes(const Registry& registry, const Setup& setup) : painter_(registry)
+Panes::Panes(const Registry& registry, const Setup& setup) : render_thread_(registry)
 {
     panes_.push_back(std::make_unique<Pane>());
     panes_.front()->setup = setup;
@@ -42,13 +42,13 @@ void Panes::set(Pane& pane, const Setup& setup)
     if (pane.setup == setup) return;
     // The old picture remains visible until the new one is complete.
     pane.setup = setup;
-    pane.pace.forget();
+    pane.resolution.forget();
     pane.view = pane.whole_view = 0;
     pane.failure.clear();
     pane.failed_at = {};
     pane.compared.reset();
-    painter_.cancel();
-    if (painter_.silence() > short_silence) painter_.abandon();
+    render_thread_.cancel();
+    if (render_thread_.silence() > short_silence) render_thread_.abandon();
 }
 
 SDL_Rect Panes::place(std::size_t number) const
@@ -68,8 +68,8 @@ void Panes::look(const Scene& scene, std::uint64_t view, const SDL_Rect& area)
     scene_ = scene;
     view_ = view;
     area_ = area;
-    const Order* current = painter_.current();
-    if (current != nullptr && !current->moving && current->view != view) painter_.cancel();
+    const RenderRequest* current = render_thread_.current();
+    if (current != nullptr && !current->moving && current->view != view) render_thread_.cancel();
 }
 
 bool Panes::waits_after_failure(const Pane& pane) const
@@ -77,11 +77,11 @@ bool Panes::waits_after_failure(const Pane& pane) const
     return !pane.failure.empty() && (pane.view == view_ || seconds_since(pane.failed_at) < again);
 }
 
-std::optional<Order> Panes::next(bool moving, double budget) const
+std::optional<RenderRequest> Panes::next(bool moving, double budget) const
 {
     const SDL_Rect whole = place(0);
     const auto order = [&](std::size_t number, int samples, int width, int height) {
-        Order made{static_cast<int>(number), view_, panes_[number]->setup, scene_, samples, moving};
+        RenderRequest made{static_cast<int>(number), view_, panes_[number]->setup, scene_, samples, moving};
         made.scene.width = width;
         made.scene.height = height;
         if (moving) made.scene.centred = true;
@@ -91,7 +91,7 @@ std::optional<Order> Panes::next(bool moving, double budget) const
         const double each = budget / static_cast<double>(panes_.size());
         for (std::size_t i = 0; i < panes_.size(); ++i) {
             if (panes_[i]->view == view_ || waits_after_failure(*panes_[i])) continue;
-            const auto [width, height] = panes_[i]->pace.size(whole.w, whole.h, each);
+            const auto [width, height] = panes_[i]->resolution.size(whole.w, whole.h, each);
             return order(i, 1, width, height);
         }
         return std::nullopt;
@@ -118,26 +118,27 @@ bool Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment unti
 {
     bool came = false;
     // Abandons an obsolete request if its device does not respond.
-    if (const Order* current = painter_.current(); current != nullptr && painter_.silence() > short_silence) {
+    if (const RenderRequest* current = render_thread_.current();
+        current != nullptr && render_thread_.silence() > short_silence) {
         const auto pane = static_cast<std::size_t>(current->pane);
-        if (pane >= panes_.size() || panes_[pane]->setup != current->setup) painter_.abandon();
+        if (pane >= panes_.size() || panes_[pane]->setup != current->setup) render_thread_.abandon();
     }
     for (;;) {
-        if (painter_.current() == nullptr) {
+        if (render_thread_.current() == nullptr) {
             auto order = next(moving, budget);
             if (!order) return came;
-            painter_.draw(std::move(*order));
+            render_thread_.draw(std::move(*order));
         }
-        auto drawn = painter_.wait(until);
+        auto drawn = render_thread_.wait(until);
         if (!drawn) return came;
         came = !drawn->cancelled || came;
         accept(renderer, std::move(*drawn));
     }
 }
 
-void Panes::accept(SDL_Renderer* renderer, Drawn drawn)
+void Panes::accept(SDL_Renderer* renderer, RenderedPicture drawn)
 {
-    const Order& order = drawn.order;
+    const RenderRequest& order = drawn.order;
     if (drawn.cancelled || static_cast<std::size_t>(order.pane) >= panes_.size()) return;
     Pane& pane = *panes_[static_cast<std::size_t>(order.pane)];
     if (pane.setup != order.setup) return;
@@ -150,7 +151,7 @@ void Panes::accept(SDL_Renderer* renderer, Drawn drawn)
     }
     pane.failure.clear();
     const double pixels = static_cast<double>(order.scene.width) * order.scene.height * order.samples * order.samples;
-    if (order.moving) pane.pace.took(pixels, drawn.seconds);
+    if (order.moving) pane.resolution.took(pixels, drawn.seconds);
     const SDL_Rect whole = place(0);
     pane.view = order.view;
     pane.samples = order.moving ? 0 : order.samples;
@@ -198,10 +199,10 @@ void Panes::mark(SDL_Renderer* renderer)
 
 std::string Panes::trouble() const
 {
-    const Order* current = painter_.current();
-    if (current == nullptr || painter_.silence() < long_silence) return {};
+    const RenderRequest* current = render_thread_.current();
+    if (current == nullptr || render_thread_.silence() < long_silence) return {};
     return fmt::format("{}: no sign of life for {:.0f} s; another backend can be chosen", name_of(current->setup),
-                       painter_.silence());
+                       render_thread_.silence());
 }
 
 }  // namespace mandelmarch::explore

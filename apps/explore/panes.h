@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/pace.h"
-#include "apps/explore/painter.h"
+#include "apps/explore/resolution_control.h"
+#include "apps/explore/render_thread.h"
 #include "apps/explore/window.h"
 #include "core/image/compare.h"
 
@@ -19,15 +19,15 @@ inline constexpr std::array samples_at_rest{1, 2, 4};  // per pixel side, in the
 
 struct Pane {
     Setup setup;
-    Pace pace;
-    Sheet sheet;
+    ResolutionControl resolution;
+    PictureTexture sheet;
     std::uint64_t view = 0;              // version of the view shown
     int samples = 0;                     // per pixel side; 0: rendered while moving
     double share = 0;                    // the picture's pixels, as a fraction of the pane's
     Image whole;                         // the last picture at rest with one sample per pixel, for comparison
     std::uint64_t whole_view = 0;        // version of its view
     std::optional<Comparison> compared;  // with the first pane's picture
-    RenderReport report;
+    RenderStats report;
     double seconds = 0;
     std::string failure;
     Moment failed_at{};
@@ -59,17 +59,17 @@ public:
     bool missing() const;
     // Returns a message if a device has not responded for some time, else "".
     std::string trouble() const;
-    double progress() const { return painter_.progress(); }
-    bool drawing() const { return painter_.current() != nullptr; }
+    double progress() const { return render_thread_.progress(); }
+    bool drawing() const { return render_thread_.current() != nullptr; }
 
 private:
-    std::optional<Order> next(bool moving, double budget) const;
-    void accept(SDL_Renderer* renderer, Drawn drawn);
+    std::optional<RenderRequest> next(bool moving, double budget) const;
+    void accept(SDL_Renderer* renderer, RenderedPicture drawn);
     void mark(SDL_Renderer* renderer);
     int last_samples() const { return panes_.size() > 1 ? 1 : samples_at_rest.back(); }
     bool waits_after_failure(const Pane& pane) const;
 
-    Painter painter_;
+    RenderThread render_thread_;
     std::vector<std::unique_ptr<Pane>> panes_;
     std::size_t chosen_ = 0;
     Scene scene_;

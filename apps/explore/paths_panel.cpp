@@ -14,8 +14,8 @@ const ImVec4 missed{1, 0.8F, 0.4F, 1};
 
 void rows(Explorer& explorer)
 {
-    const Desk& desk = explorer.desk;
-    for (const Row& row : desk.rows()) {
+    const PathEditor& path_editor = explorer.path_editor;
+    for (const Row& row : path_editor.rows()) {
         const std::string text = fmt::format("{} {}: {:.3g}{} {} {:.3g} {}{}", row.promise ? "!" : " ", row.name,
                                              row.value, row.unit.empty() ? std::string() : fmt::format(" {}", row.unit),
                                              row.at_most ? "<=" : ">=", row.bar,
@@ -28,34 +28,34 @@ void rows(Explorer& explorer)
         ImGui::TextWrapped("%s", text.c_str());
         ImGui::PopStyleColor();
     }
-    if (desk.stale() && desk.frames() > 1) ImGui::TextDisabled("auditing");
+    if (path_editor.stale() && path_editor.frames() > 1) ImGui::TextDisabled("auditing");
 }
 
 void go_to(Explorer& explorer, double frame)
 {
-    explorer.desk.go_to(frame);
+    explorer.path_editor.go_to(frame);
     explorer.show_path();
 }
 
 void play(Explorer& explorer)
 {
-    Desk& desk = explorer.desk;
-    float at = static_cast<float>(desk.at());
+    PathEditor& path_editor = explorer.path_editor;
+    float at = static_cast<float>(path_editor.at());
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderFloat("##at", &at, 0, static_cast<float>(desk.frames() - 1), "frame %.0f"))
+    if (ImGui::SliderFloat("##at", &at, 0, static_cast<float>(path_editor.frames() - 1), "frame %.0f"))
         go_to(explorer, static_cast<double>(at));
-    if (ImGui::Button(desk.playing ? "stop" : "play")) desk.playing = !desk.playing;
+    if (ImGui::Button(path_editor.playing ? "stop" : "play")) path_editor.playing = !path_editor.playing;
     ImGui::SameLine();
     if (ImGui::Button("next broken")) explorer.go_to_broken();
     ImGui::SameLine();
-    if (ImGui::Button("audit all")) desk.audit_all();
+    if (ImGui::Button("audit all")) path_editor.audit_all();
     ImGui::SameLine();
-    if (ImGui::Button("smooth")) explorer.guarded([&] { desk.smooth(); });
-    if (ImGui::Button("cut before")) desk.cut_before();
+    if (ImGui::Button("smooth")) explorer.guarded([&] { path_editor.smooth(); });
+    if (ImGui::Button("cut before")) path_editor.cut_before();
     ImGui::SameLine();
-    if (ImGui::Button("cut after")) desk.cut_after();
+    if (ImGui::Button("cut after")) path_editor.cut_after();
     ImGui::SameLine();
-    if (ImGui::Button("camera here")) explorer.guarded([&] { desk.put_camera(explorer.scene); });
+    if (ImGui::Button("camera here")) explorer.guarded([&] { path_editor.put_camera(explorer.scene); });
     if (ImGui::Button("save path")) explorer.save_path();
     ImGui::SameLine();
     if (ImGui::Button("film")) explorer.film_path();
@@ -76,12 +76,12 @@ void show_paths(Explorer& explorer)
     ImGui::Begin("paths", &explorer.paths,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    Desk& desk = explorer.desk;
-    if (ImGui::Button(desk.recording() ? "end recording" : "record")) explorer.toggle_recording();
+    PathEditor& path_editor = explorer.path_editor;
+    if (ImGui::Button(path_editor.recording() ? "end recording" : "record")) explorer.toggle_recording();
     ImGui::SameLine();
-    ImGui::Text("%zu frames, %.1f s", desk.frames(),
-                static_cast<double>(desk.frames()) / desk.path().frames_per_second);
-    if (desk.has_path() && !desk.recording()) play(explorer);
+    ImGui::Text("%zu frames, %.1f s", path_editor.frames(),
+                static_cast<double>(path_editor.frames()) / path_editor.path().frames_per_second);
+    if (path_editor.has_path() && !path_editor.recording()) play(explorer);
     ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
     ImGui::InputInt("seed", &explorer.tour_seed);
     explorer.tour_seed = std::max(explorer.tour_seed, 0);
@@ -89,8 +89,8 @@ void show_paths(Explorer& explorer)
     ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
     ImGui::InputInt("frames", &explorer.tour_frames);
     explorer.tour_frames = std::clamp(explorer.tour_frames, 60, 100'000);
-    if (!desk.planning() && ImGui::Button("plan a tour")) {
-        desk.plan(explorer.scene, static_cast<std::uint64_t>(explorer.tour_seed), explorer.tour_frames);
+    if (!path_editor.planning() && ImGui::Button("plan a tour")) {
+        path_editor.plan(explorer.scene, static_cast<std::uint64_t>(explorer.tour_seed), explorer.tour_frames);
     }
     rows(explorer);
     ImGui::End();

@@ -9,11 +9,12 @@
 #include <sstream>
 
 #include "apps/explore/explorer.h"
-#include "apps/option_values.h"
+#include "cli/option_values.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -170,15 +171,15 @@ bool Script::carry_out(Explorer& explorer, const Line& line)
     if (verb == "wait") return frames_ >= whole(line, 0, 1, longest);
     if (verb == "rest") return frames_ > 1 && explorer.at_rest();
     if (verb == "tasks") return frames_ > 1 && !explorer.tasks_running();
-    if (verb == "audited") return frames_ > 1 && !explorer.desk.stale();
+    if (verb == "audited") return frames_ > 1 && !explorer.path_editor.stale();
     if (verb == "picture") {
         explorer.picture_width = whole(line, 0, 1, max_side);
         explorer.picture_height = whole(line, 1, 1, max_side);
     }
     if (verb == "play") {
         if (frames_ == 0) {
-            if (!explorer.desk.has_path()) fail(line, "there is no path to play");
-            explorer.desk.playing = true;
+            if (!explorer.path_editor.has_path()) fail(line, "there is no path to play");
+            explorer.path_editor.playing = true;
         }
         return frames_ >= whole(line, 0, 1, longest);
     }

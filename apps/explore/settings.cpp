@@ -9,6 +9,7 @@
 
 #include "core/base/output_file.h"
 #include "core/scene/scene.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::explore {
 namespace {

@@ -56,7 +56,7 @@ void take_tremor_out(Path& path)
 {
     std::vector<Look> looks;
     for (const Frame& frame : path.frames) looks.push_back(look_of(frame));
-    const Field field(scene_of(path, path.frames.front(), 16, 9), 1);
+    const DistanceField field(scene_of(path, path.frames.front(), 16, 9), 1);
     for (std::size_t i = 0; i < looks.size(); ++i) {
         Look look = mean(looks, i);
         const double enough = room * field.distance(looks[i].eye);
@@ -73,13 +73,13 @@ void take_tremor_out(Path& path)
 std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);
-    const Field field(scene_of(path, path.frames.front(), 16, 9), 1);
+    const DistanceField field(scene_of(path, path.frames.front(), 16, 9), 1);
     const double bar = most_step * path.scene.fractal->flight.bars.step;
     std::vector<double> frames(path.frames.size() - 1, 1);
     double before = field.distance(path.frames.front().eye);
     for (std::size_t i = 1; i < path.frames.size(); ++i) {
         const double here = field.distance(path.frames[i].eye);
-        const double clearance = std::max(std::min(here, before), 1e-9 * field.hull().size);
+        const double clearance = std::max(std::min(here, before), 1e-9 * field.bounds().size);
         const double step = length(path.frames[i].eye - path.frames[i - 1].eye);
         frames[i - 1] = std::max({1.0, step / (bar * clearance), turns[i] / most_turn});
         before = here;

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -50,13 +50,13 @@ Uint32 format_of(SDL_Renderer* renderer)
 
 }  // namespace
 
-void Sheet::clear()
+void PictureTexture::clear()
 {
     if (texture_ != nullptr) SDL_DestroyTexture(texture_);
     texture_ = nullptr;
 }
 
-void Sheet::take(SDL_Renderer* renderer, const Pixels& pixels)
+void PictureTexture::take(SDL_Renderer* renderer, const Pixels& pixels)
 {
     if (texture_ == nullptr || width_ != pixels.width || height_ != pixels.height) {
         clear();
@@ -71,7 +71,7 @@ void Sheet::take(SDL_Renderer* renderer, const Pixels& pixels)
     SDL_UpdateTexture(texture_, nullptr, pixels.of.data(), 4 * pixels.width);
 }
 
-void Sheet::show(SDL_Renderer* renderer, const SDL_Rect& where) const
+void PictureTexture::show(SDL_Renderer* renderer, const SDL_Rect& where) const
 {
     if (texture_ != nullptr) SDL_RenderCopy(renderer, texture_, nullptr, &where);
 }

@@ -7,18 +7,18 @@
 
 #include <string>
 
-#include "apps/explore/ink.h"
-#include "apps/explore/painter.h"
+#include "apps/explore/imgui_renderer.h"
+#include "apps/explore/render_thread.h"
 
 namespace mandelmarch::explore {
 
 // A picture in the window.
-class Sheet {
+class PictureTexture {
 public:
-    Sheet() = default;
-    ~Sheet() { clear(); }
-    Sheet(const Sheet&) = delete;
-    Sheet& operator=(const Sheet&) = delete;
+    PictureTexture() = default;
+    ~PictureTexture() { clear(); }
+    PictureTexture(const PictureTexture&) = delete;
+    PictureTexture& operator=(const PictureTexture&) = delete;
 
     void take(SDL_Renderer* renderer, const Pixels& pixels);
     void show(SDL_Renderer* renderer, const SDL_Rect& where) const;

@@ -58,7 +58,7 @@ inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 inline void trace_ray(const Scene& scene, Trace& trace)
 {
     Ray ray = begin(scene, static_cast<real>(trace.x), static_cast<real>(trace.y));
-    trace.stride = scene.stride;
+    trace.step_factor = scene.step_factor;
     trace.relaxation = scene.relaxation;
     trace.direction = three(ray.direction);
     trace.begin = ray.t;
@@ -71,10 +71,10 @@ inline void trace_ray(const Scene& scene, Trace& trace)
 
     const Pixel pixel = shade(scene, hit);
     const real reals[] = {pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth};
-    const int wholes[] = {pixel.steps, pixel.estimates, pixel.iterations};
+    const int wholes[] = {pixel.steps, pixel.de_calls, pixel.iterations};
     Image image(1, 1, Image::Layers::all);
     image.store(planes_of(reals, wholes, 1, 1), 0, 0, 1, 1);
     trace.pixel = image.values().front();
     std::copy_n(image.bytes().begin(), trace.bytes.size(), trace.bytes.begin());
-    trace.estimates = pixel.estimates;
+    trace.de_calls = pixel.de_calls;
 }

@@ -68,8 +68,9 @@ std::string head(const Trace& trace)
     std::string text =
         fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; by the scalar kernel\n", trace.x, trace.y,
                     trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
-    text += fmt::format("stride {} DE", number(trace, trace.stride));
-    if (trace.relaxation > trace.stride) text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
+    text += fmt::format("stride {} DE", number(trace, trace.step_factor));
+    if (trace.relaxation > trace.step_factor)
+        text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
     text += fmt::format("\ndirection {}\n", three(trace, trace.direction));
     if (trace.end < trace.begin) return text + "no sample: the ray misses the scene\n";
     text += fmt::format("samples from t {} to t {} at most\n", number(trace, trace.begin), number(trace, trace.end));
@@ -118,7 +119,7 @@ std::string text_of(const Trace& trace)
     text += fmt::format("colour {}, as bytes {} {} {}\n",
                         three(trace, {trace.pixel.red, trace.pixel.green, trace.pixel.blue}), trace.bytes[0],
                         trace.bytes[1], trace.bytes[2]);
-    return text + fmt::format("steps {}, estimates {}, iterations {}\n", trace.pixel.steps, trace.estimates,
+    return text + fmt::format("steps {}, estimates {}, iterations {}\n", trace.pixel.steps, trace.de_calls,
                               trace.pixel.iterations);
 }
 

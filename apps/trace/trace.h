@@ -43,10 +43,10 @@ struct TracedSample {
 struct Trace {
     Precision precision;
     Mode mode;
-    int x, y;           // pixels from the bottom left
-    int width, height;  // of the picture
-    double stride;      // step factor of a plain step
-    double relaxation;  // step factor of the longest relaxed step; no relaxed steps if it does not exceed `stride`
+    int x, y;            // pixels from the bottom left
+    int width, height;   // of the picture
+    double step_factor;  // step factor of a plain step
+    double relaxation;   // step factor of the longest relaxed step; no relaxed steps if it does not exceed `stride`
     std::array<double, 3> direction;
     double begin, end;  // t of the first sample, and the largest t of a sample; no samples if `end` is less
     std::vector<TracedSample> marching, refining;
@@ -55,7 +55,7 @@ struct Trace {
     std::optional<std::array<double, 3>> normal;  // set if the ray hits
     PixelValue pixel;
     std::array<std::uint8_t, 3> bytes{};
-    int estimates = 0;  // DE evaluations, including those of refinement, normal and look
+    int de_calls = 0;  // DE evaluations, including those of refinement, normal and look
 };
 
 // Traces the ray of pixel (x, y), which must lie in the picture. In exact mode the pixel has the same bits as on every

@@ -36,7 +36,7 @@ int attribute(CUdevice device, CUdevice_attribute which)
 class Cuda : public job::Model {
 public:
     std::string_view name() const override { return "cuda"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.has_driver = true,
                 .block = true,
@@ -49,13 +49,13 @@ public:
         return std::nullopt;
     }
     job::Kernels kernels() const override { return cuda::kernels(); }
-    std::vector<KernelResources> build(job::Launch launch) const override
+    std::vector<KernelResources> build(job::DrawKernel launch) const override
     {
         return cuda::loaded_by([&] { launch(nullptr, 0, 0); });
     }
     int devices() const override { return driver().devices; }
 
-    job::Opened open(int index) const override
+    job::OpenedDevice open(int index) const override
     {
         CUdevice device = 0;
         CUcontext context = nullptr;
@@ -78,7 +78,7 @@ public:
                            .is_gpu = true},
                 .instruction_set = fmt::format("PTX for compute_{}", MANDELMARCH_CUDA_LOWEST),
                 .pixels_per_band = pixels,
-                .lanes_refill = job::knows_threads(pixels),
+                .refill_lanes = job::knows_threads(pixels),
                 .peak_threads = 1 << 21};
     }
 

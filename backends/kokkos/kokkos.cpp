@@ -51,7 +51,7 @@ void initialize()
 class InKokkos : public job::Model {
 public:
     std::string_view name() const override { return "kokkos"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {
             .variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PROC_BIND", "OMP_PLACES"},
@@ -59,7 +59,7 @@ public:
     }
     job::Kernels kernels() const override { return kokkos::kernels(); }
 
-    job::Opened open(int) const override
+    job::OpenedDevice open(int) const override
     {
         initialize();
         constexpr int version = KOKKOS_VERSION;

@@ -25,9 +25,9 @@ std::string text_of(int device, acc_device_property_t property)
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-job::Launch drawing(std::string_view fractal, Precision precision, Mode mode)
+job::DrawKernel drawing(std::string_view fractal, Precision precision, Mode mode)
 {
-    return reinterpret_cast<job::Launch>(
+    return reinterpret_cast<job::DrawKernel>(
         omptarget::symbol(fmt::format("mandelmarch_omptarget_{}_{}_{}", fractal, name_of(precision), name_of(mode))));
 }
 
@@ -41,7 +41,7 @@ job::Chains chains(Precision precision)
 class Omptarget : public job::Model {
 public:
     std::string_view name() const override { return "omptarget"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.has_driver = true,
                 .threads = true,
@@ -57,7 +57,7 @@ public:
     job::Kernels kernels() const override { return {drawing, chains}; }
     int devices() const override { return omp_get_num_devices() + 1; }
 
-    job::Opened open(int index) const override
+    job::OpenedDevice open(int index) const override
     {
         const int gpus = omp_get_num_devices();
         if (index < gpus) {
@@ -91,7 +91,7 @@ public:
         omp_set_num_threads(threads);
         omp_set_default_device(device);
     }
-    int threads(const RendererOptions& options, const job::Opened& opened) const override
+    int threads(const RendererOptions& options, const job::OpenedDevice& opened) const override
     {
         if (options.threads == 0 || opened.device.is_gpu) return opened.threads;
         return std::min(options.threads, omp_get_thread_limit());

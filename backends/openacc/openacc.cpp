@@ -42,7 +42,7 @@ std::string text_of(int device, acc_device_property_t property)
 class Openacc : public job::Model {
 public:
     std::string_view name() const override { return "openacc"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.role = Role::accelerator,
                 .has_driver = true,
@@ -52,7 +52,7 @@ public:
     job::Kernels kernels() const override { return openacc::kernels(); }
     int devices() const override { return acc_get_num_devices(gpu) + 1; }
 
-    job::Opened open(int index) const override
+    job::OpenedDevice open(int index) const override
     {
         const int gpus = acc_get_num_devices(gpu);
         if (index < gpus) {
@@ -64,7 +64,7 @@ public:
                                .is_gpu = true},
                     .instruction_set = gpu_code,
                     .pixels_per_band = pixels,
-                    .lanes_refill = job::knows_threads(pixels),
+                    .refill_lanes = job::knows_threads(pixels),
                     .peak_threads = gpu_threads};
         }
         const std::string name = fmt::format("host, one thread: {}",
@@ -74,7 +74,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .lanes_refill = true,  // no gain with one thread, but the same code as on a GPU
+                .refill_lanes = true,  // no gain with one thread, but the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }

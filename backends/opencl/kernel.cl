@@ -15,7 +15,7 @@ struct Target {
     int bytes_alone;
 };
 
-FN void put(Target target, long at, scalar red, scalar green, scalar blue, scalar depth, int steps, int estimates,
+FN void put(Target target, long at, scalar red, scalar green, scalar blue, scalar depth, int steps, int de_calls,
             int iterations)
 {
     if (target.bytes_alone != 0) {
@@ -28,13 +28,13 @@ FN void put(Target target, long at, scalar red, scalar green, scalar blue, scala
     target.reals[2 * target.pixels + at] = blue;
     target.reals[3 * target.pixels + at] = depth;
     target.wholes[at] = steps;
-    target.wholes[target.pixels + at] = estimates;
+    target.wholes[target.pixels + at] = de_calls;
     target.wholes[2 * target.pixels + at] = iterations;
 }
 
 #if MM_LANES > 1
 #include "backends/opencl/strip.cl"
-#ifdef MM_LANES_WAIT
+#ifdef MM_REFILL_LANES
 #include "backends/opencl/refill.cl"
 #endif
 #endif
@@ -51,12 +51,12 @@ __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long p
     if (x >= scene->width || y >= rows) return;
     Pixel pixel = draw(*scene, x, first_row + y);
     put(target, (long)y * scene->width + x, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps,
-        pixel.estimates, pixel.iterations);
+        pixel.de_calls, pixel.iterations);
 #else
     Strip strip = {x * width, min(x * width + width, scene->width), y * MM_STRIP, min(y * MM_STRIP + MM_STRIP, rows),
                    first_row};
     if (strip.left >= strip.right || strip.bottom >= strip.top) return;
-#ifdef MM_LANES_WAIT
+#ifdef MM_REFILL_LANES
     draw_refilling(scene, strip, target);
 #else
     draw_by_blocks(scene, strip, target);

@@ -16,7 +16,7 @@ namespace {
 class OpenclBackend : public Backend {
 public:
     std::string_view name() const override { return "opencl"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.has_driver = true,
                 .pack = true,

@@ -96,7 +96,7 @@ FN Ray ray_of(const Lanes* lanes)
     ray.before_t = lanes->reals[7].all;
     ray.before_distance = lanes->reals[8].all;
     ray.steps = lanes->wholes[0].all;
-    ray.estimates = lanes->wholes[1].all;
+    ray.de_calls = lanes->wholes[1].all;
     ray.iterations = lanes->wholes[2].all;
     return ray;
 }
@@ -109,7 +109,7 @@ FN void keep(Lanes* lanes, Ray ray)
     lanes->reals[7].all = ray.before_t;
     lanes->reals[8].all = ray.before_distance;
     lanes->wholes[0].all = ray.steps;
-    lanes->wholes[1].all = ray.estimates;
+    lanes->wholes[1].all = ray.de_calls;
     lanes->wholes[2].all = ray.iterations;
 }
 
@@ -154,7 +154,7 @@ FN void shade_last(__constant Scene* scene, Ended* ended, Target target)
     hit.above_t = reals_at(ended->reals[7] + first);
     hit.above_f = reals_at(ended->reals[8] + first);
     hit.steps = wholes_at(ended->wholes[0] + first);
-    hit.estimates = wholes_at(ended->wholes[1] + first);
+    hit.de_calls = wholes_at(ended->wholes[1] + first);
     hit.iterations = wholes_at(ended->wholes[2] + first);
     if (scene->canonical != 0) hit = refine(*scene, hit);
     put_lanes(target, ended->at + first, size, shade(*scene, hit));

@@ -29,7 +29,7 @@ public:
         });
     }
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         try {
             return checked("drawing", [&] {
@@ -45,7 +45,7 @@ public:
 
 private:
     template <class Real>
-    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
         const Clock::time_point start = Clock::now();
         const bool first = !session_->programs.contains(scene.fractal->name);
@@ -71,15 +71,15 @@ private:
             static_cast<void>(executor.release());
             throw;
         }
-        RenderReport report{.backend = "opencl",
-                            .device = description(session_->device),
-                            .precision = options_.precision,
-                            .mode = options_.mode,
-                            .threads = session_->is_cpu ? static_cast<int>(units()) : 1,
-                            .pack = build_.lanes,
-                            .instruction_set = {},
-                            .timings = executor->timings,
-                            .work = executor->work};
+        RenderStats report{.backend = "opencl",
+                           .device = description(session_->device),
+                           .precision = options_.precision,
+                           .mode = options_.mode,
+                           .threads = session_->is_cpu ? static_cast<int>(units()) : 1,
+                           .pack = build_.lanes,
+                           .instruction_set = {},
+                           .timings = executor->timings,
+                           .work = executor->work};
         report.timings.context = context_seconds_;
         report.timings.build = build_seconds;
         report.timings.wall = seconds_since(start);

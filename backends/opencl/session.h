@@ -18,7 +18,7 @@
 namespace mandelmarch::opencl {
 
 // A buffer that grows and is reused between pictures.
-struct Kept {
+struct GrowingBuffer {
     cl::Buffer buffer;
     std::size_t size = 0;  // bytes
 
@@ -60,7 +60,7 @@ private:
         mapped_ = nullptr;
     }
 
-    Kept pinned_;
+    GrowingBuffer pinned_;
     cl::CommandQueue queue_;
     void* mapped_ = nullptr;
 };
@@ -71,10 +71,10 @@ struct Session {
     cl::Context context;
     cl::CommandQueue queue;
     std::map<std::string_view, cl::Program> programs;  // by fractal
-    Kept constants;
-    Kept reals;
-    Kept wholes;
-    Kept bytes;
+    GrowingBuffer constants;
+    GrowingBuffer reals;
+    GrowingBuffer wholes;
+    GrowingBuffer bytes;
     Staging host_reals;
     Staging host_wholes;
     bool is_cpu = false;

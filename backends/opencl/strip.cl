@@ -40,12 +40,12 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     union Reals blue = {pixel.colour.z};
     union Reals depth = {pixel.depth};
     union Wholes steps = {pixel.steps};
-    union Wholes estimates = {pixel.estimates};
+    union Wholes de_calls = {pixel.de_calls};
     union Wholes iterations = {pixel.iterations};
     for (int lane = 0; lane < size; ++lane) {
         if (at[lane] < 0) continue;
         put(target, at[lane], red.of[lane], green.of[lane], blue.of[lane], depth.of[lane], (int)steps.of[lane],
-            (int)estimates.of[lane], (int)iterations.of[lane]);
+            (int)de_calls.of[lane], (int)iterations.of[lane]);
     }
 }
 

@@ -17,16 +17,16 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-HWY_INLINE void count_cones(const effort& estimates, const effort& iterations, const mask& on, Spent& spent)
+HWY_INLINE void count_cones(const counter& de_calls, const counter& iterations, const mask& on, WorkCounts& spent)
 {
 #if MM_COUNTED
-    spent.estimates += sum_of(estimates, on);
+    spent.de_calls += sum_of(de_calls, on);
     spent.iterations += sum_of(iterations, on);
 #endif
 }
 
 // Stores the ends of cones at their subtiles' indices.
-HWY_NOINLINE void end_cones(Drawing& d, const Traveller& a, const mask& on)
+HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 {
     Int places[places_room] = {};
     MM_REAL starts[places_room] = {};
@@ -34,7 +34,7 @@ HWY_NOINLINE void end_cones(Drawing& d, const Traveller& a, const mask& on)
     store_compact(pick(a.ray.t <= a.ray.end, a.ray.t, beyond_scene(d.scene)), on, starts);
     const int lanes = lanes_on(on);
     for (int i = 0; i < lanes; ++i) d.canvas.block_start[places[i]] = starts[i];
-    count_cones(a.ray.estimates, a.ray.iterations, on, d.spent);
+    count_cones(a.ray.de_calls, a.ray.iterations, on, d.spent);
 }
 
 // Begins a cone for every subtile. Without cones (Canvas::cones), only the start at the hull is stored. The axis is in
@@ -43,7 +43,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 {
     const real middle = MM_REAL(0.5) * (block_side - 1);
     for (int from = 0; from < blocks.count; from += pack_lanes) {
-        Traveller a;
+        RayPack a;
         a.pixel = load_lanes(blocks.number + from);
         a.ray = begin(d.around_blocks, real_of(load_lanes(blocks.left + from)) + middle,
                       real_of(load_lanes(blocks.bottom + from)) + middle);
@@ -61,8 +61,8 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 HWY_NOINLINE void march_cone_pool(Drawing& d)
 {
     while (d.pools.cones.size > 0) {
-        step_pool<Traveller, roomless>(d, d.pools.cones, StepKind::march_cones,
-                                       [&](Traveller& a, const mask& ended) MM_INLINED { end_cones(d, a, ended); });
+        step_pool<RayPack, roomless>(d, d.pools.cones, StepKind::march_cones,
+                                     [&](RayPack& a, const mask& ended) MM_INLINED { end_cones(d, a, ended); });
     }
 }
 

@@ -37,7 +37,7 @@ struct Drawing {
     Pools& pools;
     Sampling sampling;
     Shading shading;
-    Spent spent;
+    WorkCounts spent;
 };
 
 // Makes a Drawing with empty pools.

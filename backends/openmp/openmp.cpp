@@ -28,7 +28,7 @@
 namespace mandelmarch {
 namespace {
 
-using openmp::Notes;
+using openmp::LatticeBuffers;
 using openmp::ThreadMemory;
 using openmp::TileQueue;
 using openmp::Variant;
@@ -36,7 +36,7 @@ using openmp::Variant;
 void add_to(Work& to, const Work& from)
 {
     to.steps += from.steps;
-    to.estimates += from.estimates;
+    to.de_calls += from.de_calls;
     to.iterations += from.iterations;
 }
 #pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
@@ -46,7 +46,7 @@ template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(const Scene& scene, const RendererOptions& options, const Variant<Real>& variant, Image& image,
-                 std::span<ThreadMemory> memory, Notes<Real>& notes, const Progress& progress)
+                 std::span<ThreadMemory> memory, LatticeBuffers<Real>& notes, const Progress& progress)
         : picture_(scene, options.mode, options.techniques, variant, notes),
           variant_(variant),
           image_(image),
@@ -70,8 +70,8 @@ public:
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
                 TileQueue::Share share{queue};
                 if (omp_get_thread_num() == 0) team = std::max(team, omp_get_num_threads());
-                const openmp::Spent spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
-                add_to(band_work, {spent.steps, spent.estimates, spent.iterations});
+                const openmp::WorkCounts spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
+                add_to(band_work, {spent.steps, spent.de_calls, spent.iterations});
             }
         }
         add_to(work, band_work);
@@ -138,7 +138,7 @@ public:
         memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));
     }
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         return options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
                                                     : render_as<double>(scene, image, progress);
@@ -146,22 +146,23 @@ public:
 
 private:
     template <class Real>
-    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
         const openmp::OwnPlace place;
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, !bytes_alone(image, options_));
-        BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<Notes<Real>>(notes_), progress);
+        BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<LatticeBuffers<Real>>(notes_),
+                                    progress);
         run_schedule(scene, options_.mode, openmp::band_limits, executor, image, progress);
-        RenderReport report{.backend = "openmp",
-                            .device = host_device(),
-                            .precision = options_.precision,
-                            .mode = options_.mode,
-                            .threads = executor.team,
-                            .pack = variant.pack,
-                            .instruction_set = openmp::usual_name(variant.instruction_set),
-                            .timings = executor.timings,
-                            .work = executor.work};
+        RenderStats report{.backend = "openmp",
+                           .device = host_device(),
+                           .precision = options_.precision,
+                           .mode = options_.mode,
+                           .threads = executor.team,
+                           .pack = variant.pack,
+                           .instruction_set = openmp::usual_name(variant.instruction_set),
+                           .timings = executor.timings,
+                           .work = executor.work};
         report.timings.wall = seconds_since(start);
         return report;
     }
@@ -187,13 +188,13 @@ private:
     RendererOptions options_;
     std::int64_t targets_;
     std::vector<ThreadMemory> memory_;
-    std::tuple<Notes<float>, Notes<double>> notes_;
+    std::tuple<LatticeBuffers<float>, LatticeBuffers<double>> notes_;
 };
 
 class OpenmpBackend : public Backend {
 public:
     std::string_view name() const override { return "openmp"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.role = Role::host,
                 .threads = true,

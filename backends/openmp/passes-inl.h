@@ -51,7 +51,7 @@ HWY_INLINE void keep_rest(Pool& pool, int done)
     const int size = pool.size;
     pool.size = 0;
     for (int from = done; from < size; from += pack_lanes) {
-        Arrival a = load<Arrival, held>(pool, from);
+        HitPack a = load<HitPack, held>(pool, from);
         append<held>(pool, a, first_lanes(size - from));
     }
 }
@@ -72,7 +72,7 @@ HWY_NOINLINE void split_sharing(Drawing& d)
     const int size = ended.size;
     ended.size = d.pools.alone;
     for (int from = ended.size; from < size; from += pack_lanes) {
-        Arrival a = load<Arrival, arrived>(ended, from);
+        HitPack a = load<HitPack, arrived>(ended, from);
         const mask on = first_lanes(size - from);
         const mask shared = find_shared(d, a, on);
         append<arrived_sharing>(d.pools.sharing, a, shared);
@@ -94,7 +94,7 @@ HWY_NOINLINE void shade_pool(Drawing& d, bool all)
     d.pools.alone = d.pools.ended.size;
 }
 
-HWY_INLINE void append_ended(Drawing& d, Arrival& a, const mask& on)
+HWY_INLINE void append_ended(Drawing& d, HitPack& a, const mask& on)
 {
     append<arrived>(d.pools.ended, a, on);
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
@@ -107,7 +107,7 @@ HWY_NOINLINE void begin_refining(Drawing& d)
     const int size = hits.size;
     hits.size = d.pools.refining;
     for (int from = hits.size; from < size; from += pack_lanes) {
-        Arrival a = load<Arrival, arrived>(hits, from);
+        HitPack a = load<HitPack, arrived>(hits, from);
         const mask on = first_lanes(size - from);
         const mask coarse = aim(d.scene, a.hit, on);
         append<arrived>(hits, a, coarse);
@@ -119,13 +119,13 @@ HWY_NOINLINE void begin_refining(Drawing& d)
 HWY_NOINLINE void refine_pool(Drawing& d)
 {
     begin_refining(d);
-    step_pool<Arrival, arrived>(d, d.pools.hits, StepKind::refine,
-                                [&](Arrival& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
+    step_pool<HitPack, arrived>(d, d.pools.hits, StepKind::refine,
+                                [&](HitPack& a, const mask& done) MM_INLINED { append_ended(d, a, done); });
     d.pools.refining = d.pools.hits.size;
 }
 
 // Stores the depths of a lattice's rays for the pixels between them.
-HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t, const mask& on)
+HWY_INLINE void leave_depths(const Drawing& d, const RayPack& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};
     MM_REAL ts[places_room] = {};
@@ -136,10 +136,10 @@ HWY_INLINE void leave_depths(const Drawing& d, const Traveller& a, const real& t
 }
 
 // Processes rays that have stopped: hits are refined or shaded next, misses are stored.
-HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
+HWY_INLINE void stop_marching(Drawing& d, RayPack& a, const mask& on)
 {
     const Scene& scene = d.scene;
-    Arrival b{stopped(scene, a.ray), a.pixel, {}};
+    HitPack b{stopped(scene, a.ray), a.pixel, {}};
     const mask hit = on && is_hit(b.hit);
     const mask gone = on && !hit;
     if (d.canvas.lattice.apart > 1) {
@@ -155,11 +155,11 @@ HWY_INLINE void stop_marching(Drawing& d, Traveller& a, const mask& on)
 // Marches every ray by some steps.
 HWY_NOINLINE void march_pool(Drawing& d)
 {
-    const auto ended = [&](Traveller& a, const mask& on) MM_INLINED { stop_marching(d, a, on); };
+    const auto ended = [&](RayPack& a, const mask& on) MM_INLINED { stop_marching(d, a, on); };
     if (d.canvas.lattice.apart > 1) {
-        step_pool<Traveller, every_field>(d, d.pools.marching, StepKind::march, ended);
+        step_pool<RayPack, every_field>(d, d.pools.marching, StepKind::march, ended);
     } else {
-        step_pool<Traveller, roomless>(d, d.pools.marching, StepKind::march, ended);
+        step_pool<RayPack, roomless>(d, d.pools.marching, StepKind::march, ended);
     }
 }
 

@@ -17,7 +17,7 @@ namespace mandelmarch::openmp {
 
 // Buffers in which earlier rays leave values for later ones (see Canvas); reused between pictures.
 template <class Real>
-struct Notes {
+struct LatticeBuffers {
     std::vector<Real> block_start;
     std::vector<Real> neighbour_depth;
     std::vector<Real> along_normal, sunwards;
@@ -52,7 +52,7 @@ template <class Real>
 class Picture {
 public:
     Picture(const Scene& scene, Mode mode, const Techniques& techniques, const Variant<Real>& variant,
-            Notes<Real>& notes)
+            LatticeBuffers<Real>& notes)
         : scene_(mandelmarch::kernel_scene<KernelScene<Real>>(scene, mode, techniques)),
           notes_(notes),
           lattices_(variant.pack > 1 ? lattices_of(scene_, *scene.fractal, techniques) : all_at_once),
@@ -89,7 +89,7 @@ public:
 
 private:
     KernelScene<Real> scene_;
-    Notes<Real>& notes_;
+    LatticeBuffers<Real>& notes_;
     Lattices lattices_;
     Real spacing_;
     bool cones_;

@@ -62,10 +62,10 @@ HWY_INLINE std::uint64_t sum_of(const whole& a, const mask& on)
     return sum;
 }
 
-HWY_INLINE void count_work(const Pixel& pixel, const mask& on, Spent& spent)
+HWY_INLINE void count_work(const Pixel& pixel, const mask& on, WorkCounts& spent)
 {
     spent.steps += sum_of(pixel.steps, on);
-    spent.estimates += sum_of(pixel.estimates, on);
+    spent.de_calls += sum_of(pixel.de_calls, on);
     spent.iterations += sum_of(pixel.iterations, on);
 }
 
@@ -82,7 +82,7 @@ HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const ma
     store_compact(pixel.colour.z, on, values[2]);
     store_compact(pixel.depth, on, values[3]);
     store_compact(pixel.steps, on, work[0]);
-    store_compact(pixel.estimates, on, work[1]);
+    store_compact(pixel.de_calls, on, work[1]);
     store_compact(pixel.iterations, on, work[2]);
     for (int i = 0; i < lanes; ++i) {
         for (int plane = 0; plane < real_planes; ++plane)
@@ -112,7 +112,8 @@ HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn:
 }
 
 // Stores finished pixels on the canvas; uncounted packs store bytes only.
-HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const Canvas<MM_REAL>& canvas, Spent& spent)
+HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const Canvas<MM_REAL>& canvas,
+                               WorkCounts& spent)
 {
     if (canvas.bytes != nullptr) {
         const whole colours = bytes_of(pixel.colour);

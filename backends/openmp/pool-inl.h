@@ -51,8 +51,8 @@ HWY_INLINE void draw_with(Drawing& d, Clock clock)
     clock.finish(d);
 }
 
-HWY_MAYBE_UNUSED Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory,
-                                  const Sampling& sampling, const Shading& shading)
+HWY_MAYBE_UNUSED WorkCounts draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles,
+                                       void* memory, const Sampling& sampling, const Shading& shading)
 {
     Drawing d =
         drawing(*static_cast<const Scene*>(data), canvas, tiles, *static_cast<Pools*>(memory), sampling, shading);
@@ -62,7 +62,7 @@ HWY_MAYBE_UNUSED Spent draw_tiles(const void* data, const Canvas<MM_REAL>& canva
 
 // The same, as a function for given Sampling and Shading.
 template <const Sampling& sampling, const Shading& shading>
-Spent draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+WorkCounts draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
     return draw_tiles(scene, canvas, tiles, memory, sampling, shading);
 }

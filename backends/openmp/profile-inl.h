@@ -32,7 +32,7 @@ struct ProfileMemory {
 HWY_INLINE Hit finished(const Drawing& d, int pack)
 {
     const Pool& ended = d.pools.ended;
-    Hit hit = load<Arrival, arrived>(ended, pack * pack_lanes).hit;
+    Hit hit = load<HitPack, arrived>(ended, pack * pack_lanes).hit;
     hit.state = pick(first_lanes(ended.size - pack * pack_lanes), hit.state, no_hit());
     return hit;
 }
@@ -59,7 +59,7 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixe
 {
     const Pool& ended = d.pools.ended;
     for (int k = 0; k < packs; ++k) {
-        const whole places = load<Arrival, arrived>(ended, k * pack_lanes).pixel;
+        const whole places = load<HitPack, arrived>(ended, k * pack_lanes).pixel;
         store_pixels(pixels[k], places, first_lanes(ended.size - k * pack_lanes), d.canvas, d.spent);
     }
 }

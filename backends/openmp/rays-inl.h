@@ -20,7 +20,7 @@ using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
 
 // A ray with its pixel's index in the canvas.
-struct Traveller {
+struct RayPack {
     Ray ray;
     whole pixel;
     real room;  // min over the samples of the clearance beyond the rays between neighbours
@@ -33,20 +33,20 @@ struct Shared {
 };
 
 // A stopped ray with its pixel's index.
-struct Arrival {
+struct HitPack {
     Hit hit;
     whole pixel;
     Shared shared;
 };
 
-// Bit masks of fields of a Traveller or an Arrival, by their numbers in a pool. Reals:
+// Bit masks of fields of a RayPack or an HitPack, by their numbers in a pool. Reals:
 constexpr unsigned direction_bits = 7 << 0;  // x, y, z
 constexpr unsigned end_bit = 1 << 3;         // end of a ray; state of a hit
 constexpr unsigned t_bit = 1 << 4;           // next sample of either
 constexpr unsigned sample_bits = 0xf << 5;   // t and estimate of the last sample and the one before; the bracket of a
                                              // hit
 constexpr unsigned room_bit = 1 << 9;
-constexpr unsigned shared_bits = 3 << 9;  // of an Arrival; reuses room's number and the next one
+constexpr unsigned shared_bits = 3 << 9;  // of an HitPack; reuses room's number and the next one
 // Integers:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
@@ -61,7 +61,7 @@ struct Fields {
 constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
 constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
                           every_whole};                                          // for a ray that stores no depth
-constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for an Arrival
+constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for an HitPack
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
 constexpr Fields probed{direction_bits | t_bit, 0};  // for a DE evaluation
 constexpr Fields room_alone{room_bit, 0};
@@ -72,7 +72,7 @@ constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 // Calls on_real(field number, pack) or on_whole() for each field of a set. Direction and t of the next sample have the
 // same numbers in both kinds.
 template <Fields some, class OnReal, class OnWhole>
-HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
+HWY_INLINE void each_field(RayPack& a, OnReal on_real, OnWhole on_whole)
 {
     const auto real_field = [&](unsigned f, real& v) MM_INLINED {
         if ((some.reals >> f & 1) != 0) on_real(f, v);
@@ -93,13 +93,13 @@ HWY_INLINE void each_field(Traveller& a, OnReal on_real, OnWhole on_whole)
     whole_field(0, a.ray.steps);
     whole_field(1, a.pixel);
 #if MM_COUNTED
-    whole_field(2, a.ray.estimates);
+    whole_field(2, a.ray.de_calls);
     whole_field(3, a.ray.iterations);
 #endif
 }
 
 template <Fields some, class OnReal, class OnWhole>
-HWY_INLINE void each_field(Arrival& a, OnReal on_real, OnWhole on_whole)
+HWY_INLINE void each_field(HitPack& a, OnReal on_real, OnWhole on_whole)
 {
     const auto real_field = [&](unsigned f, real& v) MM_INLINED {
         if ((some.reals >> f & 1) != 0) on_real(f, v);
@@ -121,7 +121,7 @@ HWY_INLINE void each_field(Arrival& a, OnReal on_real, OnWhole on_whole)
     whole_field(0, a.hit.steps);
     whole_field(1, a.pixel);
 #if MM_COUNTED
-    whole_field(2, a.hit.estimates);
+    whole_field(2, a.hit.de_calls);
     whole_field(3, a.hit.iterations);
 #endif
 }
@@ -151,7 +151,7 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
 }
 
 #if !MM_COUNTED
-HWY_INLINE void store_lanes(const effort&, Int*) {}
+HWY_INLINE void store_lanes(const counter&, Int*) {}
 #endif
 
 template <class Kind, Fields held = every_field>

@@ -23,10 +23,10 @@ constexpr int steps_at_once = 16;
 HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from, const Estimate& here,
                          const mask& on)
 {
-    Traveller a = load<Traveller, roomless>(pool, from);
+    RayPack a = load<RayPack, roomless>(pool, from);
     if (canvas.lattice.apart > 1) {
         const real width = MM_REAL(0.5) * static_cast<MM_REAL>(canvas.lattice.apart) * canvas.spacing;
-        a.room = load<Traveller, room_alone>(pool, from).room;
+        a.room = load<RayPack, room_alone>(pool, from).room;
         a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
         store<room_alone>(a, pool, from);
     }
@@ -45,7 +45,7 @@ HWY_INLINE mask march_cones_on(const Scene& scene, const Canvas<MM_REAL>& canvas
                                const Estimate& here, const mask& on)
 {
     const scalar span = canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
-    Traveller a = load<Traveller, roomless>(pool, from);
+    RayPack a = load<RayPack, roomless>(pool, from);
     a.ray = advanced_cone(scene, a.ray, span, here, on);
     store<marched>(a, pool, from);
     return on && cone_goes(a.ray);
@@ -53,7 +53,7 @@ HWY_INLINE mask march_cones_on(const Scene& scene, const Canvas<MM_REAL>& canvas
 
 HWY_INLINE mask refine_on(const Scene& scene, Pool& pool, int from, const Estimate& here, const mask& on)
 {
-    Arrival a = load<Arrival, arrived>(pool, from);
+    HitPack a = load<HitPack, arrived>(pool, from);
     a.hit = narrowed(scene, a.hit, here, on);
     const mask stay = aim(scene, a.hit, on);
     store<refined>(a, pool, from);
@@ -70,7 +70,7 @@ HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Po
     int step = 0;
     do {
         // All kinds have the fields of `probed` at the same numbers.
-        const Estimate here = probe_root(scene, load<Arrival, probed>(pool, from).hit, on);
+        const Estimate here = probe_root(scene, load<HitPack, probed>(pool, from).hit, on);
         if (kind == StepKind::march) {
             on = march_on(scene, canvas, pool, from, here, on);
         } else if (kind == StepKind::march_cones) {

@@ -16,7 +16,7 @@ namespace {
 namespace MM_PACK {
 
 // Stores a hit's occlusion for the pixels between.
-HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Surroundings& found,
+HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
 {
     Int places[places_room] = {};
@@ -35,24 +35,24 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
 // Shades `count` hits of a pool in a picture with shared occlusion; `shared`: these hits already have it.
 template <bool shared>
 HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
-                                   Spent& spent)
+                                   WorkCounts& spent)
 {
     const Scene& scene = *static_cast<const Scene*>(data);
     for (int from = 0; from < count; from += pack_lanes) {
-        Arrival a = load < Arrival, shared ? arrived_sharing : arrived > (pool, from);
+        HitPack a = load < HitPack, shared ? arrived_sharing : arrived > (pool, from);
         const mask on = first_lanes(count - from);
         a.hit.state = pick(on, a.hit.state, no_hit());
         const ShadingPoint at = shading_point(scene, a.hit);
         const Normal normal = normal_at(scene, at.p, at.t, on);
-        Surroundings found;
+        Occlusion found;
         if constexpr (shared) {
             found.along_normal = a.shared.along_normal;
             found.sunwards = a.shared.sunwards;
-            found.estimates = 0;
+            found.de_calls = 0;
             found.iterations = 0;
         } else {
             const vec3 n = facing(scene, a.hit.direction, normal.direction, at.t);
-            found = surroundings(scene, at.p, n, at.t, on);
+            found = occlusion(scene, at.p, n, at.t, on);
             if (canvas.lattice.apart > 1) leave_surroundings(canvas, a.pixel, found, on);
         }
         const Pixel pixel = shade_among(scene, a.hit, missed(scene, a.hit), at, normal, found);
@@ -61,12 +61,13 @@ HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count
 }
 
 // Shades the first `count` hits of a pool.
-HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas, Spent& spent)
+HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
+                             WorkCounts& spent)
 {
     if (canvas.sunwards != nullptr) return shade_among_rays<false>(data, pool, count, canvas, spent);
     const Scene& scene = *static_cast<const Scene*>(data);
     for (int from = 0; from < count; from += pack_lanes) {
-        Arrival a = load<Arrival, arrived>(pool, from);
+        HitPack a = load<HitPack, arrived>(pool, from);
         const mask on = first_lanes(count - from);
         // Lanes after the last ray are not hits.
         a.hit.state = pick(on, a.hit.state, no_hit());

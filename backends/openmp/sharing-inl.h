@@ -53,7 +53,7 @@ struct Around {
 };
 
 // Returns the mask of active lanes that share occlusion, and sets it to the mean of their neighbours.
-HWY_INLINE mask find_shared(const Drawing& d, Arrival& a, const mask& on)
+HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
 {
     const auto gathered = [](const MM_REAL* from, hn::Vec<Wholes> at, hn::Mask<Reals> there) MM_INLINED {
         const auto safe = hn::IfThenElseZero(hn::RebindMask(Wholes(), there), at);

@@ -46,7 +46,7 @@ template <class KernelScene>
 bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
 {
     constexpr double nearest_openness = 0.004;  // of the distance from the camera
-    return techniques.surroundings && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
+    return techniques.occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
 // True if subtiles begin with cones. A cone ends some of its widths before the surface; if a pixel is many tolerances

@@ -83,7 +83,7 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         const int x0 = square.left + (column << square.log2_apart);
         const int y0 = square.bottom + (row << square.log2_apart);
         if (x0 >= scene.width || y0 >= d.canvas.end_row) continue;
-        Traveller a;
+        RayPack a;
         a.pixel = load_lanes(lanes.pixel) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const real from = load_lanes(square.block_start + n);
         const real start = load_lanes(square.neighbour_start + n);

@@ -34,9 +34,9 @@ struct Canvas {
 };
 
 // Work of all rays rendered; 0 if not counted.
-struct Spent {
+struct WorkCounts {
     std::uint64_t steps;
-    std::uint64_t estimates;
+    std::uint64_t de_calls;
     std::uint64_t iterations;
 };
 
@@ -48,7 +48,7 @@ struct Tiles {
 
 // Renders tiles until none are left. `scene` is the kernel's Scene in Real's layout; `memory` belongs to the thread.
 template <class Real>
-using DrawTiles = Spent (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
+using DrawTiles = WorkCounts (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
 
 // The same with a clock between the stages; adds the seconds of each stage (stage.h) to `seconds`.
 template <class Real>

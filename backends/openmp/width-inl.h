@@ -33,7 +33,7 @@ struct Sampling {
 
 // Shades the first `count` hits of a pool.
 using ShadeHits = void (*)(const void* scene, const RayPool<MM_REAL>& pool, int count, const Canvas<MM_REAL>& canvas,
-                           Spent& spent);
+                           WorkCounts& spent);
 
 struct Shading {
     int lanes;  // lanes per pack

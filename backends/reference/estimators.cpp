@@ -39,7 +39,7 @@ double Mandelbox::operator()(Vector p, Work& work) const
         z = scale_ * (factor * z) + p;
         k = k * factor * std::abs(scale_) + 1;
     }
-    ++work.estimates;
+    ++work.de_calls;
     work.iterations += static_cast<std::uint64_t>(i);
     return (length(z) - std::abs(scale_ - 1)) / k - remainder_;
 }
@@ -75,7 +75,7 @@ double Mandelbulb::operator()(Vector p, Work& work) const
                 Vector{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)} +
             p;
     }
-    ++work.estimates;
+    ++work.de_calls;
     work.iterations += static_cast<std::uint64_t>(i);
     return 0.5 * std::log(r) * r / dr;
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double far_end = 1000;  // largest t
 constexpr int most_steps = 8000;
-constexpr double stride = 0.95;  // step factor, in distance estimates
+constexpr double step_factor = 0.95;  // step factor, in distance estimates
 // Finds the canonical hit by small steps, because the Mandelbulb's estimate can be five times too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
@@ -40,8 +40,8 @@ Axes axes_of(const Scene& scene)
     axes.right = unit(cross(axes.forward, unit(scene.up)));
     axes.up = cross(axes.right, axes.forward);
     axes.tangent = std::tan(scene.field_of_view * 65 / 2 * std::numbers::pi / 180);
-    axes.width = scene.part.whole_width > 0 ? scene.part.whole_width : scene.width;
-    axes.height = scene.part.whole_height > 0 ? scene.part.whole_height : scene.height;
+    axes.width = scene.crop_window.whole_width > 0 ? scene.crop_window.whole_width : scene.width;
+    axes.height = scene.crop_window.whole_height > 0 ? scene.crop_window.whole_height : scene.height;
     axes.aspect = static_cast<double>(axes.width) / axes.height;
     return axes;
 }
@@ -49,8 +49,8 @@ Axes axes_of(const Scene& scene)
 Vector direction_through(const Scene& scene, const Axes& axes, int i, int j)
 {
     const double within = scene.centred ? 0.5 : 0;  // offset inside the pixel
-    const double u = 2 * (scene.part.left + i + within) / axes.width - 1;
-    const double v = 2 * (scene.part.bottom + j + within) / axes.height - 1;
+    const double u = 2 * (scene.crop_window.left + i + within) / axes.width - 1;
+    const double v = 2 * (scene.crop_window.bottom + j + within) / axes.height - 1;
     if (scene.projection == Projection::equirectangular) {
         const double longitude = std::numbers::pi * u;
         const double latitude = std::numbers::pi / 2 * v;
@@ -91,7 +91,7 @@ public:
         tile.blue[at] = colour.z;
         tile.depth[at] = hit.found ? hit.t : std::numeric_limits<double>::infinity();
         tile.steps[at] = static_cast<int>(work_.steps - before.steps);
-        tile.estimates[at] = static_cast<int>(work_.estimates - before.estimates);
+        tile.de_calls[at] = static_cast<int>(work_.de_calls - before.de_calls);
         tile.iterations[at] = static_cast<int>(work_.iterations - before.iterations);
     }
 
@@ -112,7 +112,7 @@ private:
         do {
             sample = t;
             distance = distance_at(direction, t);
-            t += stride * distance;
+            t += step_factor * distance;
             ++steps;
         } while (distance > t * eps_ && t <= far_end && steps < most_steps);
         return {distance < t * eps_, sample, t * eps_};
@@ -191,7 +191,7 @@ class ReferenceRenderer : public Renderer {
 public:
     explicit ReferenceRenderer(Mode mode) : mode_(mode) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (scene.colouring > 1) {
             throw Unavailable(
@@ -210,7 +210,7 @@ private:
     // The fractals of estimators.h.
     struct Estimator {
         std::string_view fractal;
-        RenderReport (ReferenceRenderer::*draw)(const Scene&, Image&, const Progress&) const;
+        RenderStats (ReferenceRenderer::*draw)(const Scene&, Image&, const Progress&) const;
     };
     static const Estimator* estimator_of(const mandelmarch::Fractal& fractal)
     {
@@ -221,7 +221,7 @@ private:
     }
 
     template <class Fractal>
-    RenderReport draw(const Scene& scene, Image& image, const Progress& progress) const
+    RenderStats draw(const Scene& scene, Image& image, const Progress& progress) const
     {
         const auto start = Clock::now();
         Tracer<Fractal> tracer(scene, mode_);
@@ -238,15 +238,15 @@ private:
             if (progress)
                 progress(std::min(1.0, static_cast<double>(bottom + tile_side - image.first_row()) / image.height()));
         }
-        RenderReport report{.backend = "reference",
-                            .device = this_cpu(),
-                            .precision = Precision::f64,
-                            .mode = mode_,
-                            .threads = 1,
-                            .pack = 1,
-                            .instruction_set = "baseline",
-                            .timings = {},
-                            .work = tracer.work()};
+        RenderStats report{.backend = "reference",
+                           .device = this_cpu(),
+                           .precision = Precision::f64,
+                           .mode = mode_,
+                           .threads = 1,
+                           .pack = 1,
+                           .instruction_set = "baseline",
+                           .timings = {},
+                           .work = tracer.work()};
         report.timings.wall = seconds_since(start);
         report.timings.ran(report.timings.wall);
         return report;
@@ -258,7 +258,7 @@ private:
 class ReferenceBackend : public Backend {
 public:
     std::string_view name() const override { return "reference"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.role = Role::reference,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};

@@ -65,7 +65,7 @@ class SkeletonRenderer : public Renderer {
 public:
     explicit SkeletonRenderer(const RendererOptions& options) : options_(options) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         const skeleton::Kernel* kernel = skeleton::kernel_of(scene.fractal->name);
         if (kernel == nullptr) {
@@ -77,7 +77,7 @@ public:
 
 private:
     template <class Real>
-    RenderReport draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
+    RenderStats draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
     {
         const Clock::time_point start = Clock::now();
         // Capacity of the device's memory, in whole rows.
@@ -86,7 +86,7 @@ private:
         const std::int64_t pixels = std::int64_t{rows} * scene.width;
         BandExecutor<Real> executor(scene, options_, kernel, static_cast<std::size_t>(pixels));
         run_schedule(scene, options_.mode, {.pixels_per_band = pixels}, executor, image, progress);
-        RenderReport report;
+        RenderStats report;
         report.backend = "skeleton";
         report.device = only_device();
         report.precision = options_.precision;
@@ -103,7 +103,7 @@ private:
 class SkeletonBackend : public Backend {
 public:
     std::string_view name() const override { return "skeleton"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

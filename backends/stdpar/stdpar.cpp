@@ -22,14 +22,14 @@ namespace {
 class Stdpar : public job::Model {
 public:
     std::string_view name() const override { return "stdpar"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.threads = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return stdpar::kernels(); }
 
-    job::Opened open(int) const override
+    job::OpenedDevice open(int) const override
     {
         const Device device{.name = cpu_name(),
                             .vendor = cpu_vendor(),
@@ -46,7 +46,7 @@ public:
         const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
         draw();
     }
-    int threads(const RendererOptions& options, const job::Opened& opened) const override
+    int threads(const RendererOptions& options, const job::OpenedDevice& opened) const override
     {
         return options.threads == 0 ? opened.threads : options.threads;
     }

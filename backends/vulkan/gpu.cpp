@@ -15,13 +15,13 @@ constexpr auto look_again = std::chrono::milliseconds(100);
 }  // namespace
 
 Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
-    : physical_(physical), facts_(facts_of(physical)), patience_(device_timeout())
+    : physical_(physical), info_(facts_of(physical)), patience_(device_timeout())
 {
     const auto refuse = [this](const std::string& why) {
         throw Unavailable(fmt::format("backend vulkan: {}: {}", name(), why));
     };
-    if (facts_.properties.apiVersion < VK_API_VERSION_1_1) refuse("knows Vulkan 1.0 only, expected 1.1");
-    if (precision == Precision::f64 && !facts_.has_double)
+    if (info_.properties.apiVersion < VK_API_VERSION_1_1) refuse("knows Vulkan 1.0 only, expected 1.1");
+    if (precision == Precision::f64 && !info_.has_double)
         refuse("has no double (shaderFloat64), --precision float may do");
     const auto families = physical.getQueueFamilyProperties();
     const auto family = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& one) {
@@ -34,7 +34,7 @@ Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
         const float priority = 1;
         const vk::DeviceQueueCreateInfo queue({}, queue_family_, 1, &priority);
         vk::PhysicalDeviceFeatures features;
-        features.shaderFloat64 = facts_.has_double ? 1 : 0;
+        features.shaderFloat64 = info_.has_double ? 1 : 0;
         device_ = physical.createDevice(vk::DeviceCreateInfo({}, queue, {}, {}, &features));
         queue_ = device_.getQueue(queue_family_, 0);
         pool_ = device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queue_family_});
@@ -115,7 +115,7 @@ std::optional<double> Gpu::device_seconds() const
     const auto notes =
         clock_.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), flags).second;
     const std::uint64_t ticks = (notes[1] - notes[0]) & clock_mask_;
-    return 1e-9 * facts_.properties.limits.timestampPeriod * static_cast<double>(ticks);
+    return 1e-9 * info_.properties.limits.timestampPeriod * static_cast<double>(ticks);
 }
 
 Took Gpu::finish(const std::string& doing)

@@ -32,8 +32,8 @@ public:
     // Throws Unavailable if the device lacks a feature required for `precision`.
     Gpu(const vk::raii::PhysicalDevice& physical, Precision precision);
 
-    const Facts& facts() const { return facts_; }
-    const std::string& name() const { return facts_.device.name; }
+    const DeviceInfo& info() const { return info_; }
+    const std::string& name() const { return info_.device.name; }
     const vk::raii::Device& device() const { return device_; }
 
     // Makes a buffer for shaders and copies. `what` is its name in messages.
@@ -57,7 +57,7 @@ private:
     std::optional<double> device_seconds() const;
 
     const vk::raii::PhysicalDevice& physical_;
-    Facts facts_;
+    DeviceInfo info_;
     std::chrono::duration<double> patience_;
     std::uint32_t queue_family_ = 0;
     vk::raii::Device device_ = nullptr;

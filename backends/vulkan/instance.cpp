@@ -93,20 +93,20 @@ Instance::Instance() : context_(open_loader()), instance_(open_instance(context_
                              [](const auto& physical) { return rank_of(physical.getProperties().deviceType); });
 }
 
-Facts facts_of(const vk::raii::PhysicalDevice& physical)
+DeviceInfo facts_of(const vk::raii::PhysicalDevice& physical)
 {
-    Facts facts;
-    facts.properties = physical.getProperties();
-    const auto& properties = facts.properties;
-    facts.has_double = physical.getFeatures().shaderFloat64 != 0;
-    facts.shares_memory = properties.deviceType == vk::PhysicalDeviceType::eCpu ||
-                          properties.deviceType == vk::PhysicalDeviceType::eIntegratedGpu;
-    facts.device = {.name = text_of(properties.deviceName),
-                    .vendor = vendor_name(properties.vendorID),
-                    .driver = fmt::format("driver {:#x}", properties.driverVersion),
-                    .is_gpu = rank_of(properties.deviceType) < 3};
-    if (properties.apiVersion < VK_API_VERSION_1_1) return facts;
-    facts.largest_allocation =
+    DeviceInfo info;
+    info.properties = physical.getProperties();
+    const auto& properties = info.properties;
+    info.has_double = physical.getFeatures().shaderFloat64 != 0;
+    info.shares_memory = properties.deviceType == vk::PhysicalDeviceType::eCpu ||
+                         properties.deviceType == vk::PhysicalDeviceType::eIntegratedGpu;
+    info.device = {.name = text_of(properties.deviceName),
+                   .vendor = vendor_name(properties.vendorID),
+                   .driver = fmt::format("driver {:#x}", properties.driverVersion),
+                   .is_gpu = rank_of(properties.deviceType) < 3};
+    if (properties.apiVersion < VK_API_VERSION_1_1) return info;
+    info.largest_allocation =
         physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>()
             .get<vk::PhysicalDeviceMaintenance3Properties>()
             .maxMemoryAllocationSize;
@@ -115,16 +115,16 @@ Facts facts_of(const vk::raii::PhysicalDevice& physical)
             physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>()
                 .get<vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>();
         constexpr std::int64_t warp = 32;
-        facts.most_invocations = warp * held.shaderSMCount * held.shaderWarpsPerSM;
+        info.most_invocations = warp * held.shaderSMCount * held.shaderWarpsPerSM;
     }
     if (properties.apiVersion >= VK_API_VERSION_1_2 ||
         has_extension(physical, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
-        facts.device.driver = fmt::format("{} {}", text_of(driver.driverName), text_of(driver.driverInfo));
-        facts.counts_loops = driver.driverID == vk::DriverId::eMesaLlvmpipe;
+        info.device.driver = fmt::format("{} {}", text_of(driver.driverName), text_of(driver.driverInfo));
+        info.counts_loops = driver.driverID == vk::DriverId::eMesaLlvmpipe;
     }
-    return facts;
+    return info;
 }
 
 std::string describe(const vk::SystemError& error)

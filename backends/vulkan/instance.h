@@ -26,7 +26,7 @@ private:
 };
 
 // Properties of a physical device.
-struct Facts {
+struct DeviceInfo {
     Device device;
     vk::PhysicalDeviceProperties properties;
     vk::DeviceSize largest_allocation = 0;  // bytes
@@ -35,7 +35,7 @@ struct Facts {
     bool shares_memory = false;  // uses the host's memory
     bool counts_loops = false;   // lavapipe: an invocation silently ends after about 65,535 loop iterations
 };
-Facts facts_of(const vk::raii::PhysicalDevice& physical);
+DeviceInfo facts_of(const vk::raii::PhysicalDevice& physical);
 
 // Returns a short description: "device lost", "out of device memory".
 std::string describe(const vk::SystemError& error);

@@ -138,7 +138,7 @@ void main()
         reals[pixel + 2 * pass.pixels] = done.colour.z;
         reals[pixel + 3 * pass.pixels] = done.depth;
         wholes[pixel] = steps_or_cut_off(done.steps);
-        wholes[pixel + pass.pixels] = done.estimates;
+        wholes[pixel + pass.pixels] = done.de_calls;
         wholes[pixel + 2 * pass.pixels] = done.iterations;
     } else {
         hit.steps = steps_or_cut_off(hit.steps);

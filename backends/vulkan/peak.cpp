@@ -23,7 +23,7 @@ static_assert(rounds_per_pass < counted_loops / 2);
 template <class Real>
 double measured(Gpu& gpu, Workbench& bench, Precision precision)
 {
-    const int items = gpu.facts().device.is_gpu ? gpu_items : cpu_items;
+    const int items = gpu.info().device.is_gpu ? gpu_items : cpu_items;
     bench.program = std::make_unique<Program>(gpu, module_named(fmt::format("peak_{}_fast", name_of(precision))), 2);
     bench.buffers.push_back(gpu.make_buffer(sizeof(Real) * items, Place::device, "sums"));
     bench.buffers.push_back(gpu.make_buffer(2 * sizeof(Real), Place::host, "two numbers"));

@@ -83,7 +83,7 @@ bool is_of(const vk::PhysicalDeviceProperties& device, const Bytes& content)
 
 PipelineCache::PipelineCache(const Gpu& gpu, Module module)
 {
-    const auto& properties = gpu.facts().properties;
+    const auto& properties = gpu.info().properties;
     if (const std::string folder = cache_folder(); !folder.empty()) {
         std::string uuid;
         for (const std::uint8_t byte : properties.pipelineCacheUUID) uuid += fmt::format("{:02x}", byte);

@@ -94,7 +94,7 @@ std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision)
     std::vector<std::string> endings{""};
     if (is_float) endings.insert(endings.end(), {"_corrected", "_pinned"});
     for (const std::string& ending : endings) {
-        if (ending == "_pinned" && !gpu.facts().has_double) continue;
+        if (ending == "_pinned" && !gpu.info().has_double) continue;
         const std::string module = fmt::format("probe_{}_exact{}", name_of(precision), ending);
         switch (is_float ? probed<float>(gpu, bench, module) : probed<double>(gpu, bench, module)) {
             case Found::nothing: return ending;

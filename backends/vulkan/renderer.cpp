@@ -54,10 +54,10 @@ public:
         context_ = seconds_since(start);
     }
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (session_ == nullptr) throw Error("backend vulkan: the device did not answer before and was given up");
-        RenderReport report;
+        RenderStats report;
         guarded([&] {
             report = options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
                                                           : render_as<double>(scene, image, progress);
@@ -83,23 +83,23 @@ private:
     }
 
     template <class Real>
-    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        const Limits limits = limits_of(gpu.facts(), sizeof(Real), options_.band);
+        const Limits limits = limits_of(gpu.info(), sizeof(Real), options_.band);
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
-        RenderReport report{.backend = "vulkan",
-                            .device = gpu.facts().device,
-                            .precision = options_.precision,
-                            .mode = options_.mode,
-                            // lavapipe does not report its number of threads, but names each of them.
-                            .threads = gpu.facts().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
-                            .instruction_set = instruction_set_,
-                            .timings = {},
-                            .work = {}};
+        RenderStats report{.backend = "vulkan",
+                           .device = gpu.info().device,
+                           .precision = options_.precision,
+                           .mode = options_.mode,
+                           // lavapipe does not report its number of threads, but names each of them.
+                           .threads = gpu.info().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
+                           .instruction_set = instruction_set_,
+                           .timings = {},
+                           .work = {}};
         Timings& timings = report.timings;
         timings.context = context_;
         if (loaded_ != scene.fractal->name) {
@@ -140,7 +140,7 @@ private:
         auto& buffers = session_->bench.buffers;
         if (held_ < pixels) {
             const Gpu& gpu = session_->gpu;
-            const bool shared = gpu.facts().shares_memory;
+            const bool shared = gpu.info().shares_memory;
             const vk::DeviceSize size = Bands::results_size(pixels);
             held_ = 0;
             buffers.clear();

@@ -15,7 +15,7 @@ namespace {
 class VulkanBackend : public Backend {
 public:
     std::string_view name() const override { return "vulkan"; }
-    Facts facts() const override
+    BackendInfo info() const override
     {
         return {.has_driver = true,
                 .band = true,

@@ -15,7 +15,7 @@
 #include "core/base/console.h"
 #include "core/base/cores.h"
 #include "core/base/text.h"
-#include "core/scene/number.h"
+#include "core/base/number.h"
 
 namespace mandelmarch {
 

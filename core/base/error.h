@@ -8,7 +8,7 @@
 namespace mandelmarch {
 
 enum ExitCode : int {
-    exit_fine = 0,
+    exit_success = 0,
     exit_failure = 1,      // a mismatch, or a failure while running (such as a full disk)
     exit_usage = 2,        // wrong arguments or a bad input file
     exit_unavailable = 77  // the backend or its device is not available

@@ -15,7 +15,7 @@ std::size_t Image::bytes_per_pixel(Layers layers) { return layers == Layers::byt
 template <class Real>
 Planes<Real> planes_of(const Tile<Real>& tile)
 {
-    return {tile.red, tile.green, tile.blue, tile.depth, tile.steps, tile.estimates, tile.iterations, tile_side};
+    return {tile.red, tile.green, tile.blue, tile.depth, tile.steps, tile.de_calls, tile.iterations, tile_side};
 }
 
 template <class Real>

@@ -11,6 +11,8 @@
 
 namespace mandelmarch {
 
+inline constexpr int max_side = 65535;  // of a picture, pixels
+
 // A pixel as computed by a backend.
 struct PixelValue {
     double red = 0, green = 0, blue = 0;  // 0 to 1, as displayed
@@ -28,7 +30,7 @@ struct Planes {
     const Real* blue;
     const Real* depth;  // +infinity: no hit
     const int* steps;
-    const int* estimates;
+    const int* de_calls;
     const int* iterations;
     std::size_t stride;  // pixels
 };

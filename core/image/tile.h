@@ -19,7 +19,7 @@ struct Tile {
     Real blue[tile_pixels];
     Real depth[tile_pixels];  // +infinity: no hit
     int steps[tile_pixels];
-    int estimates[tile_pixels];
+    int de_calls[tile_pixels];
     int iterations[tile_pixels];
 };
 

@@ -14,12 +14,12 @@ requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
 {
     auto& [fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-           brightness, image_file, conservative, smooth, centred, projection, sun, limits, part] = scene;
-    auto& [stride, root_share] = limits;
-    auto& [left, bottom, whole_width, whole_height] = part;
+           brightness, image_file, conservative, smooth, centred, projection, sun, limits, crop_window] = scene;
+    auto& [step_factor, root_share] = limits;
+    auto& [left, bottom, whole_width, whole_height] = crop_window;
     archive(fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-            brightness, image_file, conservative, smooth, centred, projection, sun, stride, root_share, left, bottom,
-            whole_width, whole_height);
+            brightness, image_file, conservative, smooth, centred, projection, sun, step_factor, root_share, left,
+            bottom, whole_width, whole_height);
 }
 
 template <class Archive, class DeviceOrConst>
@@ -39,14 +39,14 @@ void transfer(Archive& archive, ResourcesOrConst& resources)
 }
 
 template <class Archive, class ReportOrConst>
-requires std::is_same_v<std::remove_const_t<ReportOrConst>, RenderReport>
+requires std::is_same_v<std::remove_const_t<ReportOrConst>, RenderStats>
 void transfer(Archive& archive, ReportOrConst& report)
 {
-    auto& [backend, device, precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work,
+    auto& [backend, device, precision, mode, threads, pack, instruction_set, step_factor, unsettled, timings, work,
            kernels] = report;
     archive(backend);
     transfer(archive, device);
-    archive(precision, mode, threads, pack, instruction_set, stride, unsettled, timings, work, kernels);
+    archive(precision, mode, threads, pack, instruction_set, step_factor, unsettled, timings, work, kernels);
 }
 
 // Requests of a program to a device process: arguments -> response.

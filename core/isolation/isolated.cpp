@@ -8,7 +8,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
-#include "core/isolation/process.h"
+#include "core/isolation/device_process.h"
 #include "core/isolation/shared_memory.h"
 #include "core/isolation/worker.h"
 
@@ -20,26 +20,26 @@ using namespace isolation;
 // A device: its process, while a renderer uses it, and the shared memory for its pictures.
 class Host {
 public:
-    Host(std::shared_ptr<const Nursery> nursery, std::string name)
-        : nursery_(std::move(nursery)), name_(std::move(name))
+    Host(std::shared_ptr<const ForkServer> fork_server, std::string name)
+        : fork_server_(std::move(fork_server)), name_(std::move(name))
     {
     }
 
     // Returns the running process, or starts one. Throws Error if the device was given up.
-    std::shared_ptr<Process> process()
+    std::shared_ptr<DeviceProcess> process()
     {
         const std::scoped_lock lock(mutex_);
         if (!given_up_.empty()) throw Error(given_up_);
         auto found = process_.lock();
         if (found == nullptr || found->has_ended()) {
-            process_ = found = std::make_shared<Process>(nursery_, name_);
+            process_ = found = std::make_shared<DeviceProcess>(fork_server_, name_);
             memory_.reset();
         }
         return found;
     }
 
     // Renders a picture as specified by `request`. Renderers of one device take turns.
-    RenderReport draw(Process& process, const Writer& request, Image& image, const Progress& progress)
+    RenderStats draw(DeviceProcess& process, const Serializer& request, Image& image, const Progress& progress)
     {
         const std::scoped_lock lock(drawing_);
         const auto layers = image.has_values() ? Image::Layers::all : Image::Layers::bytes;
@@ -49,8 +49,8 @@ public:
             memory_.reset();
             memory_ = std::make_unique<SharedMemory>(size);
         }
-        Reader answer = process.ask(request, "drawing", fits ? -1 : memory_->descriptor(), progress);
-        RenderReport report;
+        Deserializer answer = process.ask(request, "drawing", fits ? -1 : memory_->descriptor(), progress);
+        RenderStats report;
         transfer(answer, report);
         copy_shared(*memory_, image);
         return report;
@@ -74,9 +74,9 @@ public:
 private:
     static constexpr std::size_t most_spare = 64;  // max ratio of the memory to the size needed
 
-    std::shared_ptr<const Nursery> nursery_;
+    std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;
-    std::weak_ptr<Process> process_;
+    std::weak_ptr<DeviceProcess> process_;
     std::unique_ptr<SharedMemory> memory_;  // also mapped by the process
     std::string given_up_;                  // reason; empty: in use
     std::atomic<int> numbers_ = 0;          // of renderers
@@ -95,17 +95,17 @@ public:
     ~IsolatedRenderer() override
     {
         if (process_ == nullptr) return;
-        Writer request;
+        Serializer request;
         request(Request::release, number_);
         process_->tell(request);
     }
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         return host_->guarded([&] {
             // A crash, possibly in another renderer's call, has ended the process.
             if (process_->has_ended()) create();
-            Writer request;
+            Serializer request;
             request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
                     image.first_row(), image.height());
             transfer(request, scene);
@@ -117,7 +117,7 @@ private:
     void create()
     {
         process_ = host_->process();
-        Writer request;
+        Serializer request;
         request(Request::create, number_, options_);
         process_->ask(request, "opening the device");
     }
@@ -125,19 +125,19 @@ private:
     std::shared_ptr<Host> host_;
     RendererOptions options_;
     int number_;
-    std::shared_ptr<Process> process_;
+    std::shared_ptr<DeviceProcess> process_;
 };
 
 class IsolatedBackend : public Backend {
 public:
     explicit IsolatedBackend(std::unique_ptr<Backend> backend)
         : backend_(std::move(backend)),
-          nursery_(std::make_shared<Nursery>([this](const Channel& channel) { serve(*backend_, channel); }))
+          fork_server_(std::make_shared<ForkServer>([this](const Channel& channel) { serve(*backend_, channel); }))
     {
     }
 
     std::string_view name() const override { return backend_->name(); }
-    Facts facts() const override { return backend_->facts(); }
+    BackendInfo info() const override { return backend_->info(); }
     std::vector<InstalledDriver> installed_drivers() const override { return backend_->installed_drivers(); }
 
     std::optional<std::string> unavailable() const override
@@ -159,9 +159,9 @@ public:
     {
         const auto device = host(options.device);
         return device->guarded([&] {
-            Writer request;
+            Serializer request;
             request(Request::peak, options);
-            Reader answer = device->process()->ask(request, "measuring the multiply-add peak");
+            Deserializer answer = device->process()->ask(request, "measuring the multiply-add peak");
             const bool known = answer.take<bool>();
             const auto rate = answer.take<double>();
             return known ? std::optional(rate) : std::nullopt;
@@ -182,10 +182,10 @@ private:
         if (!listing_) {
             Listing& found = listing_.emplace();
             try {
-                Process process(nursery_, fmt::format("backend {}", name()));
-                Writer request;
+                DeviceProcess process(fork_server_, fmt::format("backend {}", name()));
+                Serializer request;
                 request(Request::list);
-                Reader answer = process.ask(request, "listing devices");
+                Deserializer answer = process.ask(request, "listing devices");
                 answer(found.unavailable, found.devices);
             } catch (const Error& error) {
                 found.failure = error.what();
@@ -200,13 +200,13 @@ private:
         const std::scoped_lock lock(mutex_);
         std::shared_ptr<Host>& found = hosts_[device];
         if (found == nullptr) {
-            found = std::make_shared<Host>(nursery_, fmt::format("backend {}: device {}", name(), device));
+            found = std::make_shared<Host>(fork_server_, fmt::format("backend {}: device {}", name(), device));
         }
         return found;
     }
 
     std::unique_ptr<Backend> backend_;
-    std::shared_ptr<const Nursery> nursery_;
+    std::shared_ptr<const ForkServer> fork_server_;
     mutable std::mutex mutex_;
     mutable std::optional<Listing> listing_;
     mutable std::map<int, std::shared_ptr<Host>> hosts_;

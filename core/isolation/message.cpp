@@ -3,7 +3,7 @@
 
 namespace mandelmarch::isolation {
 
-const char* Reader::advance(std::size_t size)
+const char* Deserializer::advance(std::size_t size)
 {
     if (size > bytes_.size() - at_) throw Error("a message of a device's process is too short");
     at_ += size;

@@ -12,7 +12,7 @@
 
 namespace mandelmarch::isolation {
 
-class Writer {
+class Serializer {
 public:
     template <class... Values>
     void operator()(const Values&... values)
@@ -45,9 +45,9 @@ private:
 };
 
 // Throws Error if the message ends too early.
-class Reader {
+class Deserializer {
 public:
-    explicit Reader(std::string bytes) : bytes_(std::move(bytes)) {}
+    explicit Deserializer(std::string bytes) : bytes_(std::move(bytes)) {}
 
     template <class... Values>
     void operator()(Values&... values)

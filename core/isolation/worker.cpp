@@ -20,7 +20,7 @@ public:
     // Returns false after the last request.
     bool answer(Packet& asked)
     {
-        Reader request(std::move(asked.bytes));
+        Deserializer request(std::move(asked.bytes));
         if (asked.descriptor.number() >= 0) memory_ = std::make_unique<SharedMemory>(std::move(asked.descriptor));
         const auto kind = request.take<Request>();
         if (kind == Request::release) {
@@ -29,7 +29,7 @@ public:
         }
         if (kind == Request::cancel) return true;  // too late
         try {
-            Writer made;
+            Serializer made;
             made(Answer::done);
             carry_out(kind, request, made);
             return channel_.send(made.bytes());
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    void carry_out(Request kind, Reader& request, Writer& made)
+    void carry_out(Request kind, Deserializer& request, Serializer& made)
     {
         switch (kind) {
             case Request::list: return list(made);
@@ -68,13 +68,13 @@ private:
         }
     }
 
-    void list(Writer& made) const
+    void list(Serializer& made) const
     {
         const auto why = backend_.unavailable();
         made(why.value_or(std::string()), why ? std::vector<Device>() : backend_.devices());
     }
 
-    void render(Reader& request, Writer& made)
+    void render(Deserializer& request, Serializer& made)
     {
         Renderer& renderer = *renderers_.at(request.take<int>());
         const auto layers = request.take<Image::Layers>();
@@ -86,8 +86,8 @@ private:
             throw Error("a device's process has no memory for its picture");
         }
         SharedImage shared(*memory_, scene.width, rows, layers, first_row);
-        const RenderReport report = renderer.render(scene, shared.image, [&](double share) {
-            Writer progress;
+        const RenderStats report = renderer.render(scene, shared.image, [&](double share) {
+            Serializer progress;
             progress(Answer::progress, share);
             channel_.send(progress.bytes());
             // During a render the only possible request is to cancel.
@@ -101,7 +101,7 @@ private:
 
     bool refuse(Answer kind, const std::string& why) const
     {
-        Writer made;
+        Serializer made;
         made(kind, printable(why));
         return channel_.send(made.bytes());
     }
@@ -118,7 +118,7 @@ void serve(const Backend& backend, const Channel& channel)
 {
     Worker worker(backend, channel);
     for (auto asked = channel.receive(); asked && worker.answer(*asked);) asked = channel.receive();
-    std::_Exit(exit_fine);  // without cleaning up, which makes some drivers crash or hang
+    std::_Exit(exit_success);  // without cleaning up, which makes some drivers crash or hang
 }
 
 }  // namespace mandelmarch::isolation

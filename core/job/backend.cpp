@@ -23,7 +23,7 @@ constexpr std::align_val_t alignment{64};
 
 class JobRenderer : public Renderer {
 public:
-    JobRenderer(std::shared_ptr<const Model> model, const RendererOptions& options, Opened opened, double context)
+    JobRenderer(std::shared_ptr<const Model> model, const RendererOptions& options, OpenedDevice opened, double context)
         : model_(std::move(model)),
           options_(options),
           opened_(std::move(opened)),
@@ -43,7 +43,7 @@ public:
     JobRenderer(const JobRenderer&) = delete;
     JobRenderer& operator=(const JobRenderer&) = delete;
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         return options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
                                                     : render_as<double>(scene, image, progress);
@@ -51,20 +51,20 @@ public:
 
 private:
     template <class Real>
-    RenderReport render_as(const Scene& scene, Image& image, const Progress& progress)
+    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
-        RenderReport report{.backend = std::string(model_->name()),
-                            .device = opened_.device,
-                            .precision = options_.precision,
-                            .mode = options_.mode,
-                            .threads = model_->threads(options_, opened_),
-                            .pack = 1,
-                            .instruction_set = opened_.instruction_set,
-                            .timings = {},
-                            .work = {}};
+        RenderStats report{.backend = std::string(model_->name()),
+                           .device = opened_.device,
+                           .precision = options_.precision,
+                           .mode = options_.mode,
+                           .threads = model_->threads(options_, opened_),
+                           .pack = 1,
+                           .instruction_set = opened_.instruction_set,
+                           .timings = {},
+                           .work = {}};
         timed(report.timings.wall, [&] {
             model_->run(options_, [&] {
-                const Launch launch = launch_of(scene);
+                const DrawKernel launch = launch_of(scene);
                 if (!built_.contains(launch)) {
                     timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
                 }
@@ -83,10 +83,10 @@ private:
         return report;
     }
 
-    Launch launch_of(const Scene& scene) const
+    DrawKernel launch_of(const Scene& scene) const
     {
         const std::string fractal(scene.fractal->name);
-        const Launch launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
+        const DrawKernel launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
         if (launch == nullptr) {
             throw Unavailable(
                 fmt::format("backend {}: this build has no kernel of the fractal '{}'", model_->name(), fractal));
@@ -117,9 +117,9 @@ private:
 
     std::shared_ptr<const Model> model_;
     RendererOptions options_;
-    Opened opened_;
+    OpenedDevice opened_;
     double context_;  // seconds
-    std::map<Launch, std::vector<KernelResources>> built_;
+    std::map<DrawKernel, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
 };
 
@@ -128,11 +128,11 @@ public:
     explicit JobBackend(std::unique_ptr<Model> model) : model_(std::move(model)) {}
 
     std::string_view name() const override { return model_->name(); }
-    Facts facts() const override
+    BackendInfo info() const override
     {
-        Facts facts = model_->facts();
-        facts.band = true;
-        return facts;
+        BackendInfo info = model_->info();
+        info.band = true;
+        return info;
     }
     std::optional<std::string> unavailable() const override { return model_->unavailable(); }
 
@@ -169,7 +169,7 @@ public:
 
 private:
     struct OpenedInTime {
-        Opened opened;
+        OpenedDevice opened;
         double seconds = 0;
     };
 

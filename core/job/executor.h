@@ -30,15 +30,15 @@ void timed(double& seconds, const Call& call)
 
 // A buffer that grows and is reused between pictures. Must be used and destroyed inside Model::run().
 template <auto take, auto give>
-class Kept {
+class GrowingBuffer {
 public:
-    explicit Kept(const Model& model) : model_(model) {}
-    ~Kept()
+    explicit GrowingBuffer(const Model& model) : model_(model) {}
+    ~GrowingBuffer()
     {
         if (address_ != nullptr) (model_.*give)(address_);
     }
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
+    GrowingBuffer(const GrowingBuffer&) = delete;
+    GrowingBuffer& operator=(const GrowingBuffer&) = delete;
 
     // Throws Error if memory is exhausted.
     void* of_size(std::size_t bytes)
@@ -61,8 +61,8 @@ private:
     std::size_t size_ = 0;  // bytes
 };
 
-using DeviceMemory = Kept<&Model::allocate, &Model::release>;
-using Staging = Kept<&Model::allocate_staging, &Model::release_staging>;
+using DeviceMemory = GrowingBuffer<&Model::allocate, &Model::release>;
+using Staging = GrowingBuffer<&Model::allocate_staging, &Model::release_staging>;
 
 // Buffers of a renderer.
 struct Memory {
@@ -84,7 +84,7 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Model& model, const Opened& opened, Memory& memory, Launch launch, const Scene& scene,
+    BandExecutor(const Model& model, const OpenedDevice& opened, Memory& memory, DrawKernel launch, const Scene& scene,
                  const RendererOptions& options, std::int64_t pixels, bool bytes_alone, Timings& timings)
         : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
@@ -155,15 +155,15 @@ private:
         constexpr std::int64_t most = 8;
         const std::int64_t waves_left = waves_of_band / most;
         const std::int64_t waves = waves_of_band * pixels / opened_.pixels_per_band;
-        return opened_.lanes_refill ? static_cast<int>(std::clamp<std::int64_t>(waves / waves_left, 1, most)) : 1;
+        return opened_.refill_lanes ? static_cast<int>(std::clamp<std::int64_t>(waves / waves_left, 1, most)) : 1;
     }
 
     const Model& model_;
-    const Opened& opened_;
+    const OpenedDevice& opened_;
     Memory& memory_;
     Timings& timings_;
-    Launch launch_;
-    Job<KernelScene<Real>, Real> job_{};
+    DrawKernel launch_;
+    KernelArguments<KernelScene<Real>, Real> job_{};
     void* job_on_device_ = nullptr;
     Work work_;
 };

@@ -7,7 +7,7 @@ namespace mandelmarch::job {
 // Arguments of a launch: rows [first_row, first_row + rows) of the picture. Resides on the device, as do the planes,
 // which have the layout of planes_of() in core/image/image.h. Scene is the kernel's type.
 template <class Scene, class Real>
-struct Job {
+struct KernelArguments {
     Scene scene;
     Real* reals;
     int* wholes;
@@ -19,7 +19,7 @@ struct Job {
 };
 
 // Renders width x rows pixels; `job` is an address on the device.
-using Launch = void (*)(const void* job, int width, int rows);
+using DrawKernel = void (*)(const void* job, int width, int rows);
 
 // Runs core/kernel/peak.h on `threads` threads; `sums` has one number per thread, on the device.
 using Chains = void (*)(void* sums, int threads, double a, double b, int rounds);

@@ -18,21 +18,21 @@
 namespace mandelmarch::job {
 
 // An opened device.
-struct Opened {
+struct OpenedDevice {
     Device device = {};
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
     // Threads march several pixels each, if the fractal uses refill. Requires that pixels_per_band is waves_of_band
     // times the resident threads.
-    bool lanes_refill = false;
+    bool refill_lanes = false;
     int peak_threads = 1 << 7;  // threads that keep it busy with multiply-adds; a multiple of block_threads
     std::string note = {};      // warning printed when a renderer is created on this device; may be empty
 };
 
 // The kernels. mandelmarch_job_kernels (cmake/JobKernels.cmake) generates both functions, in the model's namespace.
 struct Kernels {
-    Launch (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
+    DrawKernel (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
     Chains (*chains)(Precision precision);
 };
 
@@ -42,7 +42,7 @@ public:
 
     // As the functions of Backend with these names.
     virtual std::string_view name() const = 0;
-    virtual Facts facts() const = 0;
+    virtual BackendInfo info() const = 0;
     virtual std::optional<std::string> unavailable() const { return std::nullopt; }
 
     virtual Kernels kernels() const = 0;
@@ -51,7 +51,7 @@ public:
     virtual int devices() const { return 1; }
 
     // Called once per device; its duration is part of Timings::context.
-    virtual Opened open(int index) const = 0;
+    virtual OpenedDevice open(int index) const = 0;
 
     // Calls `draw` in a thread that uses the device, with the number of threads of the options.
     virtual void run(const RendererOptions& options, const std::function<void()>& draw) const
@@ -60,7 +60,7 @@ public:
         draw();
     }
     // Returns the number of threads that run() uses.
-    virtual int threads(const RendererOptions& options, const Opened& opened) const
+    virtual int threads(const RendererOptions& options, const OpenedDevice& opened) const
     {
         static_cast<void>(options);
         return opened.threads;
@@ -71,7 +71,7 @@ public:
 
     // Prepares the kernels of a launch on the calling thread's device, before its first launch; its duration is part of
     // Timings::build. Returns the kernels' resources, if the driver reports them.
-    virtual std::vector<KernelResources> build(Launch launch) const
+    virtual std::vector<KernelResources> build(DrawKernel launch) const
     {
         static_cast<void>(launch);
         return {};

@@ -21,7 +21,7 @@ constexpr int canonical = 0;
 // For scenes without tetrahedron normals (2).
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
-using Job = mandelmarch::job::Job<Scene, MM_REAL>;
+using KernelArguments = mandelmarch::job::KernelArguments<Scene, MM_REAL>;
 
 // Hides the value from the optimiser, so that expressions of it are recomputed, not kept in registers. Registers limit
 // the resident threads of a GPU; short-lived values are therefore reloaded from the job each time.
@@ -33,7 +33,7 @@ using Job = mandelmarch::job::Job<Scene, MM_REAL>;
 #endif
 #endif
 
-FN Scene fixed_scene(const Job* job)
+FN Scene fixed_scene(const KernelArguments* job)
 {
     Scene scene = job->scene;
     scene.canonical = canonical;
@@ -41,18 +41,18 @@ FN Scene fixed_scene(const Job* job)
     return scene;
 }
 
-FN void put_pixel(const Job* job, int at, int pixels, Pixel pixel)
+FN void put_pixel(const KernelArguments* job, int at, int pixels, Pixel pixel)
 {
     job->reals[at] = pixel.colour.x;
     job->reals[at + pixels] = pixel.colour.y;
     job->reals[at + 2 * pixels] = pixel.colour.z;
     job->reals[at + 3 * pixels] = pixel.depth;
     job->wholes[at] = pixel.steps;
-    job->wholes[at + pixels] = pixel.estimates;
+    job->wholes[at + pixels] = pixel.de_calls;
     job->wholes[at + 2 * pixels] = pixel.iterations;
 }
 
-FN void put_bytes(const Job* job, int at, real red, real green, real blue)
+FN void put_bytes(const KernelArguments* job, int at, real red, real green, real blue)
 {
     unsigned char* bytes = job->bytes + 3 * static_cast<long>(at);
     bytes[0] = static_cast<unsigned char>(byte_of(red));
@@ -61,7 +61,7 @@ FN void put_bytes(const Job* job, int at, real red, real green, real blue)
 }
 
 // Renders the pixel with this index in the job's planes, on a core.
-FN void draw_pixel(const Job* job, int at)
+FN void draw_pixel(const KernelArguments* job, int at)
 {
     Scene scene = fixed_scene(job);
     const int y = at / scene.width;
@@ -74,14 +74,14 @@ FN void draw_pixel(const Job* job, int at)
 }
 
 // Loads the scene from memory at this point of the program.
-FN Scene scene_of(const Job* job)
+FN Scene scene_of(const KernelArguments* job)
 {
     MM_ANEW(job);
     return fixed_scene(job);
 }
 
 // The same for marching, which in exact mode does not depend on the source of normals.
-FN Scene march_scene_of(const Job* job)
+FN Scene march_scene_of(const KernelArguments* job)
 {
     Scene scene = scene_of(job);
     if (canonical == 0) scene.differences = differences;
@@ -97,7 +97,7 @@ struct Place {
     int pixels;  // pixels of a plane
 };
 
-FN Place place_of(const Job* job, int thread)
+FN Place place_of(const KernelArguments* job, int thread)
 {
     constexpr int warp_width = mandelmarch::job::warp_width;
     constexpr int warp_height = mandelmarch::job::warp_height;
@@ -116,7 +116,7 @@ FN Place place_of(const Job* job, int thread)
     return place;
 }
 
-FN Ray begun(const Job* job, Place place)
+FN Ray begun(const KernelArguments* job, Place place)
 {
     const real* column = job->camera + place.x;
     const real* row = job->camera + (2 * job->scene.width + job->first_row + place.y);
@@ -127,7 +127,7 @@ FN Ray begun(const Job* job, Place place)
 }
 
 // Stores a stopped ray in its pixel's planes, for shade_pixel().
-FN void put_ray(const Job* job, Place place, Ray ray)
+FN void put_ray(const KernelArguments* job, Place place, Ray ray)
 {
     // The original stepping needs t, refinement the estimate before the hit.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
@@ -135,17 +135,17 @@ FN void put_ray(const Job* job, Place place, Ray ray)
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
     job->reals[place.at + 3 * place.pixels] = ray.before_t;
     job->wholes[place.at] = ray.steps;
-    job->wholes[place.at + place.pixels] = ray.estimates;
+    job->wholes[place.at + place.pixels] = ray.de_calls;
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
 // Not in exact mode: fewer lanes wait there, and the loop's registers reduce a GPU's resident threads.
-#if defined(MM_LANES_WAIT) && defined(MM_MODE_fast)
+#if defined(MM_REFILL_LANES) && defined(MM_MODE_fast)
 // Steps of a warp between refills; during a refill all its lanes wait.
 constexpr int steps_of_round = 4;
 
 // Returns the indices of a launch; a warp takes 32 at once, as in blocks_of() in core/job/job.h.
-FN int places_of(const Job* job)
+FN int places_of(const KernelArguments* job)
 {
     constexpr int warp_width = mandelmarch::job::warp_width;
     constexpr int warp_height = mandelmarch::job::warp_height;
@@ -156,7 +156,7 @@ FN int places_of(const Job* job)
 }
 
 // Returns the distance between the indices of a thread, a multiple of the block size.
-FN int stride_of(const Job* job)
+FN int stride_of(const KernelArguments* job)
 {
     constexpr int block_threads = mandelmarch::job::block_threads;
     const int threads = (places_of(job) + job->pixels_of_thread - 1) / job->pixels_of_thread;
@@ -164,7 +164,7 @@ FN int stride_of(const Job* job)
 }
 
 // Returns the thread's first index from `at` on that is inside; places_of() or more if none is.
-FN int next_inside(const Job* job, int at)
+FN int next_inside(const KernelArguments* job, int at)
 {
     while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
     return at;
@@ -173,7 +173,7 @@ FN int next_inside(const Job* job, int at)
 // Marches the rays of the thread's indices until they stop, with refill: a lane whose ray has stopped begins the ray of
 // its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
 // 2009). Threads from stride_of() on have no indices.
-FN void march_pixel(const Job* job, int thread)
+FN void march_pixel(const KernelArguments* job, int thread)
 {
     if (thread >= stride_of(job)) return;
     int at = next_inside(job, thread);
@@ -192,7 +192,7 @@ FN void march_pixel(const Job* job, int thread)
 }
 #else
 // Marches the ray until it stops.
-FN void march_pixel(const Job* job, int thread)
+FN void march_pixel(const KernelArguments* job, int thread)
 {
     const Place place = place_of(job, thread);
     if (!place.inside) return;
@@ -202,7 +202,7 @@ FN void march_pixel(const Job* job, int thread)
 }
 #endif
 
-FN void shade_pixel(const Job* job, int thread)
+FN void shade_pixel(const KernelArguments* job, int thread)
 {
     Place place = place_of(job, thread);
     if (!place.inside) return;
@@ -213,7 +213,7 @@ FN void shade_pixel(const Job* job, int thread)
     ray.last_distance = job->reals[place.at + 2 * place.pixels];
     ray.before_t = job->reals[place.at + 3 * place.pixels];
     ray.steps = job->wholes[place.at];
-    ray.estimates = job->wholes[place.at + place.pixels];
+    ray.de_calls = job->wholes[place.at + place.pixels];
     ray.iterations = job->wholes[place.at + 2 * place.pixels];
     Hit hit = stopped(scene_of(job), ray);
     if (canonical != 0) hit = refine(scene_of(job), hit);
@@ -223,7 +223,7 @@ FN void shade_pixel(const Job* job, int thread)
 }
 
 // Converts a pixel's planes to its bytes, if needed. A separate pass, as shading has no registers left for it.
-FN void bytes_of_pixel(const Job* job, int at)
+FN void bytes_of_pixel(const KernelArguments* job, int at)
 {
     const int pixels = job->scene.width * job->rows;
     if (job->bytes == nullptr || at >= pixels) return;

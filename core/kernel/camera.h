@@ -7,15 +7,15 @@ FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1;
 // Direction through (u, v) of a perspective picture, not normalised; v = -1 is the bottom.
 FN vec3 perspective(Scene scene, real u, real v)
 {
-    return along(along(wide(scene.forward), wide(scene.across), u), wide(scene.upward), v);
+    return along(along(splat(scene.forward), splat(scene.across), u), splat(scene.upward), v);
 }
 
 // Scales the camera's axes by a column's and a row's factors and adds them: forward times a.re b.re, across times a.im
 // b.re, upward times b.im. The factors of a perspective picture are 1, u and v.
 FN vec3 along_axes(Scene scene, Complex a, Complex b)
 {
-    vec3 level = along(times(a.re, wide(scene.forward)), wide(scene.across), a.im);
-    return along(times(b.re, level), wide(scene.upward), b.im);
+    vec3 level = along(times(a.re, splat(scene.forward)), splat(scene.across), a.im);
+    return along(times(b.re, level), splat(scene.upward), b.im);
 }
 
 // Factors of a column and a row of an equirectangular picture; the direction then has length 1 up to rounding.

@@ -10,9 +10,9 @@ struct Span {
 
 FN Span sphere_span(scalar radius, vec3 origin, vec3 direction)
 {
-    real middle = -inner(origin, direction);
+    real middle = -dot3(origin, direction);
     vec3 nearest_point = along(origin, direction, middle);
-    real rest = radius * radius - inner(nearest_point, nearest_point);
+    real rest = radius * radius - dot3(nearest_point, nearest_point);
     real half_length = quick_root(larger(rest, BY_PRECISION(1.0e-290, 1.0e-30)));
     Span span;
     span.first = pick(rest > 0, middle - half_length, R(1.0));

@@ -16,8 +16,8 @@ FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
 struct Openness {
     real share;  // 0: closed in, 1: open; mean of four distances
     real least;  // min over the four distances
-    effort estimates;
-    effort iterations;
+    counter de_calls;
+    counter iterations;
 };
 
 // Openness (1 - occlusion) at p along n: the ratio of estimate to distance at four distances, from 0.4 to 9 % of t. The
@@ -27,7 +27,7 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     Openness result;
     result.share = 0;
     result.least = 1;
-    result.estimates = 0;
+    result.de_calls = 0;
     result.iterations = 0;
     real h = t * R(0.004);
     int i = 0;
@@ -36,7 +36,7 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
         real open = saturated(quotient(2 * there.distance, h));
         result.share = result.share + R(0.25) * open;
         result.least = pick(open < result.least, open, result.least);
-        result.estimates = tally(result.estimates, on);
+        result.de_calls = tally(result.de_calls, on);
         result.iterations = result.iterations + there.iterations;
         h = h * R(2.85);
         i = i + 1;
@@ -81,7 +81,7 @@ FN vec3 sky(Scene scene, vec3 direction)
     real low = 1 - direction.y * direction.y;
     low = low * low;
     low = low * low;
-    real near = saturated(inner(direction, wide(scene.sun)));
+    real near = saturated(dot3(direction, splat(scene.sun)));
     near = near * near;
     real wide_halo = near * near;
     real halo = wide_halo * wide_halo;
@@ -99,8 +99,8 @@ FN real displayed(Scene scene, real light)
 
 struct Look {
     vec3 colour;
-    effort estimates;
-    effort iterations;
+    counter de_calls;
+    counter iterations;
 };
 
 FN vec3 displayed3(Scene scene, vec3 light)
@@ -109,33 +109,33 @@ FN vec3 displayed3(Scene scene, vec3 light)
 }
 
 // Openness of a hit, the most expensive part of a look. It varies little between neighbouring pixels of a surface.
-struct Surroundings {
+struct Occlusion {
     real along_normal;  // 0: closed in, 1: open
     real sunwards;      // the same towards the sun, over four times the distance
-    effort estimates;
-    effort iterations;
+    counter de_calls;
+    counter iterations;
 };
 
 // Evaluates the openness of a hit at p with unit normal n, t from the camera.
-FN_CALLED Surroundings surroundings(Scene scene, vec3 p, vec3 n, real t, mask on)
+FN_CALLED Occlusion occlusion(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness along_normal = openness(scene, p, n, t, on);
-    Openness sunwards = openness(scene, p, wide(scene.sun), 4 * t, on);
-    Surroundings found;
+    Openness sunwards = openness(scene, p, splat(scene.sun), 4 * t, on);
+    Occlusion found;
     found.along_normal = along_normal.share;
     found.sunwards = R(0.5) * (sunwards.share + sunwards.least) * sunwards.share;
-    found.estimates = along_normal.estimates + sunwards.estimates;
+    found.de_calls = along_normal.de_calls + sunwards.de_calls;
     found.iterations = along_normal.iterations + sunwards.iterations;
     return found;
 }
 
 // Returns the colour of that hit.
-FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroundings found, mask on)
+FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusion found, mask on)
 {
     // Computed before the trap's loop, so that few registers are live across it.
-    vec3 sun = wide(scene.sun);
-    real facing = saturated(-inner(n, direction));
-    real key = saturated(R(0.08) + R(0.92) * inner(n, sun)) * found.sunwards;
+    vec3 sun = splat(scene.sun);
+    real facing = saturated(-dot3(n, direction));
+    real key = saturated(R(0.08) + R(0.92) * dot3(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
     // Light from sky, ground and sun, and a little from the eye.
     vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.28), R(0.39), R(0.60)));
@@ -150,7 +150,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
     }
     // Glint around the direction halfway between sun and eye.
-    real glint = saturated(inner(n, unit(minus(sun, direction))));
+    real glint = saturated(dot3(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
@@ -163,7 +163,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Surroun
     Look result;
     result.colour = displayed3(scene, blend(lit_stone, behind, air));
     // Plus the evaluation of the trap.
-    result.estimates = tally(found.estimates, on);
+    result.de_calls = tally(found.de_calls, on);
     result.iterations = found.iterations;
     return result;
 }

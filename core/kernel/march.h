@@ -9,7 +9,7 @@ FN Ray begin_along(Scene scene, vec3 direction)
     ray.end = scene.end;
     ray.t = 0;
     if (scene.hull > 0) {
-        Span span = hull(scene, wide(scene.eye), ray.direction);
+        Span span = hull(scene, splat(scene.eye), ray.direction);
         // The margin exceeds the rounding error of the far end.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
@@ -21,7 +21,7 @@ FN Ray begin_along(Scene scene, vec3 direction)
     ray.before_t = 0;
     ray.before_distance = scene.end;
     ray.steps = 0;
-    ray.estimates = 0;
+    ray.de_calls = 0;
     ray.iterations = 0;
     return ray;
 }
@@ -56,7 +56,7 @@ FN mask marching(Scene scene, Ray ray)
 
 FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(scene, ray); }
 
-FN vec3 point_at(Scene scene, Ray ray, real t) { return along(wide(scene.eye), ray.direction, t); }
+FN vec3 point_at(Scene scene, Ray ray, real t) { return along(splat(scene.eye), ray.direction, t); }
 
 // Evaluates DE at the next sample. Separate from advanced(), so that a backend can evaluate more rays at once than it
 // otherwise processes.
@@ -74,11 +74,11 @@ FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
     ray.before_distance = pick(taken, ray.last_distance, ray.before_distance);
     ray.last_t = pick(taken, ray.t, ray.last_t);
     ray.last_distance = pick(taken, here.distance, ray.last_distance);
-    real step = scene.stride;
-    if (scene.relaxation > scene.stride) step = pick(over, scene.stride, relaxed(scene, ray));
+    real step = scene.step_factor;
+    if (scene.relaxation > scene.step_factor) step = pick(over, scene.step_factor, relaxed(scene, ray));
     ray.t = pick(on, ray.last_t + step * ray.last_distance, ray.t);
     ray.steps = ray.steps + count(on);
-    ray.estimates = tally(ray.estimates, on);
+    ray.de_calls = tally(ray.de_calls, on);
     ray.iterations = ray.iterations + here.iterations;
     return ray;
 }

@@ -29,7 +29,7 @@ FN Hit stopped(Scene scene, Ray ray)
         hit.above_f = ray.before_distance - scene.tolerance * ray.before_t;
     }
     hit.steps = ray.steps;
-    hit.estimates = ray.estimates;
+    hit.de_calls = ray.de_calls;
     hit.iterations = ray.iterations;
     return hit;
 }
@@ -65,7 +65,7 @@ FN Hit aimed(Hit hit, mask on)
 // Evaluates DE at that t.
 FN Estimate probe_root(Scene scene, Hit hit, mask on)
 {
-    return estimate(scene, along(wide(scene.eye), hit.direction, hit.t), on);
+    return estimate(scene, along(splat(scene.eye), hit.direction, hit.t), on);
 }
 
 // Narrows the bracket with that estimate.
@@ -86,7 +86,7 @@ FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
     hit.below_t = pick(below, hit.t, hit.below_t);
     hit.below_f = pick(below, f, hit.below_f);
     hit.state = pick(on, pick(below, tried_below(), tried_above()), hit.state);
-    hit.estimates = tally(hit.estimates, on);
+    hit.de_calls = tally(hit.de_calls, on);
     hit.iterations = hit.iterations + here.iterations;
     return hit;
 }

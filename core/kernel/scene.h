@@ -14,7 +14,7 @@ struct Scene {
     int differences;  // source of normals: 0 analytic gradient, 1 central differences, 2 differences over a tetrahedron
 
     scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
-    scalar stride;     // step factor: length of a step, in distance estimates
+    scalar step_factor;     // step factor: length of a step, in distance estimates
     scalar end;        // largest t of a sample
     scalar miss;       // depth of a pixel without a hit: +infinity
     scalar brightness;
@@ -45,8 +45,8 @@ struct Ray {
     real before_t;         // sample before the last one
     real before_distance;  // distance estimate there
     whole steps;           // marching samples
-    effort estimates;      // DE evaluations, including those of refinement and normal
-    effort iterations;     // iterations of all DE evaluations
+    counter de_calls;      // DE evaluations, including those of refinement and normal
+    counter iterations;     // iterations of all DE evaluations
 };
 
 // A ray that has stopped, and its hit. Canonical pictures use f(t) = DE(t) - tolerance t. A Hit can be stored after any
@@ -60,8 +60,8 @@ struct Hit {
     real above_t;       // the sample before the last one; canonical: near end of the bracket, with f > 0
     real above_f;       // f at above_t, likewise
     whole steps;        // as in Ray
-    effort estimates;   // as in Ray
-    effort iterations;  // as in Ray
+    counter de_calls;   // as in Ray
+    counter iterations;  // as in Ray
 };
 
 // A finished pixel.
@@ -69,12 +69,12 @@ struct Pixel {
     vec3 colour;  // 0 to 1, as displayed
     real depth;   // t of the hit
     whole steps;
-    effort estimates;
-    effort iterations;
+    counter de_calls;
+    counter iterations;
 };
 
 // Result of a DE evaluation: a lower bound of the distance to the surface, and the iterations used.
 struct Estimate {
     real distance;
-    effort iterations;
+    counter iterations;
 };

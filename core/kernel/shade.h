@@ -3,8 +3,8 @@
 
 struct Normal {
     vec3 direction;  // unit vector
-    effort estimates;
-    effort iterations;
+    counter de_calls;
+    counter iterations;
 };
 
 // Gradient of DE by central differences, six DE evaluations; the step is relative to max(|p|, 1).
@@ -13,7 +13,7 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     real h = larger(norm(p), 1) * scene.difference_step;
     vec3 slope = vec3(0, 0, 0);
     Normal normal;
-    normal.estimates = 0;
+    normal.de_calls = 0;
     normal.iterations = 0;
     int axis = 0;
     while (axis < 3) {
@@ -35,7 +35,7 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
         if (axis == 0) slope.x = difference;
         if (axis == 1) slope.y = difference;
         if (axis == 2) slope.z = difference;
-        normal.estimates = tally(tally(normal.estimates, on), on);
+        normal.de_calls = tally(tally(normal.de_calls, on), on);
         normal.iterations = normal.iterations + a.iterations + b.iterations;
         axis = axis + 1;
     }
@@ -49,7 +49,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     vec3 slope = vec3(0, 0, 0);
     Normal normal;
-    normal.estimates = 0;
+    normal.de_calls = 0;
     normal.iterations = 0;
     int corner = 0;
     while (corner < 4) {
@@ -60,7 +60,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
         vec3 towards = vec3(x, y, z);
         Estimate there = estimate(scene, along(p, towards, h), on);
         slope = along(slope, towards, there.distance);
-        normal.estimates = tally(normal.estimates, on);
+        normal.de_calls = tally(normal.de_calls, on);
         normal.iterations = normal.iterations + there.iterations;
         corner = corner + 1;
     }
@@ -72,7 +72,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
 {
     Normal normal;
-    normal.estimates = 0;
+    normal.de_calls = 0;
     normal.iterations = 0;
     if (scene.differences == 1) {
         normal = normal_by_differences(scene, p, on);
@@ -80,7 +80,7 @@ FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
         normal = normal_by_tetrahedron(scene, p, scene.tolerance * t, on);
     } else {
         normal.direction = unit(gradient(scene, p, on));
-        normal.estimates = tally(normal.estimates, on);
+        normal.de_calls = tally(normal.de_calls, on);
     }
     return normal;
 }
@@ -96,7 +96,7 @@ FN real channel(Scene scene, real light, real n)
 // Lighting of the original program: the colour is the normal, lit by its angle to the view.
 FN vec3 lit(Scene scene, vec3 direction, vec3 n)
 {
-    real light = R(1.8) * larger(inner(minus(n, vec3(1, 1, 1)), direction), R(0.3));
+    real light = R(1.8) * larger(dot3(minus(n, vec3(1, 1, 1)), direction), R(0.3));
     vec3 colour = vec3(channel(scene, light, n.x), channel(scene, light, n.y), channel(scene, light, n.z));
     if (scene.colouring == 1) colour = vec3(colour.z, colour.y, colour.x);
     return colour;
@@ -110,7 +110,7 @@ FN Pixel missed(Scene scene, Hit hit)
     if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, hit.direction));
     pixel.depth = scene.miss;
     pixel.steps = hit.steps;
-    pixel.estimates = hit.estimates;
+    pixel.de_calls = hit.de_calls;
     pixel.iterations = hit.iterations;
     return pixel;
 }
@@ -136,7 +136,7 @@ FN ShadingPoint shading_point(Scene scene, Hit hit)
     at.t = landing(scene, hit);
     real back = scene.tolerance * at.t;
     if (scene.canonical == 0) back = hit.t * scene.tolerance;
-    at.p = along(along(wide(scene.eye), hit.direction, at.t), hit.direction, -back);
+    at.p = along(along(splat(scene.eye), hit.direction, at.t), hit.direction, -back);
     return at;
 }
 
@@ -144,19 +144,19 @@ FN ShadingPoint shading_point(Scene scene, Hit hit)
 FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     pixel.depth = pick(is_hit(hit), at.t, pixel.depth);
-    pixel.estimates = pixel.estimates + normal.estimates;
+    pixel.de_calls = pixel.de_calls + normal.de_calls;
     pixel.iterations = pixel.iterations + normal.iterations;
     return pixel;
 }
 
 // Shades a hit in a look, with a given openness. Pixels without a hit stay unchanged.
-FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Surroundings found)
+FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Occlusion found)
 {
     mask on = is_hit(hit);
     vec3 n = facing(scene, hit.direction, normal.direction, at.t);
     Look seen = look(scene, hit.direction, at.p, n, at.t, found, on);
     pixel.colour = pick3(on, seen.colour, pixel.colour);
-    pixel.estimates = pixel.estimates + seen.estimates;
+    pixel.de_calls = pixel.de_calls + seen.de_calls;
     pixel.iterations = pixel.iterations + seen.iterations;
     return finished(hit, pixel, at, normal);
 }
@@ -167,7 +167,7 @@ FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal n
     mask on = is_hit(hit);
     if (scene.colouring > 1) {
         vec3 n = facing(scene, hit.direction, normal.direction, at.t);
-        pixel = shade_among(scene, hit, pixel, at, normal, surroundings(scene, at.p, n, at.t, on));
+        pixel = shade_among(scene, hit, pixel, at, normal, occlusion(scene, at.p, n, at.t, on));
     } else {
         vec3 n = facing(scene, hit.direction, normal.direction, at.t);
         pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);

@@ -13,7 +13,7 @@
 #include "core/kernel/hull.h"
 // Defined by some fractals.
 #undef MM_WIDE_REGISTERS_AVX3
-#undef MM_LANES_WAIT
+#undef MM_REFILL_LANES
 #include MM_FRACTAL_FILE
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"

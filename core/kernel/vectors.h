@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel source, part 2: vectors, by component, because OpenCL C has no operators for structs.
 
-FN real inner(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+FN real dot3(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-FN real norm(vec3 a) { return root(inner(a, a)); }
+FN real norm(vec3 a) { return root(dot3(a, a)); }
 
 // p + t d
 FN vec3 along(vec3 p, vec3 d, real t) { return vec3(d.x * t + p.x, d.y * t + p.y, d.z * t + p.z); }
@@ -14,14 +14,14 @@ FN vec3 times(real s, vec3 a) { return vec3(s * a.x, s * a.y, s * a.z); }
 
 FN vec3 unit(vec3 a)
 {
-    real length = quick_root(inner(a, a));
+    real length = quick_root(dot3(a, a));
     return vec3(quick_quotient(a.x, length), quick_quotient(a.y, length), quick_quotient(a.z, length));
 }
 
 FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on, a.y, b.y), pick(on, a.z, b.z)); }
 
 // Copies a uniform triple to every lane.
-FN vec3 wide(triple a) { return vec3(a.x, a.y, a.z); }
+FN vec3 splat(triple a) { return vec3(a.x, a.y, a.z); }
 
 // Max and min; b if an operand is NaN. A prelude may define them as one instruction.
 #ifndef MM_HAS_LARGER
@@ -36,7 +36,7 @@ FN real clipped(real x, scalar most) { return smaller(larger(x, -most), most); }
 #endif
 
 // Returns |a|^2, but at least a number whose square root has a finite reciprocal.
-FN real norm2(vec3 a) { return larger(inner(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
+FN real norm2(vec3 a) { return larger(dot3(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
 
 FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 
@@ -57,7 +57,7 @@ FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_r
 
 #ifndef MM_HAS_TALLY
 // Adds the active lanes to a work count.
-FN effort tally(effort a, mask on) { return a + count(on); }
+FN counter tally(counter a, mask on) { return a + count(on); }
 #endif
 
 struct Complex {

@@ -24,7 +24,7 @@ constexpr std::array names_of_techniques{NamedTechnique{"hull", &Techniques::hul
                                          NamedTechnique{"root", &Techniques::root},
                                          NamedTechnique{"tail", &Techniques::tail},
                                          NamedTechnique{"normal", &Techniques::normal},
-                                         NamedTechnique{"surroundings", &Techniques::surroundings}};
+                                         NamedTechnique{"surroundings", &Techniques::occlusion}};
 
 }  // namespace
 
@@ -78,7 +78,7 @@ Timings& operator+=(Timings& to, const Timings& from)
 Work& operator+=(Work& to, const Work& from)
 {
     to.steps += from.steps;
-    to.estimates += from.estimates;
+    to.de_calls += from.de_calls;
     to.iterations += from.iterations;
     return to;
 }
@@ -90,7 +90,7 @@ void add_work(Work& work, const Planes<Real>& planes, int width, int height)
         const std::size_t row = static_cast<std::size_t>(y) * planes.stride;
         for (std::size_t at = row; at < row + static_cast<std::size_t>(width); ++at) {
             work.steps += static_cast<std::uint64_t>(planes.steps[at]);
-            work.estimates += static_cast<std::uint64_t>(planes.estimates[at]);
+            work.de_calls += static_cast<std::uint64_t>(planes.de_calls[at]);
             work.iterations += static_cast<std::uint64_t>(planes.iterations[at]);
         }
     }

@@ -33,15 +33,15 @@ struct Device {
 
 // Optimisations, each of which can be disabled by name for ablation studies. None changes a bit of an exact picture.
 struct Techniques {
-    bool hull = true;          // rays end, and in fast mode begin, at a bounding volume of the surface
-    bool relaxation = true;    // fast: steps longer than the estimate, and short ones close to a hit
-    bool cones = true;         // fast, openmp: cones of 8 x 8 pixels find the starting points of rays
-    bool neighbours = true;    // fast, openmp: rays begin near the hits of the surrounding pixels
-    bool trial = true;         // fast: a small test render decides if steps must be shorter
-    bool root = true;          // fast: hits are refined to the canonical root; otherwise by one secant
-    bool surroundings = true;  // fast, openmp, films: pixels of one surface share the occlusion of a look
-    bool tail = true;          // fast, Mandelbox: the last iterations of an orbit skip their tests
-    bool normal = true;        // fast, double: normals from the gradient, otherwise from differences of six estimates
+    bool hull = true;        // rays end, and in fast mode begin, at a bounding volume of the surface
+    bool relaxation = true;  // fast: steps longer than the estimate, and short ones close to a hit
+    bool cones = true;       // fast, openmp: cones of 8 x 8 pixels find the starting points of rays
+    bool neighbours = true;  // fast, openmp: rays begin near the hits of the surrounding pixels
+    bool trial = true;       // fast: a small test render decides if steps must be shorter
+    bool root = true;        // fast: hits are refined to the canonical root; otherwise by one secant
+    bool occlusion = true;   // fast, openmp, films: pixels of one surface share the occlusion of a look
+    bool tail = true;        // fast, Mandelbox: the last iterations of an orbit skip their tests
+    bool normal = true;      // fast, double: normals from the gradient, otherwise from differences of six estimates
 };
 
 // Returns all techniques but those named, such as `hull,cones`. Throws InputError with the known names.
@@ -57,7 +57,7 @@ struct RendererOptions {
     int chunk = 0;       // tiles per request of a host thread; 0: the backend's choice; openmp only
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice
     int block = 0;       // threads per GPU block, or work items per group, a multiple of 32; 0: the backend's choice
-    bool counts = true;  // false: RenderReport::work is not needed, which makes openmp's fast pictures cheaper
+    bool counts = true;  // false: RenderStats::work is not needed, which makes openmp's fast pictures cheaper
     Techniques techniques = {};
 };
 
@@ -83,7 +83,7 @@ struct Timings {
 // Work for one picture, counted by the kernel itself. 0 if it is not counted.
 struct Work {
     std::uint64_t steps = 0;       // samples of the marching
-    std::uint64_t estimates = 0;   // all DE evaluations
+    std::uint64_t de_calls = 0;    // all DE evaluations
     std::uint64_t iterations = 0;  // of the DE evaluations
 };
 
@@ -103,7 +103,7 @@ struct KernelResources {
 };
 
 // Configuration, times and work of a rendered picture.
-struct RenderReport {
+struct RenderStats {
     std::string backend;
     Device device;
     Precision precision = Precision::f64;
@@ -113,7 +113,7 @@ struct RenderReport {
     std::string instruction_set;  // or device architecture; may be empty
     // From a trial (core/render/trial.h): the chosen step factor, and the fraction of its pixels that shorter steps
     // still change visibly, if more than a few. 0 and 0 without a trial.
-    double stride = 0;
+    double step_factor = 0;
     double unsettled = 0;
     Timings timings;
     Work work;
@@ -152,7 +152,7 @@ public:
     // Renders `scene` into `image` and overwrites all of it. The image has the scene's width and all of its rows or
     // some, from Image::first_row() on; the pixels are the same. May be called repeatedly. Throws Unavailable if the
     // scene's fractal is not supported, Error if the device fails, and Cancelled.
-    virtual RenderReport render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
+    virtual RenderStats render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };
 
 // Role of a backend; programs that need one backend select it by role.
@@ -165,15 +165,15 @@ enum class Role {
 
 std::string_view name_of(Role role);  // "reference", "host", "accelerator", or "" for none
 
-// Compilation of a backend's kernels. Set in its CMakeLists.txt by mandelmarch_build_facts (cmake/Backend.cmake).
-struct BuildFacts {
+// Compilation of a backend's kernels. Set in its CMakeLists.txt by mandelmarch_kernel_build (cmake/Backend.cmake).
+struct KernelBuild {
     std::string compiler = {};
     std::string exact = {};  // compiler flags of each mode
     std::string fast = {};
 };
 
 // Properties of a backend that do not depend on the machine.
-struct Facts {
+struct BackendInfo {
     Role role = Role::none;
     bool has_driver = false;  // uses a third-party driver, which may crash: programs run it in a separate process
     // Members of RendererOptions that the backend uses.
@@ -183,7 +183,7 @@ struct Facts {
     bool band = false;
     bool block = false;
     std::vector<std::string_view> variables = {};  // environment variables that change its behaviour
-    BuildFacts build = {};
+    KernelBuild build = {};
 };
 
 // An installed driver, or the loader of drivers, as described by the system's files.
@@ -201,7 +201,7 @@ public:
     virtual std::string_view name() const = 0;
 
     // Does not access any device.
-    virtual Facts facts() const { return {}; }
+    virtual BackendInfo info() const { return {}; }
 
     // Returns the drivers that the API's loader would open. Reads files; does not open drivers.
     virtual std::vector<InstalledDriver> installed_drivers() const { return {}; }

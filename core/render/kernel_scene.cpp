@@ -67,9 +67,11 @@ void put_camera(const Scene& scene, Layout& k)
 {
     using Real = decltype(Layout::tolerance);
     Camera camera = camera_of(scene);
-    const Part& part = scene.part;
-    const Side x(part.left, scene.width, part.whole_width > 0 ? part.whole_width : scene.width, scene.centred);
-    const Side y(part.bottom, scene.height, part.whole_height > 0 ? part.whole_height : scene.height, scene.centred);
+    const CropWindow& crop_window = scene.crop_window;
+    const Side x(crop_window.left, scene.width, crop_window.whole_width > 0 ? crop_window.whole_width : scene.width,
+                 scene.centred);
+    const Side y(crop_window.bottom, scene.height,
+                 crop_window.whole_height > 0 ? crop_window.whole_height : scene.height, scene.centred);
     if (scene.projection == Projection::equirectangular) {
         const double longitudes = std::numbers::pi * x.half;
         const double latitudes = std::numbers::pi / 2 * y.half;
@@ -79,7 +81,7 @@ void put_camera(const Scene& scene, Layout& k)
         k.latitudes = static_cast<Real>(latitudes);
         camera.across = longitudes * unit(camera.across);
         camera.upward = latitudes * unit(camera.upward);
-    } else if (scene.centred || part.whole_width > 0) {
+    } else if (scene.centred || crop_window.whole_width > 0) {
         camera = {camera.forward + x.middle * camera.across + y.middle * camera.upward, x.half * camera.across,
                   y.half * camera.upward};
     }
@@ -95,9 +97,10 @@ void put_camera(const Scene& scene, Layout& k)
 Camera camera_of(const Scene& scene)
 {
     const double tangent = std::tan(scene.field_of_view * degrees_per_field / 2 * std::numbers::pi / 180);
-    const Part& part = scene.part;
-    const double aspect = part.whole_width > 0 ? static_cast<double>(part.whole_width) / part.whole_height
-                                               : static_cast<double>(scene.width) / scene.height;
+    const CropWindow& crop_window = scene.crop_window;
+    const double aspect = crop_window.whole_width > 0
+                              ? static_cast<double>(crop_window.whole_width) / crop_window.whole_height
+                              : static_cast<double>(scene.width) / scene.height;
     const Vector forward = unit(scene.target - scene.eye);
     const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
     const Vector right = unit(cross(forward, (1 / up_length) * scene.up));
@@ -128,7 +131,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.differences = differences(scene, fast, is_float<Layout>, techniques);
     k.tolerance = real(std::pow(10.0, scene.detail));
     const Stepping steps = stepping_of(scene, mode, techniques);
-    k.stride = real(steps.stride);
+    k.step_factor = real(steps.step_factor);
     k.relaxation = real(steps.relaxation);
     k.root_share = real(steps.root_share);
     k.end = real(farthest_sample);

@@ -29,7 +29,7 @@ void cut_out(const Image& strip, const Region& region, Image& image)
     }
 }
 
-void add_report(RenderReport& to, const RenderReport& from)
+void add_report(RenderStats& to, const RenderStats& from)
 {
     to.timings += from.timings;
     to.work += from.work;
@@ -43,18 +43,18 @@ std::size_t pixels_in_memory(const Scene& scene, const Region& region)
     return region.width == scene.width ? pixels : pixels + Image::pixels(scene.width, rows_of_strip(scene, region));
 }
 
-std::pair<Image, RenderReport> render_region(Renderer& renderer, const Scene& scene, const Region& region,
-                                             Image::Layers layers, const Progress& progress)
+std::pair<Image, RenderStats> render_region(Renderer& renderer, const Scene& scene, const Region& region,
+                                            Image::Layers layers, const Progress& progress)
 {
     const int rows = rows_of_strip(scene, region);
     const bool whole_rows = region.width == scene.width;
-    std::pair<Image, RenderReport> result;
+    std::pair<Image, RenderStats> result;
     auto& [image, report] = result;
     if (!whole_rows) image = Image(region.width, region.height, layers);
     for (int done = 0; done < region.height; done += rows) {
         const int now = std::min(rows, region.height - done);
         Image strip(scene.width, now, layers, std::pmr::get_default_resource(), region.bottom + done);
-        const RenderReport one = renderer.render(scene, strip, [&](double share) {
+        const RenderStats one = renderer.render(scene, strip, [&](double share) {
             if (progress) progress((done + share * now) / region.height);
         });
         if (done == 0) {

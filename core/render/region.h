@@ -21,7 +21,7 @@ std::size_t pixels_in_memory(const Scene& scene, const Region& region);
 
 // Renders the region. Strips of whole rows are rendered and then cropped, so a narrow region takes as long as its rows
 // in full width. Throws the renderer's exceptions.
-std::pair<Image, RenderReport> render_region(Renderer& renderer, const Scene& scene, const Region& region,
-                                             Image::Layers layers, const Progress& progress = {});
+std::pair<Image, RenderStats> render_region(Renderer& renderer, const Scene& scene, const Region& region,
+                                            Image::Layers layers, const Progress& progress = {});
 
 }  // namespace mandelmarch

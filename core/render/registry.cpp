@@ -54,7 +54,7 @@ std::vector<std::string> Registry::names() const
 
 const Backend* Registry::find(Role role) const
 {
-    const auto found = std::ranges::find(backends_, role, [](const auto& backend) { return backend->facts().role; });
+    const auto found = std::ranges::find(backends_, role, [](const auto& backend) { return backend->info().role; });
     return found == backends_.end() ? nullptr : found->get();
 }
 
@@ -71,7 +71,7 @@ AutomaticChoice Registry::automatic() const
 {
     std::string reason;
     for (const auto& backend : backends_) {
-        if (backend->facts().role != Role::accelerator) continue;
+        if (backend->info().role != Role::accelerator) continue;
         const Listing listing = listing_of(*backend);
         const auto gpu = std::ranges::find_if(listing.devices, &Device::is_gpu);
         if (gpu != listing.devices.end()) {

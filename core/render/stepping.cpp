@@ -11,19 +11,19 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
 {
     const Fractal& fractal = *scene.fractal;
     const bool fast = mode == Mode::fast;
-    const double stride =
-        std::min(scene.limits.stride, fast ? fractal.fast.stride.value(inputs_of(scene)) : plain_stride);
+    const double step_factor =
+        std::min(scene.limits.step_factor, fast ? fractal.fast.step_factor.value(inputs_of(scene)) : plain_step_factor);
     // Scenes that need short steps are not over-relaxed.
-    const bool relaxed = fast && techniques.relaxation && stride >= plain_stride;
+    const bool relaxed = fast && techniques.relaxation && step_factor >= plain_step_factor;
     return {
-        .stride = stride,
-        .relaxation = relaxed ? longest_relaxed : stride,
+        .step_factor = step_factor,
+        .relaxation = relaxed ? longest_relaxed : step_factor,
         .root_share = techniques.root ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
 }
 
 StepLimits film_limits(const Scene& scene)
 {
-    return {.stride = std::min(scene.limits.stride, scene.fractal->flight.trust_of(scene).stride),
+    return {.step_factor = std::min(scene.limits.step_factor, scene.fractal->flight.trust_of(scene).step_factor),
             .root_share = std::max(scene.limits.root_share, film_root_share)};
 }
 

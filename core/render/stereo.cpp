@@ -36,7 +36,8 @@ Scene of_eye(const Scene& scene, double eyes, int side)
     // Half of the parallax of the screen, in pixels; the window moves in the opposite direction.
     const double half_width = std::sqrt(dot(camera.across, camera.across));
     const auto shift = static_cast<int>(std::lround(eye.width / (4 * screen_distance * half_width)));
-    eye.part = {.left = side < 0 ? 2 * shift : 0, .whole_width = eye.width + 2 * shift, .whole_height = eye.height};
+    eye.crop_window = {
+        .left = side < 0 ? 2 * shift : 0, .whole_width = eye.width + 2 * shift, .whole_height = eye.height};
     return eye;
 }
 
@@ -51,14 +52,14 @@ Scene strip_of_eye(const Scene& scene, double eyes, int side, int left, int widt
     strip.eye = scene.eye + moved;
     strip.target = scene.target + moved;
     strip.width = width;
-    strip.part = {.left = left, .whole_width = whole_width, .whole_height = scene.height};
+    strip.crop_window = {.left = left, .whole_width = whole_width, .whole_height = scene.height};
     return strip;
 }
 
-RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image, const Progress& progress)
+RenderStats render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image, const Progress& progress)
 {
     if (scene.width % 2 != 0) throw InputError("a picture for two eyes: its width is odd, expected an even one");
-    if (scene.part.whole_width > 0) throw InputError("a picture for two eyes: expected a whole one");
+    if (scene.crop_window.whole_width > 0) throw InputError("a picture for two eyes: expected a whole one");
     const auto layers = image.has_depths()   ? Image::Layers::all
                         : image.has_values() ? Image::Layers::colours
                                              : Image::Layers::bytes;
@@ -66,14 +67,14 @@ RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, 
     const bool panorama = scene.projection == Projection::equirectangular;
     const int width = panorama ? std::max(1, half / strips_around) : half;
     Image drawn;
-    RenderReport report;
+    RenderStats report;
     for (int at = 0; at < scene.width; at += drawn.width()) {
         const int side = at < half ? -1 : 1;
         const int left = at % half;
         const int columns = std::min(width, half - left);
         if (drawn.width() != columns) drawn = Image(columns, scene.height, layers);
-        const Scene part = panorama ? strip_of_eye(scene, eyes, side, left, columns) : of_eye(scene, eyes, side);
-        const RenderReport one = renderer.render(part, drawn, [&](double share) {
+        const Scene crop_window = panorama ? strip_of_eye(scene, eyes, side, left, columns) : of_eye(scene, eyes, side);
+        const RenderStats one = renderer.render(crop_window, drawn, [&](double share) {
             if (progress) progress((at + share * columns) / scene.width);
         });
         put(drawn, at, image);
@@ -82,7 +83,7 @@ RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, 
         } else {
             report.timings += one.timings;
             report.work += one.work;
-            report.stride = std::min(report.stride, one.stride);
+            report.step_factor = std::min(report.step_factor, one.step_factor);
             report.unsettled = std::max(report.unsettled, one.unsettled);
         }
     }

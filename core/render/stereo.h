@@ -23,7 +23,7 @@ Scene strip_of_eye(const Scene& scene, double eyes, int side, int left, int widt
 
 // Renders `scene` for two eyes into `image`, which has the scene's size. Throws InputError for an odd width and for a
 // crop window.
-RenderReport render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image,
-                           const Progress& progress = {});
+RenderStats render_stereo(Renderer& renderer, const Scene& scene, double eyes, Image& image,
+                          const Progress& progress = {});
 
 }  // namespace mandelmarch

@@ -25,16 +25,16 @@ class TrialRenderer : public Renderer {
 public:
     explicit TrialRenderer(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         Timings spent;
         const Trial trial = try_steps(
             scene, [&](const Scene& small, Image& picture) { spent += renderer_->render(small, picture).timings; });
         Scene tried = scene;
-        tried.limits.stride = trial.stride;
-        RenderReport report = renderer_->render(tried, image, progress);
+        tried.limits.step_factor = trial.step_factor;
+        RenderStats report = renderer_->render(tried, image, progress);
         report.timings += spent;
-        report.stride = trial.stride;
+        report.step_factor = trial.step_factor;
         report.unsettled = trial.settled() ? 0 : trial.off;
         return report;
     }
@@ -48,7 +48,7 @@ public:
     explicit TrialBackend(std::unique_ptr<Backend> backend) : backend_(std::move(backend)) {}
 
     std::string_view name() const override { return backend_->name(); }
-    Facts facts() const override { return backend_->facts(); }
+    BackendInfo info() const override { return backend_->info(); }
     std::vector<InstalledDriver> installed_drivers() const override { return backend_->installed_drivers(); }
     std::optional<std::string> unavailable() const override { return backend_->unavailable(); }
     std::vector<Device> devices() const override { return backend_->devices(); }
@@ -80,9 +80,10 @@ Scene trial_scene(const Scene& scene)
     small.width = std::max(1, static_cast<int>(std::lround(scale * scene.width)));
     small.height = std::max(1, static_cast<int>(std::lround(scale * scene.height)));
     const auto scaled = [&](int pixels_of_part) { return static_cast<int>(std::lround(scale * pixels_of_part)); };
-    if (scene.part.whole_width > 0) {
-        small.part = {scaled(scene.part.left), scaled(scene.part.bottom), std::max(1, scaled(scene.part.whole_width)),
-                      std::max(1, scaled(scene.part.whole_height))};
+    if (scene.crop_window.whole_width > 0) {
+        small.crop_window = {scaled(scene.crop_window.left), scaled(scene.crop_window.bottom),
+                             std::max(1, scaled(scene.crop_window.whole_width)),
+                             std::max(1, scaled(scene.crop_window.whole_height))};
     }
     return small;
 }
@@ -90,23 +91,23 @@ Scene trial_scene(const Scene& scene)
 Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
 {
     Scene small = trial_scene(scene);
-    const auto drawn = [&](double stride) {
-        small.limits.stride = stride;
+    const auto drawn = [&](double step_factor) {
+        small.limits.step_factor = step_factor;
         Image image(small.width, small.height, Image::Layers::bytes);
         draw(small, image);
         return image;
     };
-    const double usual = stepping_of(scene, Mode::fast).stride;
+    const double usual = stepping_of(scene, Mode::fast).step_factor;
     Trial trial{usual};
     double last_off = 1;
     Image picture = drawn(usual);
-    for (const double next : shorter_strides) {
+    for (const double next : shorter_step_factors) {
         if (next >= usual) continue;
         Image again = drawn(next);
         trial.off = share_off(picture, again);
         if (trial.settled()) return trial;
         if (trial.off > converging * last_off) return {usual, trial.off};
-        trial.stride = next;
+        trial.step_factor = next;
         last_off = trial.off;
         picture = std::move(again);
     }

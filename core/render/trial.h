@@ -13,8 +13,8 @@ namespace mandelmarch {
 
 // Result of a trial.
 struct Trial {
-    double stride = 0;  // step factor for the picture
-    double off = 0;     // fraction of the trial's pixels that shorter steps still change visibly; 0: none tested
+    double step_factor = 0;  // step factor for the picture
+    double off = 0;          // fraction of the trial's pixels that shorter steps still change visibly; 0: none tested
 
     bool settled() const;  // true if shorter steps would change little
 };
@@ -23,7 +23,7 @@ struct Trial {
 Scene trial_scene(const Scene& scene);
 
 // Returns the step factor of fast mode for the scene. `draw` renders a small picture. The usual factor is compared with
-// the next of shorter_strides (core/render/stepping.h):
+// the next of shorter_step_factors (core/render/stepping.h):
 // 1. The pictures differ in a few pixels at most: the longer steps are used.
 // 2. They differ in more: the shorter steps are compared with the next ones.
 // 3. The differences do not shrink: the precision is the limit, and the usual factor is kept.

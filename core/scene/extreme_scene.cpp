@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "core/scene/chance.h"
+#include "core/scene/scene_random.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
@@ -19,7 +19,7 @@ struct Size {
 };
 
 // `about`: the fractal's extent.
-void draw_camera(Chance& chance, double about, Scene& scene)
+void draw_camera(SceneRandom& chance, double about, Scene& scene)
 {
     scene.target = chance.one_in(2) ? Vector{0, 0, 0} : chance.between(0, 0.7 * about) * chance.direction();
     switch (static_cast<int>(chance.between(0, 5.999))) {
@@ -36,11 +36,11 @@ void draw_camera(Chance& chance, double about, Scene& scene)
     scene.field_of_view = chance.one_in(4) ? chance.magnitude(1e-6, 2.7) : chance.between(0.3, 2);
 }
 
-void draw_shape(Chance& chance, Scene& scene)
+void draw_shape(SceneRandom& chance, Scene& scene)
 {
     scene.fractal->random.extreme_shape(scene, chance);
-    for (double& value : scene.shape) value = Chance::single(value);
-    scene.escape = Chance::single(scene.escape);
+    for (double& value : scene.shape) value = SceneRandom::single(value);
+    scene.escape = SceneRandom::single(scene.escape);
 }
 
 // Sets lines 7 and 8 of the scenes that keep their shape.
@@ -56,7 +56,7 @@ void set_plain_shape(const Fractal& fractal, Scene& scene)
     scene.escape = official.escape;
 }
 
-Scene drawn(Chance& chance, const Fractal& fractal, int number)
+Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
 {
     constexpr std::array sizes{Size{48, 32}, Size{32, 24}, Size{33, 31}, Size{17, 40}, Size{61, 1}, Size{1, 29}};
     // Each scene has about the same number of pixels times iterations.
@@ -66,7 +66,7 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
     const double about = fractal.random.extent;
     set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
-    scene.brightness = Chance::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
+    scene.brightness = SceneRandom::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
     // Two successive scenes have the same size, so that remains of the previous picture become visible.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;
@@ -75,13 +75,13 @@ Scene drawn(Chance& chance, const Fractal& fractal, int number)
     if (number % 4 == 3) {
         scene.eye = chance.between(1.1, 4) * about * chance.direction();
         scene.field_of_view = chance.between(0.5, 1.5);
-        scene.detail = Chance::single(chance.between(-9, -5));
+        scene.detail = SceneRandom::single(chance.between(-9, -5));
         scene.iterations = static_cast<int>(chance.magnitude(1, 64));
         return scene;
     }
     draw_camera(chance, about, scene);
     draw_shape(chance, scene);
-    scene.detail = Chance::single(chance.one_in(8) ? chance.between(-37, 3) : chance.between(-9, -1));
+    scene.detail = SceneRandom::single(chance.one_in(8) ? chance.between(-37, 3) : chance.between(-9, -1));
     scene.iterations = static_cast<int>(chance.one_in(2) ? chance.between(1, 60) : chance.magnitude(1, max_iterations));
     const double pixels = pixel_iterations / scene.iterations;
     const double smaller = std::sqrt(std::min(1.0, pixels / (scene.width * scene.height)));
@@ -96,7 +96,7 @@ Scene extreme_scene(const Fractal& fractal, unsigned seed, int number)
 {
     std::seed_seq both{seed, static_cast<unsigned>(number)};
     std::mt19937 random(both);
-    Chance chance(random);
+    SceneRandom chance(random);
     for (;;) {
         try {
             return parse_parameters(to_parameters(drawn(chance, fractal, number)), "a scene", fractal).scene;

@@ -8,28 +8,28 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/scene/fractals/row.h"
+#include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
 
-std::string_view usual::objection(const Scene&) { return {}; }
-double usual::no_hull(const Scene&, const Sight&) { return 0; }
-std::optional<Hull> usual::unknown_body(const Scene&) { return {}; }
+std::string_view defaults::objection(const Scene&) { return {}; }
+double defaults::no_hull(const Scene&, const ViewLimits&) { return 0; }
+std::optional<Bounds> defaults::unknown_body(const Scene&) { return {}; }
 template <class Number>
-Number usual::stride(const FractalInputs<Number>&)
+Number defaults::step_factor(const FractalInputs<Number>&)
 {
-    return plain_stride;
+    return plain_step_factor;
 }
-template double usual::stride(const FractalInputs<double>&);
-template Formula usual::stride(const FractalInputs<Formula>&);
-double usual::growth(const Scene&) { return 1; }
-Vector usual::representative(const Scene&, Vector p) { return p; }
-bool usual::worth_searching(const Scene&, const Hull&, Vector) { return true; }
-Vector usual::upward(Vector place, Vector up) { return length(place) > 0 ? unit(place) : up; }
-void usual::no_tail(const Scene&, FractalConstants<double>&) {}
-void usual::same_shape(Scene&, Chance&, bool) {}
-void usual::same_extreme_shape(Scene&, Chance&) {}
+template double defaults::step_factor(const FractalInputs<double>&);
+template Formula defaults::step_factor(const FractalInputs<Formula>&);
+double defaults::growth(const Scene&) { return 1; }
+Vector defaults::representative(const Scene&, Vector p) { return p; }
+bool defaults::worth_searching(const Scene&, const Bounds&, Vector) { return true; }
+Vector defaults::upward(Vector place, Vector up) { return length(place) > 0 ? unit(place) : up; }
+void defaults::no_tail(const Scene&, FractalConstants<double>&) {}
+void defaults::same_shape(Scene&, SceneRandom&, bool) {}
+void defaults::same_extreme_shape(Scene&, SceneRandom&) {}
 
 const FractalFlight::Trust& FractalFlight::trust_of(const Scene& scene) const
 {
@@ -49,11 +49,11 @@ std::span<const Fractal> fractals()
 {
     static const auto table = [] {
         std::array all{
-#define MM_FRACTAL(name) rows::name,
+#define MM_FRACTAL(name) descriptors::name,
 #include "fractals.inc"
 #undef MM_FRACTAL
         };
-        std::ranges::sort(all, {}, [](const Fractal& row) { return std::tuple(row.rank, row.name); });
+        std::ranges::sort(all, {}, [](const Fractal& f) { return std::tuple(f.list_order, f.name); });
         return all;
     }();
     return table;
@@ -70,7 +70,7 @@ const Fractal& fractal_named(std::string_view name)
 {
     std::string known;
     for (const Fractal& fractal : fractals()) {
-        if (fractal.name == name || fractal.nickname == name) return fractal;
+        if (fractal.name == name || fractal.short_name == name) return fractal;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", fractal.name);
     }
     throw InputError(fmt::format("no fractal is called '{}', expected one of {}", name, known));

@@ -9,14 +9,14 @@
 
 namespace mandelmarch {
 
-bool Hull::contains(Vector p) const
+bool Bounds::contains(Vector p) const
 {
     if (shape == Shape::sphere) return length(p) <= size;
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= size;
 }
 
 // A point at distance r has t <= r + |eye|.
-double radius_where(const std::function<double(double)>& bound, double radius, const Sight& view)
+double radius_where(const std::function<double(double)>& bound, double radius, const ViewLimits& view)
 {
     const auto free = [&](double r) { return bound(r) > view.slope * (r + view.distance); };
     double low = radius;
@@ -49,7 +49,7 @@ double hull_size(const Scene& scene, double tolerance)
 {
     // A hit is DE < tolerance t, with the t after the step, which is at most twice the estimate.
     if (tolerance > 0.1) return 0;
-    const Sight view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
+    const ViewLimits view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
     const double size = scene.fractal->hull.size(scene, view);
     // In float, positions are off by a few ulp of the eye's distance.
     return size > 0 ? size * (1 + 1e-4) + 1e-5 * view.distance : 0;

@@ -16,7 +16,8 @@
 
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
+#include "core/base/number.h"
+#include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {
@@ -54,7 +55,7 @@ std::string_view without_comment(std::string_view line)
 std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
 {
     int count = 0;
-    const auto look = [&](double value, const Meaning& meaning) {
+    const auto look = [&](double value, const ParameterInfo& meaning) {
         if (meaning.name == ignored_number.name) {
             count += value != 0 ? 1 : 0;
             return true;
@@ -188,7 +189,7 @@ private:
         return word;
     }
 
-    double real(const Meaning& meaning)
+    double real(const ParameterInfo& meaning)
     {
         const auto word = take_word(fields_);
         const auto value = parse_real(word);
@@ -198,7 +199,7 @@ private:
     }
 
     // Reads a real number and rounds it to single precision; the rounded number must be in the range.
-    double single(const Meaning& meaning)
+    double single(const ParameterInfo& meaning)
     {
         const auto word = fields_.substr(0, fields_.find_first_of(blanks));
         const auto value = real(meaning);
@@ -208,7 +209,7 @@ private:
         return rounded;
     }
 
-    void check_range(double value, const Meaning& meaning, std::string_view word) const
+    void check_range(double value, const ParameterInfo& meaning, std::string_view word) const
     {
         const bool low_enough = value <= meaning.high;
         const bool high_enough = meaning.open_low ? value > meaning.low : value >= meaning.low;
@@ -230,7 +231,7 @@ private:
     Vector vector(Item item, const char* what)
     {
         begin(item, what, 3);
-        const Meaning component{what, -1e9, 1e9};
+        const ParameterInfo component{what, -1e9, 1e9};
         const double x = real(component);
         const double y = real(component);
         return {x, y, real(component)};

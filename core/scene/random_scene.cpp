@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "core/scene/chance.h"
+#include "core/scene/scene_random.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
 
 Scene random_scene(const Scene& like, int number, std::mt19937& random)
 {
-    Chance chance(random);
+    SceneRandom chance(random);
     const bool even = number % 2 == 0;
     const FractalRandom& row = like.fractal->random;
     Scene scene = like;

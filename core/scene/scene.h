@@ -13,14 +13,13 @@ namespace mandelmarch {
 
 struct Fractal;
 
-inline constexpr int max_side = 65535;           // pixels
 inline constexpr int max_iterations = 10'000;    // of the distance estimator
 inline constexpr double degrees_per_field = 65;  // vertical angle for a field of view of 1
 inline constexpr double max_field_of_view = 180 / degrees_per_field;
 inline constexpr int colouring_types = 5;  // 0 and 1: original; from 2: core/kernel/looks.h
 
 // The original program's step factor.
-inline constexpr double plain_stride = 0.95;
+inline constexpr double plain_step_factor = 0.95;
 
 // Names of the distance estimates: the original program's, and the fractal's conservative one (core/scene/fractal.h).
 inline constexpr std::string_view counted_estimate = "counted";
@@ -28,8 +27,8 @@ inline constexpr std::string_view conservative_estimate = "conservative";
 
 // Limits of a ray's steps set by a film or a trial; not part of a parameter file (core/render/stepping.h).
 struct StepLimits {
-    double stride = plain_stride;  // upper limit of the step factor
-    double root_share = 0;         // lower limit of Stepping::root_share, the error of a hit; in tolerances
+    double step_factor = plain_step_factor;  // upper limit of the step factor
+    double root_share = 0;                   // lower limit of Stepping::root_share, the error of a hit; in tolerances
 };
 
 // Mapping from pixels to directions. equirectangular: 360 degrees of longitude across, 180 of latitude upwards,
@@ -38,7 +37,7 @@ enum class Projection { perspective, equirectangular };
 
 // Crop window: the part of a larger picture that a scene shows, in pixels of that picture. The scene's size is that of
 // the window.
-struct Part {
+struct CropWindow {
     int left = 0, bottom = 0;
     int whole_width = 0, whole_height = 0;  // 0: the whole picture
 };
@@ -65,7 +64,7 @@ struct Scene {
     Projection projection = Projection::perspective;
     Vector sun{0.48, 0.64, 0.6};  // unit vector towards the sun, for colouring types from 2
     StepLimits limits;
-    Part part;
+    CropWindow crop_window;
 };
 
 // Entries of a parameter file, in order.

@@ -8,11 +8,11 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/passages.h"
 #include "flight/audit/runs.h"
-#include "flight/audit/standing.h"
+#include "flight/audit/longest_stop.h"
 #include "flight/audit/turns.h"
 #include "flight/audit/view_rows.h"
 #include "flight/field/threads.h"
-#include "flight/plan/roads.h"
+#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {
@@ -47,7 +47,7 @@ public:
         const FlightBars& bars = path_.scene.fractal->flight.bars;
         nearness();
         inside();
-        const auto field = [this](std::size_t frame) -> const Field& { return runs_.field(frame); };
+        const auto field = [this](std::size_t frame) -> const DistanceField& { return runs_.field(frame); };
         const auto passages = distinct_passages(field, places_, clearances_);
         add({"distinct passages", static_cast<double>(passages.size()),
              std::floor(bars.passages * seconds(places_.size()) / official_seconds), false, false, "", ""});
@@ -62,7 +62,7 @@ public:
     void add(Row row) { audit_.rows.push_back(std::move(row)); }
 
 private:
-    const Hull& hull(std::size_t frame) const { return runs_.field(frame).hull(); }
+    const Bounds& bounds(std::size_t frame) const { return runs_.field(frame).bounds(); }
     double percent(std::size_t count) const
     {
         return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
@@ -79,7 +79,7 @@ private:
         std::vector<char> hit(places_.size(), 0);
         parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
-                const bool inside = clearances_[i] <= in_solid * hull(i).size;
+                const bool inside = clearances_[i] <= in_solid * bounds(i).size;
                 hit[i] = inside || (i > 0 && !runs_.free_before(i, clearances_)) ? 1 : 0;
             }
         });
@@ -133,7 +133,7 @@ private:
     {
         std::vector<double> radii(clearances_.size());
         for (std::size_t i = 0; i < radii.size(); ++i)
-            radii[i] = stillness * std::min(clearances_[i], fastest_clearance(hull(i)));
+            radii[i] = stillness * std::min(clearances_[i], fastest_clearance(bounds(i)));
         const Stand stand = longest_stand(places_, radii);
         add({"longest time standing still", seconds(stand.steps), 2, true, true, "s",
              stand.steps > 0 ? at_frame(stand.first) : ""});
@@ -142,7 +142,7 @@ private:
     void nearness()
     {
         std::vector<double> shares(clearances_.size());
-        for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 100 * clearances_[i] / hull(i).size;
+        for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 100 * clearances_[i] / bounds(i).size;
         const auto least = std::ranges::min_element(shares);
         add({"least DE, share of the hull's size", *least, 0.25, false, false, "%",
              at_frame(static_cast<std::size_t>(least - shares.begin()))});
@@ -151,7 +151,7 @@ private:
     void inside()
     {
         std::size_t count = 0;
-        for (std::size_t i = 0; i < places_.size(); ++i) count += hull(i).contains(places_[i]) ? 1 : 0;
+        for (std::size_t i = 0; i < places_.size(); ++i) count += bounds(i).contains(places_[i]) ? 1 : 0;
         add({"frames inside the hull", percent(count), 90, false, false, "%", ""});
     }
 

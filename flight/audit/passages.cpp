@@ -34,10 +34,10 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
         if (here < narrowing * least.clearance) continue;
         narrowed = false;
         widest = here;
-        const Field& there = field(least.frame);
-        if (!there.hull().contains(places[least.frame])) continue;
+        const DistanceField& there = field(least.frame);
+        if (!there.bounds().contains(places[least.frame])) continue;
         const Vector place = there.representative(places[least.frame]);
-        const double apart = std::max(same_clearances * least.clearance, same_size * there.hull().size);
+        const double apart = std::max(same_clearances * least.clearance, same_size * there.bounds().size);
         if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
         known.push_back(place);
         passages.push_back(least);

@@ -16,7 +16,7 @@ struct Passage {
 };
 
 // Returns the distance field of a frame.
-using FieldOf = std::function<const Field&(std::size_t frame)>;
+using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
 
 // Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage that the
 // fractal's symmetry maps onto an earlier one is left out.

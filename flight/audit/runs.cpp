@@ -31,7 +31,7 @@ Runs::Runs(const Path& path, int threads) : path_(path)
     };
     for (std::size_t i = 0; i < path.frames.size(); ++i) {
         if (i == 0 || !same(path.frames[i].changes, path.frames[i - 1].changes)) {
-            runs_.push_back({i, i, std::make_unique<Field>(scene_of(path, path.frames[i], 16, 9), threads)});
+            runs_.push_back({i, i, std::make_unique<DistanceField>(scene_of(path, path.frames[i], 16, 9), threads)});
         }
         runs_.back().last = i + 1;
         of_.push_back(runs_.size() - 1);
@@ -59,21 +59,21 @@ bool Runs::free_before(std::size_t frame, std::span<const double> clearances) co
     const Vector to = path_.frames[frame].eye;
     const double way = length(to - from);
     // True if the safe balls along the segment overlap.
-    const auto straight = [&](const Field& shape, Vector a, Vector b, double clearance) {
-        const double floor = solid * shape.hull().size;
+    const auto straight = [&](const DistanceField& shape, Vector a, Vector b, double clearance) {
+        const double floor = solid * shape.bounds().size;
         return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;
     };
     if (!straight(field(frame), to, from, clearances[frame])) return false;
     if (!changed(frame)) return true;
     if (!straight(field(frame - 1), from, to, clearances[frame - 1])) return false;
     const auto moment = [&](std::size_t i) { return Moment{scene_of(path_, path_.frames[i], 16, 9), clearances[i]}; };
-    return free_between(moment(frame - 1), moment(frame), solid * field(frame).hull().size, 0);
+    return free_between(moment(frame - 1), moment(frame), solid * field(frame).bounds().size, 0);
 }
 
 bool Runs::free_between(const Moment& from, const Moment& to, double floor, int depth)
 {
     Moment middle{halfway(from.scene, to.scene), 0};
-    middle.clearance = Field(middle.scene, 1).distance(middle.scene.eye);
+    middle.clearance = DistanceField(middle.scene, 1).distance(middle.scene.eye);
     if (middle.clearance <= floor) return false;
     const double mean = 0.5 * (from.clearance + to.clearance);
     if (std::abs(middle.clearance - mean) <= even * std::min(from.clearance, to.clearance) || depth == deepest)

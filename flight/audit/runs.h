@@ -14,7 +14,7 @@ namespace mandelmarch {
 // Consecutive frames with the same fractal constants, with their distance field.
 struct Run {
     std::size_t first, last;  // [first, last)
-    std::unique_ptr<Field> field;
+    std::unique_ptr<DistanceField> field;
 };
 
 class Runs {
@@ -24,7 +24,7 @@ public:
 
     std::span<const Run> all() const { return runs_; }
     bool changes() const { return runs_.size() > 1; }
-    const Field& field(std::size_t frame) const { return *runs_[of_[frame]].field; }
+    const DistanceField& field(std::size_t frame) const { return *runs_[of_[frame]].field; }
     // True if the frame's shape differs from that of the previous frame.
     bool changed(std::size_t frame) const { return frame > 0 && of_[frame] != of_[frame - 1]; }
     int threads() const { return runs_.front().field->threads(); }

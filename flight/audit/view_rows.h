@@ -13,7 +13,7 @@ namespace mandelmarch {
 struct Seen {
     int frames_per_second;
     std::vector<std::size_t> frames;
-    std::vector<Glimpse> views;
+    std::vector<DepthView> views;
 };
 
 Row motion_row(const Path& path, const Seen& seen);

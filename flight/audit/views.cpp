@@ -48,13 +48,13 @@ Vector direction_of(const Camera& camera, int pixel)
     return unit(camera.forward + place.u * camera.across + place.v * camera.upward);
 }
 
-double Glimpse::hit_share() const
+double DepthView::hit_share() const
 {
     const auto hits = std::ranges::count_if(depth, [](float d) { return std::isfinite(d); });
     return static_cast<double>(hits) / view_pixels;
 }
 
-double Glimpse::middle_hit_share() const
+double DepthView::middle_hit_share() const
 {
     int pixels = 0;
     int hits = 0;
@@ -67,7 +67,7 @@ double Glimpse::middle_hit_share() const
     return static_cast<double>(hits) / pixels;
 }
 
-Dullness Glimpse::dullness(double clearance) const
+Dullness DepthView::dullness(double clearance) const
 {
     if (hit_share() < least_hits) return Dullness::empty;
     std::array<float, view_pixels> sorted = depth;
@@ -79,11 +79,11 @@ Dullness Glimpse::dullness(double clearance) const
     return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
 
-std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames, int stride)
+std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames, int stride)
 {
     const auto every = static_cast<std::size_t>(stride);
-    std::vector<Glimpse> views((frames.size() + every - 1) / every);
-    const double end = far * field.hull().size;
+    std::vector<DepthView> views((frames.size() + every - 1) / every);
+    const double end = far * field.bounds().size;
     parallel(views.size(), 16, field.threads(), [&](std::size_t first, std::size_t last) {
         std::vector<Vector> from(view_pixels);
         std::vector<Vector> along(view_pixels);
@@ -133,7 +133,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
     return *middle;
 }
 
-double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
+double median_motion(const DepthView& seen, const Frame& from, const Frame& to)
 {
     const Camera camera = camera_at(from);
     const bool hits_only = seen.hit_share() > 0.02;
@@ -148,10 +148,10 @@ double median_motion(const Glimpse& seen, const Frame& from, const Frame& to)
     return median_motion(along, depths, from, to);
 }
 
-double likeness(const Glimpse& a, const Glimpse& b)
+double likeness(const DepthView& a, const DepthView& b)
 {
     // The background counts as twice as far away as the farthest hit.
-    const auto logarithms = [](const Glimpse& view) {
+    const auto logarithms = [](const DepthView& view) {
         float most = 0;
         for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
         std::array<double, view_pixels> logs{};

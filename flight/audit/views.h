@@ -19,7 +19,7 @@ inline constexpr int view_pixels = view_width * view_height;
 // of the pixels differ by less than 25 %. wall: a wall closer than 2 clearances fills 90 % of the picture.
 enum class Dullness { lively, empty, one_depth, wall };
 
-struct Glimpse {
+struct DepthView {
     std::array<float, view_pixels> depth;  // along the ray, in the scene's units; +infinity: nothing hit
 
     double hit_share() const;
@@ -34,17 +34,17 @@ Vector direction_of(const Camera& camera, int pixel);
 
 // Returns the views of frames[0], frames[stride], ..., using all of the field's threads. The field must have the
 // frames' shape.
-std::vector<Glimpse> views_of(const Field& field, std::span<const Frame> frames, int stride);
+std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames, int stride);
 
 // Returns the median motion of pixels from one frame to the next, in picture heights. `seen`: the view from the first
 // frame. Only pixels that hit something count, as the background has one colour; if there are few, all pixels count.
-double median_motion(const Glimpse& seen, const Frame& from, const Frame& to);
+double median_motion(const DepthView& seen, const Frame& from, const Frame& to);
 
 // The same for rays from `from`, given by their unit vectors and depths (+infinity: nothing hit); 0 without rays.
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to);
 
 // Returns the correlation of the logarithms of two views' depths, or of one view and the other mirrored, whichever is
 // larger.
-double likeness(const Glimpse& a, const Glimpse& b);
+double likeness(const DepthView& a, const DepthView& b);
 
 }  // namespace mandelmarch

@@ -40,25 +40,25 @@ double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 }  // namespace
 
-Field::Field(const Scene& scene, int threads, const Budget* budget)
+DistanceField::DistanceField(const Scene& scene, int threads, const Budget* budget)
     : scene_(scene),
       kernel_(field::kernel_of(scene.fractal->name)),
       data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
       safety_(scene.fractal->flight.trust_of(scene).safety),
       threads_(threads > 0 ? threads : usable_threads()),
       budget_(budget),
-      hull_(hull_of(scene, *this))
+      bounds_(bounds_of(scene, *this))
 {
 }
 
-double Field::distance(Vector p) const
+double DistanceField::distance(Vector p) const
 {
     double out = 0;
     distances({&p, 1}, {&out, 1});
     return out;
 }
 
-void Field::distances(std::span<const Vector> points, std::span<double> out) const
+void DistanceField::distances(std::span<const Vector> points, std::span<double> out) const
 {
     parallel(points.size(), 4096, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t at = first; at < last; at += block) {
@@ -73,8 +73,8 @@ void Field::distances(std::span<const Vector> points, std::span<double> out) con
     });
 }
 
-void Field::casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
-                  std::span<double> out) const
+void DistanceField::casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
+                          std::span<double> out) const
 {
     parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t at = first; at < last; at += block) {
@@ -90,7 +90,7 @@ void Field::casts(std::span<const Vector> from, std::span<const Vector> along, c
     });
 }
 
-Vector Field::uphill(Vector p, double h) const
+Vector DistanceField::uphill(Vector p, double h) const
 {
     const std::array<Vector, 6> around{Vector{p.x + h, p.y, p.z}, {p.x - h, p.y, p.z}, {p.x, p.y + h, p.z},
                                        {p.x, p.y - h, p.z},       {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
@@ -101,7 +101,7 @@ Vector Field::uphill(Vector p, double h) const
     return steepness > 0 ? (1 / steepness) * slope : Vector{};
 }
 
-double Field::least_between(Vector a, Vector b, double floor) const
+double DistanceField::least_between(Vector a, Vector b, double floor) const
 {
     const double whole = length(b - a);
     const Vector direction = whole > 0 ? (1 / whole) * (b - a) : Vector{};

@@ -14,14 +14,14 @@
 
 namespace mandelmarch {
 
-class Field {
+class DistanceField {
 public:
     // `threads`: 0 for all that the process may use. `budget`, if not null, must outlive the field; it is checked in
     // computations of many distances. Throws Unavailable if the fractal was not built.
-    Field(const Scene& scene, int threads, const Budget* budget = nullptr);
+    DistanceField(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
-    const Hull& hull() const { return hull_; }
+    const Bounds& bounds() const { return bounds_; }
     int threads() const { return threads_; }
     const Budget* budget() const { return budget_; }
 
@@ -32,7 +32,7 @@ public:
     Vector representative(Vector p) const { return scene_.fractal->flight.representative(scene_, p); }
 
     // True in a region that holds, for every point, an equivalent one under the fractal's symmetry.
-    bool worth_searching(Vector p) const { return scene_.fractal->flight.worth_searching(scene_, hull_, p); }
+    bool worth_searching(Vector p) const { return scene_.fractal->flight.worth_searching(scene_, bounds_, p); }
 
     // Returns the distance estimate at p, in the scene's units; 0 if it is negative or NaN.
     double distance(Vector p) const;
@@ -56,7 +56,7 @@ private:
     double safety_;
     int threads_;
     const Budget* budget_;
-    Hull hull_;
+    Bounds bounds_;
 };
 
 }  // namespace mandelmarch

@@ -17,7 +17,7 @@ namespace mandelmarch {
 namespace {
 
 // Returns a sphere with the largest radius at which one of many rays towards the centre ends, plus a margin.
-Hull sphere_by_rays(const Field& field)
+Bounds sphere_by_rays(const DistanceField& field)
 {
     constexpr int rays = 4000;
     constexpr double far = 20;
@@ -34,7 +34,7 @@ Hull sphere_by_rays(const Field& field)
     std::vector<double> t(from.size());
     field.casts(from, towards, {.floor = 1e-3, .tolerance = 0, .end = far, .steps = 1000}, t);
     const double nearest = *std::ranges::min_element(t);
-    return {Hull::Shape::sphere, std::max(1.02 * (far - nearest), 0.1)};
+    return {Bounds::Shape::sphere, std::max(1.02 * (far - nearest), 0.1)};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::string flight_objection(const Scene& scene)
 {
     const Fractal& fractal = *scene.fractal;
     // A fractal's own `body` returns nullopt if the shape is unbounded or has no inside.
-    if (fractal.flight.body == usual::unknown_body || fractal.flight.body(scene)) return {};
+    if (fractal.flight.body == defaults::unknown_body || fractal.flight.body(scene)) return {};
     const Scene official = official_scene(fractal);
     for (std::size_t i = 0; i < fractal.shape.size(); ++i) {
         Scene other = scene;
@@ -61,9 +61,9 @@ void check_flown(const Scene& scene)
     if (const std::string objection = flight_objection(scene); !objection.empty()) throw InputError(objection);
 }
 
-Hull hull_of(const Scene& scene, const Field& field)
+Bounds bounds_of(const Scene& scene, const DistanceField& field)
 {
-    const std::optional<Hull> known = scene.fractal->flight.body(scene);
+    const std::optional<Bounds> known = scene.fractal->flight.body(scene);
     return known ? *known : sphere_by_rays(field);
 }
 

@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-class Field;
+class DistanceField;
 
 // Returns the reason why the scene's fractal cannot be flown through, in one line with the expected input; empty if it
 // can be. Depends on the scene's shape alone and computes no distance.
@@ -19,6 +19,10 @@ std::string flight_objection(const Scene& scene);
 void check_flown(const Scene& scene);
 
 // Returns the bounds given by the fractal's descriptor, or else a sphere found by rays from far outside.
-Hull hull_of(const Scene& scene, const Field& field);
+Bounds bounds_of(const Scene& scene, const DistanceField& field);
+
+// Returns the clearance above which the camera flies no faster: 0.1 fractal sizes. Costs are distances in clearances,
+// the integral of ds / min(clearance, this), because the camera's speed is proportional to min(clearance, this).
+inline double fastest_clearance(const Bounds& bounds) { return 0.1 * bounds.size; }
 
 }  // namespace mandelmarch

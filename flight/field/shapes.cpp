@@ -19,18 +19,18 @@ Scene Shapes::scene(double value) const
     return scene;
 }
 
-const Field& Shapes::at(double value, std::optional<Field>& room) const
+const DistanceField& Shapes::at(double value, std::optional<DistanceField>& room) const
 {
     if (value == usual()) return field_;
     return room.emplace(scene(value), field_.threads(), field_.budget());
 }
 
-Hull Shapes::hull(double value) const
+Bounds Shapes::bounds(double value) const
 {
-    if (value == usual()) return field_.hull();
+    if (value == usual()) return field_.bounds();
     const Scene there = scene(value);
     if (const auto known = there.fractal->flight.body(there)) return *known;
-    return Field(there, field_.threads()).hull();
+    return DistanceField(there, field_.threads()).bounds();
 }
 
 void Shapes::distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const
@@ -43,7 +43,7 @@ void Shapes::distances(std::span<const Vector> points, std::span<const double> v
         // Consecutive points with one value share a field.
         for (std::size_t at = first, end = first; at < last; at = end) {
             while (end < last && values[end] == values[at]) ++end;
-            std::optional<Field> room;
+            std::optional<DistanceField> room;
             this->at(values[at], room).distances(points.subspan(at, end - at), out.subspan(at, end - at));
         }
     });

@@ -15,7 +15,7 @@ public:
     Shapes(const Scene& scene, std::size_t number, int threads, const Budget* budget = nullptr);
 
     // The field at the usual value.
-    const Field& field() const { return field_; }
+    const DistanceField& field() const { return field_; }
     double usual() const { return field_.scene().shape[number_]; }
     std::size_t number() const { return number_; }
     int threads() const { return field_.threads(); }
@@ -23,14 +23,14 @@ public:
 
     Scene scene(double value) const;
     // Returns the field at a value. It is built in `room` if the value is not the usual one.
-    const Field& at(double value, std::optional<Field>& room) const;
-    Hull hull(double value) const;
+    const DistanceField& at(double value, std::optional<DistanceField>& room) const;
+    Bounds bounds(double value) const;
 
     // Writes the estimate at each point, for the shape at that point's value.
     void distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const;
 
 private:
-    Field field_;
+    DistanceField field_;
     std::size_t number_;
 };
 

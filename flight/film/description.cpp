@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
-#include "flight/film/note.h"
+#include "flight/film/stamp.h"
 
 namespace mandelmarch {
 

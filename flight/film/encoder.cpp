@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/scene/number.h"
-#include "flight/film/process.h"
+#include "core/base/number.h"
+#include "flight/film/child_process.h"
 #include "flight/film/title.h"
 
 namespace mandelmarch {
@@ -87,12 +87,12 @@ void check_ffmpeg(Container container)
     const std::string filter = fmt::format("drawtext={}:text=x,{}", font_option(), conversion);
     const std::vector<std::string> codec = video_codec(container);
     try {
-        Process process(
+        ChildProcess process(
             joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter},
                    codec, std::vector<std::string>{"-f", "null", "-"}),
             "", ffmpeg_timeout(check_seconds));
         const auto result = process.finish();
-        if (!result.fine) throw Error(result.cause);
+        if (!result.ok) throw Error(result.cause);
     } catch (const Error& error) {
         throw Error(fmt::format("{} does not work: {}; films need ffmpeg with {} and drawtext", ffmpeg(), error.what(),
                                 codec[1]));
@@ -101,16 +101,16 @@ void check_ffmpeg(Container container)
 
 std::string ffmpeg_version()
 {
-    Process process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
+    ChildProcess process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
     const std::string text = process.finish().output;
     return text.substr(0, text.find(" Copyright"));
 }
 
 std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what)
 {
-    Process process(joined(quietly(), arguments), folder);
+    ChildProcess process(joined(quietly(), arguments), folder);
     const auto result = process.finish();
-    if (!result.fine) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
+    if (!result.ok) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
     return result.output;
 }
 
@@ -124,7 +124,7 @@ std::int64_t frames_in(const std::string& progress)
 }
 
 struct Encoder::Pipe {
-    Process process;
+    ChildProcess process;
 };
 
 Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
@@ -168,7 +168,7 @@ void Encoder::wait()
     if (!broken_) return;
     const auto result = pipe_->process.finish();
     throw Error(
-        fmt::format("{}: the encoder failed: {}", file_, result.fine ? "it stopped reading frames" : result.cause));
+        fmt::format("{}: the encoder failed: {}", file_, result.ok ? "it stopped reading frames" : result.cause));
 }
 
 void Encoder::add(std::vector<std::uint8_t> frame)
@@ -183,7 +183,7 @@ void Encoder::finish()
 {
     wait();
     const auto result = pipe_->process.finish();
-    if (!result.fine) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
+    if (!result.ok) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
     if (frames_in(result.output) != frames_) {
         throw Error(fmt::format("{}: the encoder wrote {} frames of {}", file_, frames_in(result.output), frames_));
     }

@@ -22,7 +22,7 @@
 #include "flight/film/progress.h"
 #include "flight/film/spherical.h"
 #include "flight/film/title.h"
-#include "flight/film/workshop.h"
+#include "flight/film/segment_store.h"
 
 namespace mandelmarch {
 namespace {
@@ -50,7 +50,7 @@ std::string description_of(const Path& path, const Backend& backend, const FilmO
 
 class Filming {
 public:
-    Filming(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks, Workshop& work)
+    Filming(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks, SegmentStore& work)
         : path_(path),
           backend_(backend),
           options_(options),
@@ -146,9 +146,9 @@ private:
     // True if the piece exists and matches its stamp. Prints a message if it is damaged.
     bool is_finished(const std::string& file) const
     {
-        const Standing found = work_.standing(file);
-        if (found == Standing::damaged) say("film: {}/{} is damaged and is rendered again\n", work_.folder(), file);
-        return found == Standing::whole;
+        const FileState found = work_.state_of(file);
+        if (found == FileState::damaged) say("film: {}/{} is damaged and is rendered again\n", work_.folder(), file);
+        return found == FileState::whole;
     }
 
     // Copies the joined film to the output and writes its stamp.
@@ -224,7 +224,7 @@ private:
     const Backend& backend_;
     const FilmOptions& options_;
     Ranks& ranks_;
-    Workshop& work_;
+    SegmentStore& work_;
     Range frames_;
     Coding coding_;
 };
@@ -241,7 +241,7 @@ void check_ranks(const std::string& description, Ranks& ranks)
 }
 
 // Reports unfinished films of the same name with another description, such as from before options changed.
-void name_leftovers(const Workshop& work, const std::string& description)
+void name_leftovers(const SegmentStore& work, const std::string& description)
 {
     for (const auto& [folder, other] : work.others()) {
         say("film: {} has {} segments of another film, which are kept: {}\n", folder, other.segments,
@@ -265,7 +265,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     static_cast<void>(chosen_segments(options.segments, last - first + 1));
     OutputFile::check(options.output);
     if (!OutputFile::is_stream(options.output)) {
-        OutputFile::check(note_of(end_of_links(options.output)));
+        OutputFile::check(stamp_path(end_of_links(options.output)));
     } else if (options.segments) {
         throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }
@@ -273,7 +273,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     static_cast<void>(parts_folder(options.output, ""));
 }
 
-FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
+FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
 {
     const auto start = Clock::now();
     if (ranks.rank() == 0) check_film(options, path.frames.size(), path.frames_per_second);
@@ -284,11 +284,11 @@ FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions
     const bool stream = OutputFile::is_stream(options.output);
     const std::string parts = ranks.share(ranks.rank() == 0 ? parts_folder(options.output, made_of) : "");
     const auto [first, last] = chosen_frames(options.frames, path.frames.size());
-    Workshop work(options.output, parts, description, last - first + 1);
-    FilmReport report;
+    SegmentStore work(options.output, parts, description, last - first + 1);
+    FilmStats report;
     report.segments = work.segments();
     const auto complete = [&] {
-        return ranks.rank() == 0 && !stream && standing(end_of_links(options.output), made_of) == Standing::whole;
+        return ranks.rank() == 0 && !stream && state_of(end_of_links(options.output), made_of) == FileState::whole;
     };
     if (ranks.share(complete() ? "x" : "").empty()) {
         if (ranks.rank() == 0) {

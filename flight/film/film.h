@@ -29,7 +29,7 @@ struct FilmOptions {
 };
 
 // Statistics of make_film().
-struct FilmReport {
+struct FilmStats {
     std::size_t segments = 0;  // in the film
     std::size_t rendered = 0;  // segments rendered in this run, by all ranks
     std::size_t frames = 0;    // frames in these segments
@@ -54,7 +54,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate);
 // The output file appears only when it is complete; an interrupted run can be continued by another call. Damaged
 // segments are reported and rendered again. Prints progress to stderr. Throws InputError (check_film), Error (ffmpeg, a
 // full disk, another run that makes a film of this name), Unavailable.
-FilmReport make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
+FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 struct StillOptions {
     std::string folder;

@@ -13,6 +13,7 @@
 #include "flight/film/shrink.h"
 #include "flight/film/sun.h"
 #include "flight/film/tent.h"
+#include "core/image/image.h"
 
 namespace mandelmarch {
 
@@ -87,7 +88,7 @@ void FrameMaker::render(std::size_t frame)
 {
     const Scene scene = frame_scene(path_, frame, picture_);
     if (picture_.stereo) {
-        const double clearance = Field(scene, 1).distance(scene.eye);
+        const double clearance = DistanceField(scene, 1).distance(scene.eye);
         render_stereo(*renderer_, scene, eyes_distance * clearance, image_);
     } else {
         renderer_->render(scene, image_);

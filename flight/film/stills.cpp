@@ -10,13 +10,13 @@
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
-#include "flight/film/process.h"
+#include "flight/film/child_process.h"
 #include "flight/film/progress.h"
-#include "flight/film/workshop.h"
+#include "flight/film/segment_store.h"
 
 namespace mandelmarch {
 namespace {
@@ -36,35 +36,35 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
 
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
 {
-    Process process({ffmpeg(),
-                     "-hide_banner",
-                     "-loglevel",
-                     "error",
-                     "-f",
-                     "rawvideo",
-                     "-pix_fmt",
-                     "rgb24",
-                     "-video_size",
-                     fmt::format("{}x{}", picture.width, picture.height),
-                     "-i",
-                     "-",
-                     "-c:v",
-                     "mjpeg",
-                     "-q:v",
-                     "2",
-                     "-pix_fmt",
-                     "yuvj444p",
-                     "-fflags",
-                     "+bitexact",
-                     "-flags:v",
-                     "+bitexact",
-                     "-f",
-                     "image2pipe",
-                     "-"},
-                    "", ffmpeg_timeout(encoding_seconds));
+    ChildProcess process({ffmpeg(),
+                          "-hide_banner",
+                          "-loglevel",
+                          "error",
+                          "-f",
+                          "rawvideo",
+                          "-pix_fmt",
+                          "rgb24",
+                          "-video_size",
+                          fmt::format("{}x{}", picture.width, picture.height),
+                          "-i",
+                          "-",
+                          "-c:v",
+                          "mjpeg",
+                          "-q:v",
+                          "2",
+                          "-pix_fmt",
+                          "yuvj444p",
+                          "-fflags",
+                          "+bitexact",
+                          "-flags:v",
+                          "+bitexact",
+                          "-f",
+                          "image2pipe",
+                          "-"},
+                         "", ffmpeg_timeout(encoding_seconds));
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();
-    if (!result.fine) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
+    if (!result.ok) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
     OutputFile output(file);
     output.write(result.output.data(), result.output.size());
     output.commit();
@@ -133,7 +133,7 @@ std::size_t make_stills(const Path& path, const Backend& backend, const StillOpt
         frames.size(),
         [&](std::size_t i) {
             const std::string file = name(frames[i]);
-            if (standing(file, made_of(frames[i])) == Standing::whole) return;
+            if (state_of(file, made_of(frames[i])) == FileState::whole) return;
             const auto rgb = maker.draw(frames[i]);
             if (options.jpeg) {
                 write_jpeg_still(file, rgb, options.picture);

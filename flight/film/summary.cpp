@@ -8,7 +8,7 @@
 
 namespace mandelmarch {
 
-std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmReport& report,
+std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
                        int processes)
 {
     const auto devices = backend.devices();

@@ -10,7 +10,7 @@ namespace mandelmarch {
 
 // Returns JSON with device, size, mode, frames rendered in this run, seconds, and seconds per frame (null if none was
 // rendered).
-std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmReport& report,
+std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
                        int processes);
 
 }  // namespace mandelmarch

@@ -26,8 +26,8 @@ constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::size_t most_frames = 10'000'000;  // 92 hours
 constexpr const char* by_size = "by size";
 constexpr double usual_detail = -3;  // placeholder in the scene if the detail follows the size
-constexpr Meaning detail_meaning{"detail level", -37, 3};
-constexpr Meaning brightness_meaning{"brightness", 0, 1e6};
+constexpr ParameterInfo detail_meaning{"detail level", -37, 3};
+constexpr ParameterInfo brightness_meaning{"brightness", 0, 1e6};
 constexpr std::size_t longest_cause = 300;  // bytes of a parser's message
 constexpr std::size_t longest_value = 80;   // bytes of a value in a message
 
@@ -65,9 +65,9 @@ constexpr std::array<std::string_view, 10> frame_keys{
     "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
 
 // Reads values of one JSON object; messages name the file and the object.
-class Reader {
+class PathReader {
 public:
-    Reader(const Json& object, std::string place, const Fractal& fractal)
+    PathReader(const Json& object, std::string place, const Fractal& fractal)
         : object_(object), place_(std::move(place)), fractal_(fractal)
     {
         if (!object.is_object()) fail("not an object, expected {...}");
@@ -94,10 +94,13 @@ public:
         return *found;
     }
 
-    double real(const char* key, const Meaning& meaning) const { return checked(value(key), key, meaning); }
+    double real(const char* key, const ParameterInfo& meaning) const { return checked(value(key), key, meaning); }
 
     // Rounds to single precision, as the reader of parameter files does.
-    double single(const char* key, const Meaning& meaning) const { return static_cast<float>(real(key, meaning)); }
+    double single(const char* key, const ParameterInfo& meaning) const
+    {
+        return static_cast<float>(real(key, meaning));
+    }
 
     int whole(const char* key, int low, int high) const
     {
@@ -110,11 +113,11 @@ public:
 
     Vector vector(const char* key) const
     {
-        const auto [x, y, z] = three(key, {Meaning{key, -1e9, 1e9}, {key, -1e9, 1e9}, {key, -1e9, 1e9}});
+        const auto [x, y, z] = three(key, {ParameterInfo{key, -1e9, 1e9}, {key, -1e9, 1e9}, {key, -1e9, 1e9}});
         return {x, y, z};
     }
 
-    std::array<double, 3> three(const char* key, const std::array<Meaning, 3>& meanings) const
+    std::array<double, 3> three(const char* key, const std::array<ParameterInfo, 3>& meanings) const
     {
         const Json& found = value(key);
         if (!found.is_array() || found.size() != 3) {
@@ -162,7 +165,7 @@ public:
     }
 
 private:
-    double checked(const Json& found, const char* key, const Meaning& meaning) const
+    double checked(const Json& found, const char* key, const ParameterInfo& meaning) const
     {
         const double number = found.is_number() ? found.get<double>() : NAN;
         const bool fine = number <= meaning.high && (meaning.open_low ? number > meaning.low : number >= meaning.low);
@@ -180,7 +183,7 @@ private:
 
 void read_scene(const Json& object, const std::string& place, Path& path)
 {
-    const Reader reader(object, place, *path.scene.fractal);
+    const PathReader reader(object, place, *path.scene.fractal);
     reader.know(scene_keys);
     path.detail_by_size = reader.value("detail") == by_size;
     path.scene.detail = path.detail_by_size ? usual_detail : reader.single("detail", detail_meaning);
@@ -194,7 +197,7 @@ void read_scene(const Json& object, const std::string& place, Path& path)
 
 Frame read_frame(const Json& object, const std::string& place, const Path& path)
 {
-    const Reader reader(object, place, *path.scene.fractal);
+    const PathReader reader(object, place, *path.scene.fractal);
     reader.know(frame_keys);
     Frame frame;
     frame.eye = reader.vector("location");
@@ -260,7 +263,7 @@ Path path_from_text(const std::string& text, const std::string& name)
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", name, printable(error.what(), longest_cause)));
     }
-    const Reader whole(json, name, *path.scene.fractal);
+    const PathReader whole(json, name, *path.scene.fractal);
     whole.know(whole_keys);
     if (whole.has("seed")) path.seed = whole.seed();
     if (whole.has("frames_per_second"))

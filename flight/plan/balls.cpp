@@ -13,13 +13,13 @@ constexpr double overlap = 0.95;      // of the sum of two radii: the largest di
 
 }  // namespace
 
-Balls::Balls(const Field& field, double least, double narrow, int coarse)
+Balls::Balls(const DistanceField& field, double least, double narrow, int coarse)
     : field_(field),
       least_(least),
       narrow_(narrow),
       coarse_(coarse),
       fine_(coarse * parts),
-      half_(margin * field.hull().size),
+      half_(margin * field.bounds().size),
       side_(2 * half_ / fine_)
 {
     flood();
@@ -105,7 +105,7 @@ void Balls::flood()
         for (std::size_t i = 0, at = 0; i < cut.size(); ++i) {
             unsigned faces = 0;
             for (int k = 0; k < parts * parts * parts; ++k, ++at) {
-                if (clear[at] >= narrow_ && field_.hull().contains(points[at])) {
+                if (clear[at] >= narrow_ && field_.bounds().contains(points[at])) {
                     narrows_.push_back({points[at], clear[at]});
                 }
                 if (clear[at] < least_) continue;

@@ -25,7 +25,7 @@ public:
     // Fills the free space that is connected with the outside with balls of at least `least` clearance, within a cube
     // whose half edge is 1.2 fractal sizes. Free points inside the bounds of at least `narrow` clearance are kept as
     // narrows(). `coarse`: cells of the coarse grid along an edge.
-    Balls(const Field& field, double least, double narrow, int coarse = usual_coarse);
+    Balls(const DistanceField& field, double least, double narrow, int coarse = usual_coarse);
 
     static constexpr int usual_coarse = 64;
 
@@ -64,7 +64,7 @@ private:
     void link();
     void keep_outside_component();
 
-    const Field& field_;
+    const DistanceField& field_;
     double least_, narrow_;
     int coarse_, fine_;  // cells along an edge
     double half_;        // half the edge of the cube

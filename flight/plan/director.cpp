@@ -11,6 +11,7 @@
 #include "flight/plan/gaze.h"
 #include "flight/plan/panorama.h"
 #include "flight/plan/tour.h"
+#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {
@@ -86,22 +87,22 @@ double lack(double value, double enough, double none)
 
 }  // namespace
 
-Director::Director(const Shapes& shapes, const Track& track)
+Director::Director(const Shapes& shapes, const Curve& track)
 {
-    const Field& field = shapes.field();
+    const DistanceField& field = shapes.field();
     std::vector<Vector> places;
     std::vector<double> values;
     std::vector<double> clearances;
     double next = 0;
     for (std::size_t s = 0; s < track.at.size(); ++s) {
         if (track.length[s] < next) continue;
-        next = track.length[s] + panorama_spacing * std::min(track.clearance[s], fastest_clearance(field.hull()));
+        next = track.length[s] + panorama_spacing * std::min(track.clearance[s], fastest_clearance(field.bounds()));
         samples_.push_back(static_cast<double>(s));
         places.push_back(track.at[s]);
         values.push_back(track.value[s]);
         clearances.push_back(track.clearance[s]);
     }
-    const double end = farthest_seen * field.hull().size;
+    const double end = farthest_seen * field.bounds().size;
     depths_ = panoramas(shapes, sphere(), places, values, end);
     costs_.resize(depths_.size());
     parallel(places.size(), 8, field.threads(), [&](std::size_t first, std::size_t last) {
@@ -170,7 +171,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
     return median_motion(along, hits, from, to);
 }
 
-std::vector<Vector> Director::gaze(const Ride& ride, int frames) const
+std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
 {
     // One slot for every tenth frame, and one for the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;

@@ -7,20 +7,20 @@
 
 #include "flight/field/shapes.h"
 #include "flight/path/path.h"
-#include "flight/plan/ride.h"
+#include "flight/plan/trajectory.h"
 
 namespace mandelmarch {
 
 // Panoramas at points along a curve, with a cost for each direction as a gaze.
 class Director {
 public:
-    Director(const Shapes& shapes, const Track& track);
+    Director(const Shapes& shapes, const Curve& track);
 
     // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
     // The trajectory should continue for look_ahead frames. Dynamic programming (Bellman) over directions at every
     // tenth frame minimises the sum of three costs: features missing from the view, angle to the direction of motion,
     // and turns. smoothed_gaze() smooths the result.
-    std::vector<Vector> gaze(const Ride& ride, int frames) const;
+    std::vector<Vector> gaze(const Trajectory& ride, int frames) const;
 
     // Returns the picture's median motion from one frame to the next, as median_motion(), computed from the panorama
     // nearest to a sample of the curve.

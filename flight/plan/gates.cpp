@@ -43,7 +43,7 @@ std::pair<Vector, Vector> across(Vector axis)
 
 class Finder {
 public:
-    Finder(const Field& field, const Balls& balls, double least, double most)
+    Finder(const DistanceField& field, const Balls& balls, double least, double most)
         : field_(field), balls_(balls), least_(least), most_(most), enough_(9.0 / ring_rays)
     {
     }
@@ -253,7 +253,7 @@ private:
         gate.axis = unit(whole[ahead] - whole[behind]);
     }
 
-    const Field& field_;
+    const DistanceField& field_;
     const Balls& balls_;
     double least_, most_;
     double enough_;  // fraction of the ring that must be wall
@@ -261,13 +261,13 @@ private:
 
 }  // namespace
 
-std::vector<Gate> find_gates(const Field& field, const Balls& balls, const GateSearch& search, std::vector<Gate> known,
-                             std::span<const Ball> also)
+std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, const GateSearch& search,
+                             std::vector<Gate> known, std::span<const Ball> also)
 {
     const auto [least, most, tries] = search;
     // A fixed seed, so that all tours choose among the same gates.
     std::vector<Ball> places(also.begin(), also.end());
-    Random random(1);
+    FlightRandom random(1);
     const double share = static_cast<double>(tries) / std::max(static_cast<double>(balls.narrows().size()), 1.0);
     for (const Ball& place : balls.narrows()) {
         if (random.share() < share && place.clearance < most) places.push_back(place);

@@ -29,7 +29,7 @@ struct GateSearch {
 
 // Returns the `known` gates, then those found from points of narrows(), chosen at random with a fixed seed, and from
 // all points of `also`.
-std::vector<Gate> find_gates(const Field& field, const Balls& balls, const GateSearch& search,
+std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, const GateSearch& search,
                              std::vector<Gate> known = {}, std::span<const Ball> also = {});
 
 }  // namespace mandelmarch

@@ -56,14 +56,14 @@ double degrees_between(Vector a, Vector b)
     return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
 }
 
-Vector ahead(const Ride& ride, std::size_t frame, std::size_t frames)
+Vector ahead(const Trajectory& ride, std::size_t frame, std::size_t frames)
 {
     const std::size_t to = std::min(frame + frames, ride.at.size() - 1);
     const Vector way = ride.at[to] - ride.at[std::min(frame, to - 1)];
     return length(way) > 0 ? unit(way) : Vector{1, 0, 0};
 }
 
-std::vector<Vector> smoothed_gaze(const Ride& ride, std::vector<Vector> aims)
+std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims)
 {
     for (std::size_t i = 0; i < std::min(aims.size(), middle_until); ++i) {
         const double share =
@@ -84,7 +84,7 @@ void limit_turns(std::vector<Vector>& gaze, double most)
     }
 }
 
-std::vector<Frame> cameras(const Ride& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view)
+std::vector<Frame> cameras(const Trajectory& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view)
 {
     std::vector<Frame> frames;
     for (std::size_t i = 0; i < gaze.size(); ++i) {

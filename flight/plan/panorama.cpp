@@ -50,7 +50,7 @@ std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::sp
         std::vector<double> t(count);
         for (std::size_t i = first; i < last; ++i) {
             std::ranges::fill(from, places[i]);
-            std::optional<Field> room;
+            std::optional<DistanceField> room;
             shapes.at(values[i], room)
                 .casts(from, sphere.directions(),
                        {.floor = 0, .tolerance = coarse_share, .end = end, .steps = most_steps}, t);

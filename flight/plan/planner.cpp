@@ -13,11 +13,11 @@
 #include "flight/audit/passages.h"
 #include "flight/field/budget.h"
 #include "flight/field/hull.h"
-#include "flight/plan/band.h"
+#include "flight/plan/elastic_band.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
-#include "flight/plan/ride.h"
-#include "flight/plan/roads.h"
+#include "flight/plan/trajectory.h"
+#include "flight/plan/roadmap.h"
 
 namespace mandelmarch {
 namespace {
@@ -50,17 +50,17 @@ public:
           measures_(scene.fractal->flight.measures),
           seed_(seed),
           frames_(frames),
-          size_(shapes_.field().hull().size),
+          size_(shapes_.field().bounds().size),
           atlas_(shapes_, schedule_)
     {
     }
 
-    const Atlas& atlas() const { return atlas_; }
+    const RoadmapSet& atlas() const { return atlas_; }
 
     // Returns the path of one tour; empty if the tour was too short or, with a changing shape, not on time.
     Path attempt(int number)
     {
-        Random random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
+        FlightRandom random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
         for (int i = 0; i < 4; ++i) random.next();
         TourLength length;
         if (schedule_.changes()) {
@@ -69,33 +69,33 @@ public:
         } else {
             length.cost = 1.2 * measures_.pace * frames_ + 60;
         }
-        const std::function<bool(const Way&)> fine = [this](const Way& part) {
+        const std::function<bool(const Polyline&)> fine = [this](const Polyline& part) {
             return least_on(shapes_, part, schedule_, atlas_.step()) > least_clearance * size_;
         };
         const Tour tour = make_tour(atlas_.stretches(frames_), length, random,
-                                    schedule_.changes() ? fine : std::function<bool(const Way&)>{});
+                                    schedule_.changes() ? fine : std::function<bool(const Polyline&)>{});
         if (schedule_.changes() && tour.clock < length.clock) return {};
-        Track track =
+        Curve track =
             track_of(shapes_, schedule_, smooth(shapes_, tour.way, schedule_, atlas_.step(), least_clearance * size_));
         return fly(track);
     }
 
 private:
-    Path fly(Track& track)
+    Path fly(Curve& track)
     {
         const int needed = frames_ + look_ahead;
         const Director director(shapes_, track);
-        const Hull& hull = shapes_.field().hull();
+        const Bounds& bounds = shapes_.field().bounds();
         std::vector<Vector> views;
-        Ride now;
+        Trajectory now;
         double off = 0;
         for (int round = 0; round < retimings; ++round) {
             if (schedule_.changes()) {
-                Timed timed = ride_in_time(hull, track, measures_.pace, frames_, schedule_);
+                Timed timed = ride_in_time(bounds, track, measures_.pace, frames_, schedule_);
                 now = std::move(timed.ride);
                 off = timed.off;
             } else {
-                now = ride(hull, track, measures_.pace, needed);
+                now = ride(bounds, track, measures_.pace, needed);
             }
             // A trajectory that is too short may become long enough when it slows down in bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
@@ -119,7 +119,7 @@ private:
     }
 
     // Updates share_ from the trajectory's mean speed factor, for the shape time of the next tour.
-    void learn(const Track& track, const Ride& ride)
+    void learn(const Curve& track, const Trajectory& ride)
     {
         double sum = 0;
         for (const double sample : ride.sample) sum += track.slow[static_cast<std::size_t>(sample)];
@@ -128,7 +128,7 @@ private:
     }
 
     // Sets each frame's shape, rounded to single precision, as in path files.
-    void change(Path& path, const Track& track, const Ride& ride) const
+    void change(Path& path, const Curve& track, const Trajectory& ride) const
     {
         const std::vector<double> clock = clock_of(track, ride, static_cast<int>(path.frames.size()), schedule_);
         for (std::size_t i = 0; i < path.frames.size(); ++i) {
@@ -138,7 +138,7 @@ private:
     }
 
     // Lowers the speed factors where the gaze turns too fast.
-    void slow_turns(Track& track, const Ride& ride, const std::vector<Vector>& views) const
+    void slow_turns(Curve& track, const Trajectory& ride, const std::vector<Vector>& views) const
     {
         std::vector<double> factor(track.slow.size(), 1);
         for (std::size_t i = 1; i < views.size(); ++i) {
@@ -154,7 +154,8 @@ private:
     }
 
     // Adjusts the speed factors so that the picture's motion approaches usual_motion, at most at full pace.
-    void keep_moving(Track& track, const Ride& ride, const std::vector<Vector>& views, const Director& director) const
+    void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Vector>& views,
+                     const Director& director) const
     {
         const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
         for (std::size_t i = 0; i + 1 < frames.size(); i += view_stride) {
@@ -175,7 +176,7 @@ private:
     std::uint64_t seed_;
     int frames_;
     double size_;
-    Atlas atlas_;
+    RoadmapSet atlas_;
     double share_ = first_share;  // mean speed that sets the shape time of tours, as a fraction of the pace
 };
 
@@ -192,7 +193,7 @@ double faults(const Audit& audit)
 }
 
 // Throws InputError if the roadmaps have no free space or no gates.
-void check_roads(const Atlas& atlas, const Scene& scene, const Schedule& schedule)
+void check_roads(const RoadmapSet& atlas, const Scene& scene, const Schedule& schedule)
 {
     const auto fail = [&](const char* missing) {
         constexpr int few_iterations = 8;

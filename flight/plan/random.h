@@ -7,9 +7,9 @@
 namespace mandelmarch {
 
 // SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
-class Random {
+class FlightRandom {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    explicit FlightRandom(std::uint64_t seed) : state_(seed) {}
 
     std::uint64_t next()
     {

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/scene/fractal.h"
-#include "core/scene/number.h"
+#include "core/base/number.h"
 #include "flight/field/hull.h"
 #include "flight/path/path.h"
 
@@ -67,7 +67,7 @@ private:
     std::size_t number_of(std::string_view name) const
     {
         const auto& shape = scene_.fractal->shape;
-        const auto found = std::ranges::find(shape, name, &Meaning::name);
+        const auto found = std::ranges::find(shape, name, &ParameterInfo::name);
         if (found == shape.end()) {
             throw InputError(
                 fmt::format("--{}: the {} has none, expected another fractal", name, scene_.fractal->name));
@@ -90,7 +90,7 @@ private:
     // Parses a value and rounds it to single precision, as the reader of parameter files does.
     double value(std::string_view text) const
     {
-        const Meaning& meaning = scene_.fractal->shape[number_];
+        const ParameterInfo& meaning = scene_.fractal->shape[number_];
         const auto found = parse_real(text);
         const double value = found ? static_cast<float>(*found) : 0;
         const bool fine =

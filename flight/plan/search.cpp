@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/plan/search.h"
+#include "flight/field/hull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +34,11 @@ double angle_between(Vector a, Vector b)
 
 }  // namespace
 
-Search::Search(std::span<const Stretch> stretches, double frames_a_clearance)
+Search::Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance)
     : stretches_(stretches), frames_a_clearance_(frames_a_clearance)
 {
-    for (const Stretch& stretch : stretches) {
-        const Roads& roads = *stretch.roads;
+    for (const RoadmapSpan& stretch : stretches) {
+        const Roadmap& roads = *stretch.roads;
         offsets_.push_back(entries_.size());
         entries_.resize(entries_.size() + roads.balls.balls().size());
         int kinds = 0;
@@ -59,7 +60,7 @@ Search::Search(std::span<const Stretch> stretches, double frames_a_clearance)
 
 Node Search::near(int stretch, Vector place) const
 {
-    const Roads& there = roads(stretch);
+    const Roadmap& there = roads(stretch);
     const int holding = there.balls.holding(place);
     if (holding >= 0) return {stretch, holding};
     std::vector<std::pair<double, int>> nearest;
@@ -79,7 +80,7 @@ Node Search::near(int stretch, Vector place) const
     return {};
 }
 
-Entry Search::next(Node from, double clock, std::span<const Vector> done, Random& random)
+Entry Search::next(Node from, double clock, std::span<const Vector> done, FlightRandom& random)
 {
     ++turn_;
     using Label = std::pair<double, std::pair<int, int>>;
@@ -107,14 +108,14 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Random
         if (cost > gate_reach) break;
         const double way = frames_a_clearance_ > 0 ? (clock_[b] - clock) / frames_a_clearance_ : 0;
         if (way > changing_reach) continue;
-        const Roads& here = roads(node.stretch);
-        const Hull& hull = here.field.hull();
+        const Roadmap& here = roads(node.stretch);
+        const Bounds& bounds = here.field.bounds();
         if (clock_[b] > stretch(node.stretch).until) {
             const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
             if (on.ball >= 0) relax(on, cost, clock_[b], node);
             continue;
         }
-        if (way > stroll_reach / 4 && way < stroll_reach && hull.contains(ball(node).centre)) stroll_ = node;
+        if (way > stroll_reach / 4 && way < stroll_reach && bounds.contains(ball(node).centre)) stroll_ = node;
         for (const int entry : entries_[b]) {
             const Gate& gate = here.gates[static_cast<std::size_t>(entry) / 2];
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
@@ -130,10 +131,10 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Random
             const Node to{node.stretch, link.to};
             const Ball& there = ball(to);
             const double clearance = std::min(0.5 * (std::min(link.clearance, there.clearance) + ball(node).clearance),
-                                              fastest_clearance(hull));
+                                              fastest_clearance(bounds));
             double step = link.length / clearance;
             const double when = clock_[b] + step * frames_a_clearance_;
-            if (!hull.contains(there.centre)) step *= outside_penalty;
+            if (!bounds.contains(there.centre)) step *= outside_penalty;
             if (seen_[index(to)] != 0) step *= seen_penalty;
             relax(to, cost + step, when, node);
         }
@@ -181,10 +182,10 @@ void Search::mark_flown(Entry entry)
     flown_[static_cast<std::size_t>(entry.stretch)][static_cast<std::size_t>(done.kind)] = 1;
     for (int other = 0; other < static_cast<int>(stretches_.size()); ++other) {
         if (other == entry.stretch) continue;
-        const Field& there = field(other);
+        const DistanceField& there = field(other);
         const Vector place = there.representative(done.centre);
         for (const Gate& gate : roads(other).gates) {
-            if (length(there.representative(gate.centre) - place) < same_gate * there.hull().size)
+            if (length(there.representative(gate.centre) - place) < same_gate * there.bounds().size)
                 flown_[static_cast<std::size_t>(other)][static_cast<std::size_t>(gate.kind)] = 1;
         }
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flight/plan/random.h"
-#include "flight/plan/roads.h"
+#include "flight/plan/roadmap.h"
 
 namespace mandelmarch {
 
@@ -24,11 +24,11 @@ struct Entry {
 class Search {
 public:
     // `frames_a_clearance`: shape time per distance.
-    Search(std::span<const Stretch> stretches, double frames_a_clearance);
+    Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance);
 
-    const Stretch& stretch(int number) const { return stretches_[static_cast<std::size_t>(number)]; }
-    const Roads& roads(int stretch) const { return *this->stretch(stretch).roads; }
-    const Field& field(int stretch) const { return roads(stretch).field; }
+    const RoadmapSpan& stretch(int number) const { return stretches_[static_cast<std::size_t>(number)]; }
+    const Roadmap& roads(int stretch) const { return *this->stretch(stretch).roads; }
+    const DistanceField& field(int stretch) const { return roads(stretch).field; }
     const Ball& ball(Node node) const { return roads(node.stretch).balls.balls()[static_cast<std::size_t>(node.ball)]; }
     const Gate& gate(Entry entry) const
     {
@@ -38,7 +38,7 @@ public:
     // Chooses the next gate by Dijkstra's search from a ball, until enough gates are found. Returns an empty entry if
     // no gate is in reach. `clock`: the shape time at the ball, frames. `done`: the points of the tour so far, relative
     // to which turns have a cost.
-    Entry next(Node from, double clock, std::span<const Vector> done, Random& random);
+    Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
     // Results of the last search. stroll(): the fallback, a ball inside at some distance; leg_to(): the balls on the
     // path to a node; cost() and clock(): clearances and shape time at a node.
@@ -67,7 +67,7 @@ private:
         return offsets_[static_cast<std::size_t>(node.stretch)] + static_cast<std::size_t>(node.ball);
     }
 
-    std::span<const Stretch> stretches_;
+    std::span<const RoadmapSpan> stretches_;
     double frames_a_clearance_;
     std::vector<std::size_t> offsets_;      // for each stretch: its first ball's index in vectors of all balls
     std::vector<char> seen_;                // for each ball: visited, or a neighbour of a visited one

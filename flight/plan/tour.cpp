@@ -15,8 +15,8 @@ constexpr double dear_gate = 130;       // clearances, with penalties: a gate fa
 
 class Guide {
 public:
-    Guide(std::span<const Stretch> stretches, const TourLength& length, Random& random,
-          const std::function<bool(const Way& part)>& fine)
+    Guide(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
+          const std::function<bool(const Polyline& part)>& fine)
         : search_(stretches, length.frames_a_clearance), length_(length), random_(random), fine_(fine)
     {
     }
@@ -25,7 +25,7 @@ public:
     {
         Node at{0, start()};
         const Vector first = search_.ball(at).centre;
-        const Vector eye = start_distance * search_.field(0).hull().size * unit(first);
+        const Vector eye = start_distance * search_.field(0).bounds().size * unit(first);
         add(eye, false, 0);
         add(first, false, 0);
         int refused = 0;
@@ -70,8 +70,8 @@ private:
         std::vector<int> candidates;
         for (std::size_t i = 0; i < balls.balls().size(); ++i) {
             const Ball& ball = balls.balls()[i];
-            if (ball.clearance > 0.1 * search_.field(0).hull().size && !search_.field(0).hull().contains(ball.centre) &&
-                !balls.links(static_cast<int>(i)).empty()) {
+            if (ball.clearance > 0.1 * search_.field(0).bounds().size &&
+                !search_.field(0).bounds().contains(ball.centre) && !balls.links(static_cast<int>(i)).empty()) {
                 candidates.push_back(static_cast<int>(i));
             }
         }
@@ -126,19 +126,19 @@ private:
     }
 
     // Returns the part of the polyline from a point on, with up to four points before it.
-    Way part_from(std::size_t point) const
+    Polyline part_from(std::size_t point) const
     {
         const auto first = static_cast<std::ptrdiff_t>(point - std::min<std::size_t>(point, 4));
         const auto cut = [first](const auto& all) {
             return std::decay_t<decltype(all)>(all.begin() + first, all.end());
         };
-        const Way& way = tour_.way;
+        const Polyline& way = tour_.way;
         return {cut(way.points), cut(way.pinned), cut(way.clock), cut(way.found)};
     }
 
     void add(Vector p, bool pin, int stretch)
     {
-        Way& way = tour_.way;
+        Polyline& way = tour_.way;
         if (!way.points.empty() && length(way.points.back() - p) < 1e-9) return;
         way.points.push_back(p);
         way.pinned.push_back(pin ? 1 : 0);
@@ -148,15 +148,15 @@ private:
 
     Search search_;
     TourLength length_;
-    Random& random_;
-    const std::function<bool(const Way& part)>& fine_;
+    FlightRandom& random_;
+    const std::function<bool(const Polyline& part)>& fine_;
     Tour tour_;
 };
 
 }  // namespace
 
-Tour make_tour(std::span<const Stretch> stretches, const TourLength& length, Random& random,
-               const std::function<bool(const Way& part)>& fine)
+Tour make_tour(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
+               const std::function<bool(const Polyline& part)>& fine)
 {
     return Guide(stretches, length, random, fine).fly();
 }

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "flight/plan/random.h"
-#include "flight/plan/roads.h"
+#include "flight/plan/roadmap.h"
 
 namespace mandelmarch {
 
 // A polyline; its pinned points, the gates' centres, must be kept.
-struct Way {
+struct Polyline {
     std::vector<Vector> points;
     std::vector<char> pinned;  // for each point
     // For each point: its shape time in frames, and the shape parameter's value of the roadmap that it was found on.
@@ -21,7 +21,7 @@ struct Way {
 };
 
 struct Tour {
-    Way way;
+    Polyline way;
     int gates = 0;
     double cost = 0;   // in clearances
     double clock = 0;  // shape time at the end, frames
@@ -41,7 +41,7 @@ struct TourLength {
 // at the same place.
 // `fine`: if given, called for each new part of the tour, together with up to four points before it; a part for which
 // it returns false is discarded.
-Tour make_tour(std::span<const Stretch> stretches, const TourLength& length, Random& random,
-               const std::function<bool(const Way& part)>& fine = {});
+Tour make_tour(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
+               const std::function<bool(const Polyline& part)>& fine = {});
 
 }  // namespace mandelmarch

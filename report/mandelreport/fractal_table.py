@@ -13,7 +13,7 @@ def _row(row: dict[str, Any]) -> str:
     functions = {
         "constants": f"[{', '.join(row['constants'])}]",
         "whole": row["whole"],
-        "stride": row["stride"],
+        "step_factor": row["step_factor"],
     }
     data = {name: value for name, value in row.items() if name not in functions}
     texts = [f"{name}: {INPUTS} => {text}" for name, text in functions.items()]

@@ -45,14 +45,14 @@ class Camera {
 // fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
     const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest, 0];
-    const stride = fast ? Math.min(rules.plain_stride, row.stride(...inputs)) : rules.plain_stride;
+    const step_factor = fast ? Math.min(rules.plain_step_factor, row.step_factor(...inputs)) : rules.plain_step_factor;
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),
         colouring: s.colouring, canonical: fast ? 1 : 0,
         // Float is too imprecise for differences; the picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
-        tolerance: Math.pow(10, Math.fround(s.detail)), stride,
-        relaxation: fast && stride >= rules.plain_stride ? rules.longest_relaxed : stride, end: rules.end, miss: Infinity,
+        tolerance: Math.pow(10, Math.fround(s.detail)), step_factor,
+        relaxation: fast && step_factor >= rules.plain_step_factor ? rules.longest_relaxed : step_factor, end: rules.end, miss: Infinity,
         brightness: s.brightness, root_share: row.root_share, fractal: row.constants(...inputs),
         longitude: 0, longitudes: 0, latitude: 0, latitudes: 0, sun: rules.sun,
         eye: camera.eye, forward: camera.forward,

@@ -18,7 +18,7 @@ class BrokenRenderer : public Renderer {
 public:
     BrokenRenderer(std::unique_ptr<Renderer> inner, Defect defect) : inner_(std::move(inner)), defect_(defect) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         const bool first = pictures_++ == 0;
         if (defect_ == Defect::stale && !first) return report_;
@@ -42,7 +42,7 @@ public:
 private:
     std::unique_ptr<Renderer> inner_;
     Defect defect_;
-    RenderReport report_;
+    RenderStats report_;
     int pictures_ = 0;
 };
 

@@ -27,7 +27,7 @@ Row numbered_row(int index)
     row.backend = fmt::format("backend{}", index);
     row.platform = "machine";
     row.device_name = "device";
-    row.proof.drawn = row.proof.fine = true;
+    row.proof.drawn = row.proof.passed = true;
     row.setting.width = row.setting.height = 540;
     return row;
 }
@@ -209,7 +209,7 @@ TEST(Compare, ABrokenPictureIsARegression)
     std::mt19937_64 random(7);
     const Result before = random_result(random, same);
     Result after = before;
-    after.rows[2].proof.fine = false;
+    after.rows[2].proof.passed = false;
     after.rows[2].failure = "the picture is wrong";
     after.rows[2].samples.clear();
     const ComparedResults compared = compare_results(before, after);

@@ -94,7 +94,7 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(platforms(slow, machine({}, 0)), 1U) << "no peak is known";
     EXPECT_THROW(compare_results(slow, machine({}, 464e9)), InputError);
     EXPECT_EQ(compare_results(slow, machine({}, 250e9)).rows[0].verdict, Verdict::same);
-    const std::vector<Result> apart = told_apart(std::vector{slow, machine({}, 464e9), machine({}, 230e9)});
+    const std::vector<Result> apart = disambiguated(std::vector{slow, machine({}, 464e9), machine({}, 230e9)});
     EXPECT_EQ(apart[1].rows[0].platform, "AMD EPYC (family 26 model 2), machine 2");
     EXPECT_EQ(apart[1].peaks[0].platform, apart[1].rows[0].platform);
     EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
@@ -181,7 +181,7 @@ TEST(Platform, CompareSaysWhereEnvironmentsDiffer)
               (std::vector<std::string>{"revision: a in the old result, b in the new",
                                         "compiler flags: -O3 in the old result, -O2 in the new",
                                         "driver of opencl 0: PoCL 3 in the old result, PoCL 4 in the new"}));
-    // Facts missing in an old file are called unknown, and any JSON in their place is accepted.
+    // BackendInfo missing in an old file are called unknown, and any JSON in their place is accepted.
     EXPECT_EQ(differences_of({{"git", "none"}, {"backends", 5}}, {{"git", {{"revision", "b"}}}}),
               (std::vector<std::string>{"revision: unknown in the old result, b in the new"}));
 }

@@ -73,7 +73,7 @@ TEST(BenchProgram, WithoutADefectEveryRowHasASpeed)
 {
     for (const char* mode : {"exact", "fast"}) {
         const Ran ran = run(Defect::none, small(mode));
-        EXPECT_EQ(ran.code, exit_fine) << ran.err;
+        EXPECT_EQ(ran.code, exit_success) << ran.err;
         const auto row = row_of(ran, "broken");
         EXPECT_TRUE(row["proof"]["fine"]);
         EXPECT_EQ(row["samples"].size(), 2U);
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
 
 TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
 {
-    EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_fine);
+    EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_success);
     EXPECT_EQ(run(Defect::upside_down, small("fast")).code, exit_failure);
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
@@ -121,7 +121,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     std::vector<std::string> arguments = small("fast");
     arguments.insert(arguments.end(), {"--study", "ablation"});
     const Ran sound = run(Defect::none, arguments);
-    EXPECT_EQ(sound.code, exit_fine) << sound.err;
+    EXPECT_EQ(sound.code, exit_success) << sound.err;
     EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
     EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "root")["figures"].is_null());
@@ -137,7 +137,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
 TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
 {
     const Ran ran = run(Defect::hidden, small("exact"));
-    EXPECT_EQ(ran.code, exit_fine);
+    EXPECT_EQ(ran.code, exit_success);
     EXPECT_NE(ran.out.find("unavailable: hidden on purpose"), std::string::npos) << ran.out;
     EXPECT_EQ(row_of(ran, "broken")["unavailable"], "hidden on purpose");
     std::vector<std::string> one = small("exact");
@@ -151,7 +151,7 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
 {
     const Ran ran =
         run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
-    EXPECT_EQ(ran.code, exit_fine);
+    EXPECT_EQ(ran.code, exit_success);
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
@@ -160,7 +160,7 @@ TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
                                              "profile", "--precision", "float",     "--repetitions", "1"};
-    EXPECT_EQ(run(Defect::none, arguments).code, exit_fine);
+    EXPECT_EQ(run(Defect::none, arguments).code, exit_success);
     int refused = 0;
     for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // Highway's names of the lowest sets
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
@@ -238,7 +238,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     arguments.insert(arguments.end(),
                      {"--benchmark_filter=box/.*/openmp/0$", "--benchmark_repetitions=3", "--benchmark_format=json"});
     const Ran ran = run(Defect::none, arguments);
-    EXPECT_EQ(ran.code, exit_fine) << ran.err;
+    EXPECT_EQ(ran.code, exit_success) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
     ASSERT_EQ(json["benchmarks"].size(), 4U) << "three repetitions and their median";
     EXPECT_EQ(json["benchmarks"][0]["run_type"], "iteration");

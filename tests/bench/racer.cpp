@@ -11,7 +11,7 @@
 
 #include "backends/reference/reference.h"
 #include "core/base/output_file.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 

@@ -51,7 +51,7 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
     ASSERT_EQ(result.rows.size(), 2U * 2 * 2 * 3);
     for (const RandomRow& row : result.rows) {
         // The second of three fractals follows the first.
-        const bool box = row.scene.fractal->nickname == "box";
+        const bool box = row.scene.fractal->short_name == "box";
         const auto index = static_cast<std::size_t>(row.number + (box ? 3 : 0));
         const Scene scene = random_scenes(3, row.set).at(index).scene;
         ASSERT_EQ(row.scene.fractal, scene.fractal);

@@ -37,10 +37,10 @@ class SlowedRenderer : public Renderer {
 public:
     SlowedRenderer(std::unique_ptr<Renderer> inner, double share) : inner_(std::move(inner)), share_(share) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-        RenderReport report = inner_->render(scene, image, progress);
+        RenderStats report = inner_->render(scene, image, progress);
         const double used = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
         const auto start = Clock::now();
         burn(share_ * used / std::max(1, report.threads));
@@ -58,7 +58,7 @@ class SlowedBackend : public Backend {
 public:
     explicit SlowedBackend(double share) : share_(share) {}
     std::string_view name() const override { return inner_->name(); }
-    Facts facts() const override { return inner_->facts(); }
+    BackendInfo info() const override { return inner_->info(); }
     std::optional<std::string> unavailable() const override { return inner_->unavailable(); }
     std::vector<Device> devices() const override { return inner_->devices(); }
     bool draws(const Scene& scene) const override { return inner_->draws(scene); }

@@ -21,15 +21,15 @@ TEST(Timings, PartsAreApartAndWithinTheWallTime)
         const Listing found = listing_of(*backend);
         for (int device = 0; device < static_cast<int>(found.devices.size()); ++device) {
             for (const Mode mode : {Mode::exact, Mode::fast}) {
-                for (const char* nickname : {"bulb", "box"}) {
-                    const Scene scene = bench::official_scene_of(nickname, 64, 48);
+                for (const char* short_name : {"bulb", "box"}) {
+                    const Scene scene = bench::official_scene_of(short_name, 64, 48);
                     const Precision precision = backend->name() == "reference" ? Precision::f64 : Precision::f32;
                     const auto renderer =
                         backend->create({.device = device, .precision = precision, .mode = mode, .counts = false});
                     for (const auto layers : {Image::Layers::all, Image::Layers::bytes, Image::Layers::bytes}) {
                         Image image(scene.width, scene.height, layers);
                         const Timings t = renderer->render(scene, image).timings;
-                        SCOPED_TRACE(std::string(backend->name()) + " " + std::to_string(device) + " " + nickname);
+                        SCOPED_TRACE(std::string(backend->name()) + " " + std::to_string(device) + " " + short_name);
                         for (const double part : {t.context, t.build, t.upload, t.readback}) EXPECT_GE(part, 0);
                         EXPECT_GT(t.kernel, 0);
                         EXPECT_LE(t.kernel, t.host + rounding);

@@ -27,10 +27,10 @@ class BrokenRenderer : public Renderer {
 public:
     BrokenRenderer(Defect defect, const RendererOptions& options) : defect_(defect), options_(options) {}
 
-    RenderReport render(const Scene& scene, Image& image, const Progress&) override
+    RenderStats render(const Scene& scene, Image& image, const Progress&) override
     {
         if (defect_ == Defect::error) throw Error("the device is broken");
-        RenderReport report = last_report_;
+        RenderStats report = last_report_;
         if (defect_ == Defect::last_picture && last_.width() == image.width() && last_.height() == image.height()) {
             image = last_;
         } else {
@@ -72,7 +72,7 @@ private:
     Defect defect_;
     RendererOptions options_;
     Image last_;
-    RenderReport last_report_;
+    RenderStats last_report_;
 };
 
 class BrokenBackend : public Backend {
@@ -102,7 +102,7 @@ protected:
         scenes.push_back({"far", official_scene("box", 90, 60)});
         scenes.back().scene.eye = {9, 8, 11};
         const auto row = check(BrokenBackend(defect), {.precision = GetParam(), .mode = mode}, "box", scenes, expected);
-        return row.fine();
+        return row.passed();
     }
 };
 
@@ -152,7 +152,7 @@ bool passes_random_scenes(Defect defect)
     const auto result = bench::compare_backends(
         Registry(std::move(backends)), options, [](const bench::Discrepancy&) {}, [](double) {});
     EXPECT_EQ(result.subjects.size(), 2U);
-    for (const bench::Subject& subject : result.subjects) {
+    for (const bench::Tested& subject : result.subjects) {
         EXPECT_EQ(subject.pictures, defect == Defect::error ? 0 : 10);
         EXPECT_EQ(subject.wrong > 0, !result.discrepancies.empty()) << subject.name();
     }

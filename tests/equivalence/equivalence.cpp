@@ -20,7 +20,7 @@ std::string to_text(const EquivalenceRow& row)
     return fmt::format("{:<10} {:<9} {:<24.24} {:<7} {:<6} {:>6}  {:<11} {:>20}  {}{}", row.fractal, row.backend,
                        row.device, name_of(row.precision), name_of(row.mode), row.scenes, name_of(row.level),
                        fmt::format("{} of {}", row.differing, row.pixels),
-                       row.mode == Mode::exact || !row.fine() ? row.first : "", row.fine() ? "" : "  FAILED");
+                       row.mode == Mode::exact || !row.passed() ? row.first : "", row.passed() ? "" : "  FAILED");
 }
 
 const Image& Expected::picture(const NamedScene& scene, Precision precision, Mode mode)
@@ -45,9 +45,9 @@ EquivalenceRow check(const Backend& backend, const RendererOptions& options, con
                        .first = {}};
     const auto renderer = backend.create(options);
     for (const NamedScene& named : scenes) {
-        if (named.scene.fractal->nickname != fractal) continue;
+        if (named.scene.fractal->short_name != fractal) continue;
         Image image(named.scene.width, named.scene.height, Image::Layers::all);
-        const RenderReport report = renderer->render(named.scene, image);
+        const RenderStats report = renderer->render(named.scene, image);
         row.device = report.device.name;
         const Image& right = expected.picture(named, options.precision, options.mode);
         const Agreement found = agreement(right, image, options.precision);

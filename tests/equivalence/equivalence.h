@@ -25,7 +25,7 @@ struct EquivalenceRow {
     double largest_ulps = 0;
     std::string first;  // the first differing pixel with both values; empty if none differs
 
-    bool fine() const { return level <= level_required(mode); }
+    bool passed() const { return level <= level_required(mode); }
 };
 
 std::string to_text(const EquivalenceRow& row);

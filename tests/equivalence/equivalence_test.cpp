@@ -20,7 +20,7 @@ std::vector<NamedScene> exact_scenes()
     std::vector<NamedScene> scenes = odd_scenes();
     for (NamedScene& scene : random_scenes(4, 20260)) scenes.push_back(std::move(scene));
     for (const Fractal& fractal : fractals()) {
-        scenes.push_back({fmt::format("{}, official", fractal.nickname), official_scene(fractal, 161, 107)});
+        scenes.push_back({fmt::format("{}, official", fractal.short_name), official_scene(fractal, 161, 107)});
     }
     return scenes;
 }
@@ -29,7 +29,7 @@ std::vector<NamedScene> fast_scenes()
 {
     std::vector<NamedScene> scenes;
     for (const Fractal& fractal : fractals()) {
-        scenes.push_back({fmt::format("{}, fast", fractal.nickname), official_scene(fractal, 240, 240)});
+        scenes.push_back({fmt::format("{}, fast", fractal.short_name), official_scene(fractal, 240, 240)});
     }
     return scenes;
 }
@@ -73,14 +73,14 @@ private:
     void check_row(const Backend& backend, const RendererOptions& options, const Fractal& fractal)
     {
         try {
-            const EquivalenceRow row = check(backend, options, std::string(fractal.nickname),
+            const EquivalenceRow row = check(backend, options, std::string(fractal.short_name),
                                              options.mode == Mode::exact ? exact_ : fast_, expected_);
             fmt::print("{}\n", to_text(row));
-            EXPECT_TRUE(row.fine()) << to_text(row);
+            EXPECT_TRUE(row.passed()) << to_text(row);
             EXPECT_GT(row.scenes, 0);
         } catch (const Unavailable& error) {
             // For example, a device without double. Backends of this build without any device fail the test above.
-            fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.nickname, backend.name(), error.what());
+            fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.short_name, backend.name(), error.what());
         }
     }
 
@@ -107,7 +107,7 @@ TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();
     for (const auto& backend : registry.backends()) {
-        if (backend->unavailable() || backend->facts().role == Role::reference) continue;
+        if (backend->unavailable() || backend->info().role == Role::reference) continue;
         const auto renderer = backend->create({.precision = Precision::f32, .counts = false});
         const auto bytes = [&](const Scene& scene, Image::Layers layers) {
             Image image(scene.width, scene.height, layers);
@@ -117,11 +117,11 @@ TEST(Equivalence, BytesAloneAreThoseOfTheValues)
         for (const Fractal& fractal : fractals()) {
             const Scene scene = official_scene(fractal, 51, 37);
             const std::vector<std::uint8_t> expected = bytes(scene, Image::Layers::all);
-            EXPECT_EQ(bytes(scene, Image::Layers::bytes), expected) << backend->name() << " " << fractal.nickname;
+            EXPECT_EQ(bytes(scene, Image::Layers::bytes), expected) << backend->name() << " " << fractal.short_name;
             // Negative control: other bytes are detected.
             Scene other = scene;
             other.brightness *= 0.5;
-            EXPECT_NE(bytes(other, Image::Layers::bytes), expected) << backend->name() << " " << fractal.nickname;
+            EXPECT_NE(bytes(other, Image::Layers::bytes), expected) << backend->name() << " " << fractal.short_name;
         }
     }
 }

@@ -8,10 +8,10 @@
 #include <fstream>
 #include <numbers>
 
-#include "apps/explore/desk.h"
-#include "apps/explore/handout.h"
+#include "apps/explore/path_editor.h"
+#include "apps/explore/export.h"
 #include "apps/explore/motion.h"
-#include "apps/explore/pace.h"
+#include "apps/explore/resolution_control.h"
 #include "apps/explore/settings.h"
 #include "apps/explore/sight.h"
 #include "apps/explore/smooth.h"
@@ -84,7 +84,7 @@ TEST(ExploreMotion, TurningRoundFourTimesLooksTheSameWay)
     const Vector before = unit(scene.target - scene.eye);
     Motion motion;
     for (int i = 0; i < 4; ++i) {
-        Wish wish;
+        MotionInput wish;
         wish.yaw = std::numbers::pi / 2;
         motion.move(scene, wish, tick);
         if (i == 1) {
@@ -96,12 +96,12 @@ TEST(ExploreMotion, TurningRoundFourTimesLooksTheSameWay)
 
 TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
 {
-    Pace pace;
-    for (int i = 0; i < 8; ++i) pace.took(100'000, 0.010);
-    const auto [width, height] = pace.size(960, 540, 0.012);
-    EXPECT_LE(pace.expected(static_cast<double>(width) * height), 0.012);
-    EXPECT_GT(pace.expected(1.2 * width * height), 0.012);
-    EXPECT_EQ(pace.size(960, 540, 1), std::pair(960, 540));
+    ResolutionControl resolution;
+    for (int i = 0; i < 8; ++i) resolution.took(100'000, 0.010);
+    const auto [width, height] = resolution.size(960, 540, 0.012);
+    EXPECT_LE(resolution.expected(static_cast<double>(width) * height), 0.012);
+    EXPECT_GT(resolution.expected(1.2 * width * height), 0.012);
+    EXPECT_EQ(resolution.size(960, 540, 1), std::pair(960, 540));
 }
 
 // Returns a flight with an unsteady hand, faster than a film may be.
@@ -148,16 +148,16 @@ TEST(ExplorePaths, ACameraThatIsPutElsewhereDrawsItsNeighboursAlong)
 TEST(ExplorePaths, ARecordingHasThirtyFramesASecond)
 {
     Scene scene = official("bulb");
-    Desk desk;
-    desk.begin_recording(scene);
+    PathEditor path_editor;
+    path_editor.begin_recording(scene);
     for (int i = 0; i < 120; ++i) {
         scene.eye.x += 0.001;
         scene.target.x += 0.001;
-        desk.record(scene, tick);
+        path_editor.record(scene, tick);
     }
-    desk.end_recording();
-    EXPECT_NEAR(static_cast<double>(desk.frames()), 61, 1);
-    EXPECT_NEAR(desk.path().frames.back().eye.x, scene.eye.x, 0.003);
+    path_editor.end_recording();
+    EXPECT_NEAR(static_cast<double>(path_editor.frames()), 61, 1);
+    EXPECT_NEAR(path_editor.path().frames.back().eye.x, scene.eye.x, 0.003);
 }
 
 TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)

@@ -157,14 +157,14 @@ TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
     const auto clearance = [&](Vector p, double power) {
         Scene scene = path.scene;
         scene.shape[2] = power;
-        return Field(scene, 1).distance(p);
+        return DistanceField(scene, 1).distance(p);
     };
     const auto swept = [&](Vector place) {
         path.frames.assign(2, {place, place + Vector{1, 0, 0}, {0, 0, 1}, 1, {}});
         path.frames[1].changes.shape = {0, 4, 7};
         return !row_of(audit_promises(path, 1), solid).kept();
     };
-    Random random(1);
+    FlightRandom random(1);
     int found = 0;
     int free = 0;
     for (int i = 0; i < 4000 && (found < 3 || free < 3); ++i) {

@@ -11,7 +11,7 @@
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
 #include "flight/plan/panorama.h"
-#include "flight/plan/ride.h"
+#include "flight/plan/trajectory.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -22,25 +22,25 @@ constexpr int frames = 300;
 // A path past the fractal: from its left to its right, 0.3 above.
 struct Passing {
     Shapes shapes{official_scene("bulb", 16, 9), 2, 0};
-    const Field& field = shapes.field();
-    Track track;
-    Ride flown;
+    const DistanceField& field = shapes.field();
+    Curve track;
+    Trajectory flown;
 
     Passing()
     {
-        Line line;
+        ControlPoints line;
         for (int i = 0; i < 60; ++i) line.at.push_back({-2 + 4.0 * i / 59, 0.2, 1.5});
         line.clock.assign(60, 0);
         line.value.assign(60, shapes.usual());
         track = track_of(shapes, {}, line);
-        flown = ride(field.hull(), track, 0.05, frames + look_ahead);
+        flown = ride(field.bounds(), track, 0.05, frames + look_ahead);
     }
 
     double mean_hit_share(const std::vector<Vector>& gaze) const
     {
         double sum = 0;
         const auto views = views_of(field, cameras(flown, gaze, {0, 1, 0}, 1.0), 10);
-        for (const Glimpse& view : views) sum += view.hit_share();
+        for (const DepthView& view : views) sum += view.hit_share();
         return sum / static_cast<double>(views.size());
     }
 };
@@ -117,7 +117,7 @@ TEST(Director, KnowsHowFarThePictureMoves)
 }
 
 // The camera is slow near a wall. Its acceleration has no jumps; the negative control, a step in speed, has.
-TEST(Ride, ChangesItsSpeedWithoutKinks)
+TEST(Trajectory, ChangesItsSpeedWithoutKinks)
 {
     const Passing way;
     double worst = 0;

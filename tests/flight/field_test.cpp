@@ -26,7 +26,7 @@ std::vector<Vector> places(int count)
 }
 
 // Returns distances at points, and the ends of rays from twice as far away to the middle, as bits.
-std::vector<std::uint64_t> bits_of(const Field& field)
+std::vector<std::uint64_t> bits_of(const DistanceField& field)
 {
     const std::vector<Vector> points = places(1001);  // not a multiple of a pack
     std::vector<Vector> from;
@@ -45,12 +45,12 @@ std::vector<std::uint64_t> bits_of(const Field& field)
     return bits;
 }
 
-TEST(Field, TheSameBitsOnAnyNumberOfThreads)
+TEST(DistanceField, TheSameBitsOnAnyNumberOfThreads)
 {
     for (const char* name : {"bulb", "box"}) {
         const Scene scene = official_scene(name, 16, 9);
-        const Field one(scene, 1);
-        const Field many(scene, 5);
+        const DistanceField one(scene, 1);
+        const DistanceField many(scene, 5);
         const std::vector<Vector> points = places(30'000);
         std::vector<double> a(points.size());
         std::vector<double> b(points.size());
@@ -58,25 +58,25 @@ TEST(Field, TheSameBitsOnAnyNumberOfThreads)
         many.distances(points, b);
         EXPECT_EQ(a, b);
         EXPECT_EQ(a[77], one.distance(points[77]));
-        const Vector outside{3 * one.hull().size, 0, 0};
-        EXPECT_FALSE(one.hull().contains(outside));
+        const Vector outside{3 * one.bounds().size, 0, 0};
+        EXPECT_FALSE(one.bounds().contains(outside));
         EXPECT_GT(one.distance(outside), 0);
-        EXPECT_LE(one.distance(outside), 3 * one.hull().size);
+        EXPECT_LE(one.distance(outside), 3 * one.bounds().size);
     }
 }
 
-TEST(Field, TheSameBitsInEveryInstructionSet)
+TEST(DistanceField, TheSameBitsInEveryInstructionSet)
 {
     for (const char* name : {"bulb", "box", "julia"}) {
         const Scene scene = official_scene(name, 16, 9);
-        const std::vector<std::uint64_t> expected = bits_of(Field(scene, 1));
+        const std::vector<std::uint64_t> expected = bits_of(DistanceField(scene, 1));
         std::set<int> lanes;
         for (const std::int64_t target : {HWY_STATIC_TARGET, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
             hwy::SetSupportedTargetsForTest(0);
             if ((hwy::SupportedTargets() & target) == 0) continue;  // the machine lacks these instructions
             hwy::SetSupportedTargetsForTest(target);
             lanes.insert(field::kernel_of(scene.fractal->name).lanes);
-            EXPECT_EQ(bits_of(Field(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
+            EXPECT_EQ(bits_of(DistanceField(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
         }
         hwy::SetSupportedTargetsForTest(0);
         // One lane is the scalar kernel, the others are packs.
@@ -86,7 +86,7 @@ TEST(Field, TheSameBitsInEveryInstructionSet)
         Scene other = scene;
         other.shape[0] += 1e-6;
         other.shape[2] += 1e-6;
-        EXPECT_NE(bits_of(Field(other, 1)), expected) << name;
+        EXPECT_NE(bits_of(DistanceField(other, 1)), expected) << name;
     }
 }
 

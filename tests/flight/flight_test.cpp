@@ -46,16 +46,16 @@ void move_to(Frame& frame, Vector place)
     frame.eye = place;
 }
 
-TEST(Field, SymmetricPlacesAreOne)
+TEST(DistanceField, SymmetricPlacesAreOne)
 {
     const Scene bulb = official_scene("bulb", 16, 9);
-    const Field field(bulb, 1);
+    const DistanceField field(bulb, 1);
     const Vector p{0.7, 0.2, 0.8};
     const double turn = 2 * std::acos(-1.0) / 7;
     const Vector q{p.x * std::cos(turn) - p.y * std::sin(turn), -(p.x * std::sin(turn) + p.y * std::cos(turn)), p.z};
     EXPECT_NEAR(field.distance(p), field.distance(q), 1e-9);
     EXPECT_LT(length(field.representative(p) - field.representative(q)), 1e-9);
-    const Field box(official_scene("box", 16, 9), 1);
+    const DistanceField box(official_scene("box", 16, 9), 1);
     EXPECT_LT(length(box.representative({1, -2, 3}) - box.representative({-3, 1, 2})), 1e-12);
 }
 
@@ -109,7 +109,7 @@ TEST(Audit, EveryRowCanFail)
     EXPECT_FALSE(
         fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
     // Quality.
-    const Field field(planned().scene, 0);
+    const DistanceField field(planned().scene, 0);
     fails(spoilt([&](auto& f) {
               Vector place = f[300].eye;
               while (field.distance(place) > 0.002)
@@ -189,8 +189,8 @@ TEST(Audit, EveryRowCanFail)
 
 TEST(Audit, PassagesAreCountedModuloTheSymmetry)
 {
-    const Field field(official_scene("box", 16, 9), 1);
-    const auto always = [&](std::size_t) -> const Field& { return field; };
+    const DistanceField field(official_scene("box", 16, 9), 1);
+    const auto always = [&](std::size_t) -> const DistanceField& { return field; };
     const std::vector<Vector> places{{1, 2, 3},    {1, 2, 3.1}, {1, 2, 3.2}, {2, 1, -3.3},
                                      {-3.1, 2, 1}, {3, 3, 3},   {3, 3, 2}};
     const std::vector<double> once{1, 0.4, 0.9, 0.9, 0.9, 0.9, 0.9};
@@ -237,7 +237,7 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     path.scene.iterations = 100;
     const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
     EXPECT_EQ(asked.iterations, 100);
-    EXPECT_EQ(asked.limits.stride, plain_stride);
+    EXPECT_EQ(asked.limits.step_factor, plain_step_factor);
     EXPECT_EQ(asked.limits.root_share, 0);
 }
 
@@ -273,10 +273,10 @@ TEST(Shrunk, LeavesALargeEvenPictureEven)
 
 TEST(Views, KnowThemselvesAndTheirMirrorImages)
 {
-    const Field field(planned().scene, 0);
+    const DistanceField field(planned().scene, 0);
     const auto views = views_of(field, planned().frames, 100);
     ASSERT_EQ(views.size(), 4U);
-    Glimpse mirrored = views[2];
+    DepthView mirrored = views[2];
     for (int k = 0; k < view_pixels; ++k) {
         mirrored.depth[static_cast<std::size_t>(k)] =
             views[2].depth[static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width)];

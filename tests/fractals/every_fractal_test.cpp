@@ -48,7 +48,7 @@ double share_off(const Image& a, const Image& b)
 TEST_P(EveryFractal, IsFoundByItsNames)
 {
     EXPECT_EQ(&fractal_named(fractal().name), &fractal());
-    EXPECT_EQ(&fractal_named(fractal().nickname), &fractal());
+    EXPECT_EQ(&fractal_named(fractal().short_name), &fractal());
 }
 
 // Random scenes are valid as parameter files.
@@ -88,11 +88,11 @@ TEST_P(EveryFractal, HullChangesNoPicture)
 // Far outside the flight's bounds there is no surface, and the estimate does not exceed the distance to the centre.
 TEST_P(EveryFractal, BodyHoldsTheFractal)
 {
-    const Field field(official_scene(fractal(), 16, 9), 1);
-    const double size = field.hull().size;
+    const DistanceField field(official_scene(fractal(), 16, 9), 1);
+    const double size = field.bounds().size;
     for (const Vector direction : {Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{0.6, 0, 0.8}, Vector{-0.48, 0.6, -0.64}}) {
         const Vector p = 3 * size * direction;
-        EXPECT_FALSE(field.hull().contains(p));
+        EXPECT_FALSE(field.bounds().contains(p));
         EXPECT_GT(field.distance(p), 0);
         EXPECT_LT(field.safety() * field.distance(p), 3 * size);
     }
@@ -101,8 +101,8 @@ TEST_P(EveryFractal, BodyHoldsTheFractal)
 // Points that are equivalent by symmetry have the same distance.
 TEST_P(EveryFractal, SymmetricPlacesAreAsFar)
 {
-    const Field field(official_scene(fractal(), 16, 9), 1);
-    const double size = field.hull().size;
+    const DistanceField field(official_scene(fractal(), 16, 9), 1);
+    const double size = field.bounds().size;
     for (const Vector direction : {Vector{0.9, 0.1, 0.3}, Vector{-0.2, 0.8, -0.5}, Vector{0.4, -0.7, 0.6}}) {
         const Vector p = 1.5 * size * direction;
         const double distance = field.distance(p);
@@ -119,7 +119,7 @@ std::vector<const Fractal*> all_fractals()
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryFractal, testing::ValuesIn(all_fractals()),
-                         [](const auto& one) { return std::string(one.param->nickname); });
+                         [](const auto& one) { return std::string(one.param->short_name); });
 
 }  // namespace
 }  // namespace mandelmarch

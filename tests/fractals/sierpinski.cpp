@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/chance.h"
-#include "core/scene/fractals/row.h"
+#include "core/scene/scene_random.h"
+#include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
@@ -32,19 +32,19 @@ FractalConstants<Number> constants(const FractalInputs<Number>& of)
 }
 
 // An iteration maps |z| to at least s |z| - (s - 1) radius, so that DE >= |p| - radius.
-double hull(const Scene&, const Sight& view)
+double hull(const Scene&, const ViewLimits& view)
 {
     return view.slope < 1 ? (radius + view.slope * view.distance) / (1 - view.slope) : 0;
 }
 
-std::optional<Hull> body(const Scene&) { return Hull{Hull::Shape::sphere, radius}; }
+std::optional<Bounds> body(const Scene&) { return Bounds{Bounds::Shape::sphere, radius}; }
 
 double growth(const Scene& scene) { return scene.shape[0]; }
 
 // Larger scales leave dust, which other step sizes hit elsewhere.
-void random_shape(Scene& scene, Chance& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
+void random_shape(Scene& scene, SceneRandom& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
 
-void extreme_shape(Scene& scene, Chance& chance)
+void extreme_shape(Scene& scene, SceneRandom& chance)
 {
     scene.shape[0] = chance.one_in(4) ? chance.magnitude(1.001, 4) : chance.between(1.5, 2.5);
     scene.escape = chance.one_in(3) ? chance.magnitude(2, 1e6) : 8;
@@ -52,15 +52,15 @@ void extreme_shape(Scene& scene, Chance& chance)
 
 }  // namespace
 
-constexpr Fractal rows::sierpinski{
+constexpr Fractal descriptors::sierpinski{
     .name = "sierpinski",
-    .nickname = "tetra",
+    .short_name = "tetra",
     .official = official,
-    .shape = {Meaning{"scale", 1, 4, true}, ignored_number, ignored_number},
+    .shape = {ParameterInfo{"scale", 1, 4, true}, ignored_number, ignored_number},
     .escape = {"escape radius", 2, 1e6},
     .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
-    .flight = {.growth = growth, .trust = {.safety = 1, .stride = plain_stride}, .body = body},
+    .flight = {.growth = growth, .trust = {.safety = 1, .step_factor = plain_step_factor}, .body = body},
     .random = {.extent = 1.7, .nearest = 2, .farthest = 4, .shape = random_shape, .extreme_shape = extreme_shape},
 };
 

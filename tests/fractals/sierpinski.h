@@ -27,7 +27,7 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
 }
 
 // |z|^2, limited from below so that its terms cannot be flushed to zero.
-FN real sierpinski_r2(vec3 z) { return larger(inner(z, z), R(1.0e-30)); }
+FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
 // The part of a ray that can meet the surface; the descriptor proves the sphere.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
@@ -36,7 +36,7 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real k = 1;
-    effort iterations = 0;
+    counter iterations = 0;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
         z = pick3(on, sierpinski_next(scene, sierpinski_fold(z)), z);
@@ -81,7 +81,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         on = on && sierpinski_r2(z) < sierpinski_escape2(scene);
         i = i + 1;
     }
-    return vec3(inner(z, x), inner(z, y), inner(z, w));
+    return vec3(dot3(z, x), dot3(z, y), dot3(z, w));
 }
 
 // The fraction of light absorbed by haze over a distance t: half at about the fractal's size.

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch {
 

@@ -70,7 +70,7 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
     };
     drawn(32);  // starts the threads
     const double before = seconds_of_others();
-    const RenderReport report = drawn(540);
+    const RenderStats report = drawn(540);
     if (report.threads > 1 && !report.device.is_gpu) {
         EXPECT_GT(seconds_of_others() - before, 0.005);
     }
@@ -92,7 +92,7 @@ TEST_P(Models, ReportsWhereItRanAndItsWork)
 {
     const Scene scene = official_scene("box", 200, 150);
     Image image(scene.width, scene.height, Image::Layers::bytes);
-    const RenderReport report = model.create({.precision = precision})->render(scene, image);
+    const RenderStats report = model.create({.precision = precision})->render(scene, image);
     EXPECT_EQ(report.backend, model.name());
     EXPECT_EQ(report.device.name, model.devices().front().name);
     EXPECT_EQ(report.precision, precision);
@@ -101,7 +101,7 @@ TEST_P(Models, ReportsWhereItRanAndItsWork)
     EXPECT_LE(t.upload + t.host + t.readback, t.wall);
     const Work expected = openmp.create({.precision = precision, .pack = 1})->render(scene, image).work;
     EXPECT_EQ(report.work.steps, expected.steps);
-    EXPECT_EQ(report.work.estimates, expected.estimates);
+    EXPECT_EQ(report.work.de_calls, expected.de_calls);
     EXPECT_EQ(report.work.iterations, expected.iterations);
 }
 
@@ -109,9 +109,9 @@ TEST_P(Models, HeedThreadsWhereTheySaySo)
 {
     const Scene scene = official_scene("box", 90, 70);
     Image image(scene.width, scene.height, Image::Layers::bytes);
-    const RenderReport report = model.create({.precision = precision, .threads = 1})->render(scene, image);
-    const RenderReport three = model.create({.precision = precision, .threads = 3})->render(scene, image);
-    if (!model.facts().threads || report.device.is_gpu) GTEST_SKIP() << "it has threads of its own";
+    const RenderStats report = model.create({.precision = precision, .threads = 1})->render(scene, image);
+    const RenderStats three = model.create({.precision = precision, .threads = 3})->render(scene, image);
+    if (!model.info().threads || report.device.is_gpu) GTEST_SKIP() << "it has threads of its own";
     EXPECT_EQ(report.threads, 1);
     EXPECT_EQ(three.threads, 3);
 }

@@ -26,7 +26,7 @@ protected:
     {
         Expected expected(registry);
         const std::vector<NamedScene> scenes{{"official", official_scene(fractal, 90, 60)}};
-        return check(twin, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).fine();
+        return check(twin, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).passed();
     }
 };
 

@@ -9,14 +9,14 @@
 #include <string>
 #include <string_view>
 
-#include "tests/drivers/misconduct.h"
+#include "tests/drivers/driver_faults.h"
 
 namespace {
 
-using mandelmarch::drivers::misconduct;
+using mandelmarch::drivers::driver_faults;
 
 // Also used as a separate driver, opened by the loader.
-__attribute__((constructor)) void load() { misconduct("load"); }
+__attribute__((constructor)) void load() { driver_faults("load"); }
 
 bool fault(std::string_view name)
 {
@@ -38,7 +38,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
                               const size_t* global, const size_t* local, cl_uint waits, const cl_event* wait,
                               cl_event* event)
 {
-    misconduct("launch");
+    driver_faults("launch");
     if (fault("dies")) return CL_OUT_OF_RESOURCES;
     if (fault("hangs")) {
         // An event that never completes.
@@ -64,7 +64,7 @@ cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t size, void*
 cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* device, const char* options,
                       void (*notify)(cl_program, void*), void* data)
 {
-    if (misconduct("build")) return CL_BUILD_PROGRAM_FAILURE;
+    if (driver_faults("build")) return CL_BUILD_PROGRAM_FAILURE;
     if (fault("compiler")) return CL_COMPILER_NOT_AVAILABLE;
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
@@ -90,19 +90,19 @@ void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking
 {
     void* mapped = real<decltype(clEnqueueMapBuffer)>("clEnqueueMapBuffer")(queue, buffer, blocking, flags, offset,
                                                                             size, waits, wait, event, error);
-    if (misconduct("map")) std::memset(mapped, 0xa5, size);
+    if (driver_faults("map")) std::memset(mapped, 0xa5, size);
     return mapped;
 }
 
 cl_int clReleaseContext(cl_context context)
 {
-    misconduct("release");
+    driver_faults("release");
     return real<decltype(clReleaseContext)>("clReleaseContext")(context);
 }
 
 cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* count)
 {
-    misconduct("enumeration");
+    driver_faults("enumeration");
     if (fault("absent")) return -1001;  // CL_PLATFORM_NOT_FOUND_KHR
     return real<decltype(clGetPlatformIDs)>("clGetPlatformIDs")(entries, platforms, count);
 }
@@ -110,7 +110,7 @@ cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* cou
 cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, size_t size, void* value, size_t* written)
 {
     const cl_int result = real<decltype(clGetDeviceInfo)>("clGetDeviceInfo")(device, what, size, value, written);
-    if (what == CL_DEVICE_NAME && value != nullptr && misconduct("enumeration")) {
+    if (what == CL_DEVICE_NAME && value != nullptr && driver_faults("enumeration")) {
         std::memset(value, 0, size);
         std::strncpy(static_cast<char*>(value), mandelmarch::drivers::garbage_name, size - 1);
     }

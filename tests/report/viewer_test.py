@@ -56,13 +56,13 @@ def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) ->
     """Returns the values that follow from the formulas."""
     inputs = {name: scene[name] for name in ("shape", "escape", "iterations")} | {"largest": LARGEST[precision], "conservative": 0}
     value = lambda text: float(eval(text, {"__builtins__": {}}, FUNCTIONS | inputs))  # pylint: disable=eval-used
-    plain = rules["plain_stride"]
-    stride = min(plain, value(row["stride"])) if fast else plain
+    plain = rules["plain_step_factor"]
+    step_factor = min(plain, value(row["step_factor"])) if fast else plain
     return {
         "fractal": [value(text) for text in row["constants"]],
         "fractal_whole": value(row["whole"]),
-        "stride": stride,
-        "relaxation": rules["longest_relaxed"] if fast and stride >= plain else stride,
+        "step_factor": step_factor,
+        "relaxation": rules["longest_relaxed"] if fast and step_factor >= plain else step_factor,
         "root_share": row["root_share"],
         "end": rules["end"],
         "max_steps": rules["max_steps"],
@@ -127,7 +127,7 @@ def main() -> int:
                         ("root_share", row | {"root_share": 1.5 * row["root_share"]}),
                     ]
                     if fast:
-                        twins.append(("stride", row | {"stride": "0.6"}))
+                        twins.append(("step_factor", row | {"step_factor": "0.6"}))
                     for name, twin in twins:
                         if name not in differing(computed(table["scene"], twin, scene, "double", fast), printed, 1e-14):
                             wrong.append(f"{row['name']} {shape}, {mode}: another {name} is not seen")

@@ -26,10 +26,10 @@ ALLOWED = {
 
 
 def names() -> set[str]:
-    """Returns names and nicknames from the descriptors."""
+    """Returns names and short names from the descriptors."""
     found = set()
     for row in (ROOT / "core" / "scene" / "fractals").glob("*.cpp"):
-        found |= set(re.findall(r'\.(?:nick)?name = "(\w+)"', row.read_text(encoding="utf-8")))
+        found |= set(re.findall(r'\.(?:short_)?name = "(\w+)"', row.read_text(encoding="utf-8")))
     return found
 
 

@@ -18,7 +18,7 @@ namespace {
 template <class Real>
 struct Drawn {
     std::vector<unsigned char> bytes;
-    openmp::Spent spent;
+    openmp::WorkCounts spent;
 };
 
 // Renders the bytes of a picture with the best variant, and with `share` of its block hull (0: every ray is tested).
@@ -29,7 +29,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     const auto& variant = *std::ranges::find_if(variants.rbegin(), variants.rend(), &openmp::Variant<Real>::counted);
     Drawn<Real> drawn;
     drawn.bytes.resize(3 * Image::pixels(scene.width, scene.height));
-    openmp::Notes<Real> notes;
+    openmp::LatticeBuffers<Real> notes;
     openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
     const Band band{.first_row = 0, .rows = scene.height};
     openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});

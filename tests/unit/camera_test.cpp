@@ -136,7 +136,7 @@ TEST_F(TwoEyes, NeedAnEvenWholePicture)
     scene.width = 321;
     EXPECT_THROW(drawn(0.1), InputError);
     scene.width = 320;
-    scene.part = {.whole_width = 640, .whole_height = 600};
+    scene.crop_window = {.whole_width = 640, .whole_height = 600};
     EXPECT_THROW(drawn(0.1), InputError);
 }
 

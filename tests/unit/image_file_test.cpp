@@ -24,7 +24,7 @@
 #include "core/base/output_file.h"
 #include "core/image/averaged.h"
 #include "core/image/compare.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch {
 namespace {

@@ -17,7 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/image/compare.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch {
 namespace {

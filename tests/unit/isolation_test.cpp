@@ -52,7 +52,7 @@ public:
     }
 
     // Renders a picture that depends on the scene; nothing if detail is -9.
-    RenderReport render(const Scene& scene, Image& image, const Progress& progress) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (where_ == Where::nowhere) std::puts("driver: junk on stdout");
         if (where_ == Where::drawing && scene.brightness != 1) misbehave(conduct_);
@@ -61,7 +61,7 @@ public:
         }
         for (std::size_t i = 0; i < image.values().size(); ++i) image.values()[i].depth = static_cast<double>(i) / 3;
         progress(0.5);
-        RenderReport report;
+        RenderStats report;
         report.backend = "made";
         report.device.name = scene.fractal == nullptr ? "" : "draws fractals";
         report.timings.kernel = 1.25;
@@ -150,7 +150,7 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
         MadeRenderer(draws, Where::nowhere).render(scene, here, [](double) {});
         Image image(width, height, layers);
         double progress = 0;
-        const RenderReport report = renderer->render(scene, image, [&](double share) { progress = share; });
+        const RenderStats report = renderer->render(scene, image, [&](double share) { progress = share; });
         EXPECT_EQ(image.bytes(), here.bytes());
         if (layers == Image::Layers::all) {
             EXPECT_EQ(image.values().back().depth, here.values().back().depth);

@@ -16,7 +16,7 @@ constexpr double device_seconds = 7;  // of a launch, by the device's clock
 // Sets every byte of the job's rows to 200, but the second to the number of pixels per thread; leaves planes unchanged.
 void draw(const void* address, int width, int rows)
 {
-    const auto& job = *static_cast<const job::Job<layout_f32::Scene, float>*>(address);
+    const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
     if (job.bytes == nullptr) return;
     std::fill_n(job.bytes, 3L * width * rows, static_cast<unsigned char>(200));
     job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
@@ -32,15 +32,15 @@ struct Asked {
 
 class Counting : public job::Model {
 public:
-    explicit Counting(Asked& asked, bool lanes_refill = false) : asked_(asked), lanes_refill_(lanes_refill) {}
+    explicit Counting(Asked& asked, bool refill_lanes = false) : asked_(asked), refill_lanes_(refill_lanes) {}
 
     std::string_view name() const override { return "counting"; }
-    Facts facts() const override { return {}; }
+    BackendInfo info() const override { return {}; }
     job::Kernels kernels() const override
     {
-        return {[](std::string_view, Precision, Mode) -> job::Launch { return draw; }, nullptr};
+        return {[](std::string_view, Precision, Mode) -> job::DrawKernel { return draw; }, nullptr};
     }
-    job::Opened open(int) const override { return {.pixels_per_band = 100, .lanes_refill = lanes_refill_}; }
+    job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .refill_lanes = refill_lanes_}; }
     void run(const RendererOptions&, const std::function<void()>& f) const override
     {
         ++asked_.current;
@@ -68,10 +68,10 @@ public:
 
 private:
     Asked& asked_;
-    bool lanes_refill_;
+    bool refill_lanes_;
 };
 
-class Job : public testing::Test {
+class KernelArguments : public testing::Test {
 protected:
     Timings drawn(Renderer& renderer, int width, int height)
     {
@@ -90,7 +90,7 @@ protected:
     std::unique_ptr<Backend> backend_ = job::backend_of(std::make_unique<Counting>(asked_));
 };
 
-TEST_F(Job, ARendererKeepsItsMemoryFromPictureToPicture)
+TEST_F(KernelArguments, ARendererKeepsItsMemoryFromPictureToPicture)
 {
     const auto renderer = created();
     drawn(*renderer, 20, 20);
@@ -103,14 +103,14 @@ TEST_F(Job, ARendererKeepsItsMemoryFromPictureToPicture)
     EXPECT_GT(asked_.allocations, taken);
 }
 
-TEST_F(Job, ARendererGivesItsMemoryBackToTheDeviceThatItIsOf)
+TEST_F(KernelArguments, ARendererGivesItsMemoryBackToTheDeviceThatItIsOf)
 {
     drawn(*created(), 20, 20);
     EXPECT_TRUE(asked_.held.empty());
     EXPECT_FALSE(asked_.outside);
 }
 
-TEST_F(Job, KernelIsTheDevicesOwnTime)
+TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
 {
     const Timings timings = drawn(*created(), 20, 20);
     EXPECT_EQ(asked_.launches, 4);
@@ -119,7 +119,7 @@ TEST_F(Job, KernelIsTheDevicesOwnTime)
 }
 
 // With refill: as many pixels per thread as leave two waves of threads, but at most eight.
-TEST_F(Job, FewPixelsLeaveAThreadForEach)
+TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {
         const auto backend = job::backend_of(std::make_unique<Counting>(asked_, refill));
@@ -134,7 +134,7 @@ TEST_F(Job, FewPixelsLeaveAThreadForEach)
     EXPECT_EQ(pixels_of_thread(false, 10, 10), 1);
 }
 
-TEST_F(Job, BandsAreAsLargeAsAsked)
+TEST_F(KernelArguments, BandsAreAsLargeAsAsked)
 {
     drawn(*created(200), 20, 20);
     EXPECT_EQ(asked_.launches, 2);

@@ -59,10 +59,10 @@ TEST(ElementaryFunctions, AgreeWithTheLibraryInDouble)
 {
     constexpr double epsilon = 0x1p-52;
     std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> wide(-50, 50);
+    std::uniform_real_distribution<double> splat(-50, 50);
     for (int i = 0; i < 200'000; ++i) {
-        const double x = wide(random);
-        const double y = wide(random);
+        const double x = splat(random);
+        const double y = splat(random);
         EXPECT_LT(error_of(bulb64::exponential(x) / std::exp(x), 1, epsilon), 3) << x;
         EXPECT_LT(error_of(bulb64::natural_log(std::exp(x)), std::log(std::exp(x)), epsilon), 2) << x;
         EXPECT_LT(error_of(bulb64::cosine_and_sine(20 * x).re, std::cos(20 * x), epsilon), 2) << x;
@@ -79,10 +79,10 @@ TEST(ElementaryFunctions, AgreeWithTheLibraryInFloat)
 {
     constexpr double epsilon = 0x1p-23;
     std::mt19937 random(2);
-    std::uniform_real_distribution<float> wide(-50, 50);
+    std::uniform_real_distribution<float> splat(-50, 50);
     for (int i = 0; i < 200'000; ++i) {
-        const float x = wide(random);
-        const float y = wide(random);
+        const float x = splat(random);
+        const float y = splat(random);
         EXPECT_LT(error_of(double{box32::exponential(x)} / std::exp(double{x}), 1, epsilon), 3) << x;
         EXPECT_LT(error_of(box32::natural_log(std::exp(x)), std::log(double{std::exp(x)}), epsilon), 2) << x;
         EXPECT_LT(error_of(box32::cosine_and_sine(10 * x).re, std::cos(double{10 * x}), epsilon), 2) << x;
@@ -128,7 +128,7 @@ TEST(Gradient, OfTheBulbAgreesWithDifferences)
             const bulb64::vec3 p = bulb64::point_at(k, ray, ray.last_t * 0.999);
             const bulb64::vec3 a = bulb64::unit(bulb64::gradient(k, p, true));
             const bulb64::vec3 b = bulb64::normal_by_differences(k, p, true).direction;
-            EXPECT_GT(bulb64::inner(a, b), 1 - 1e-6) << "power " << power << ", pixel " << i;
+            EXPECT_GT(bulb64::dot3(a, b), 1 - 1e-6) << "power " << power << ", pixel " << i;
         }
         EXPECT_GT(hits, 100);
     }
@@ -148,7 +148,7 @@ TEST(Gradient, OfTheBoxAgreesWithDifferences)
         const box64::vec3 p = box64::point_at(k, ray, ray.last_t * 0.999);
         const box64::vec3 a = box64::unit(box64::gradient(k, p, true));
         const box64::vec3 b = box64::normal_by_differences(k, p, true).direction;
-        off += box64::inner(a, b) < 1 - 1e-6;
+        off += box64::dot3(a, b) < 1 - 1e-6;
     }
     EXPECT_GT(hits, 100);
     EXPECT_LE(off, hits / 100);
@@ -167,7 +167,7 @@ TEST(Gradient, OfTheJuliaSetAgreesWithDifferences)
         const julia64::vec3 p = julia64::point_at(k, ray, ray.last_t * 0.999);
         const julia64::vec3 a = julia64::unit(julia64::gradient(k, p, true));
         const julia64::vec3 b = julia64::normal_by_differences(k, p, true).direction;
-        EXPECT_GT(julia64::inner(a, b), 1 - 1e-6) << "pixel " << i;
+        EXPECT_GT(julia64::dot3(a, b), 1 - 1e-6) << "pixel " << i;
     }
     EXPECT_GT(hits, 100);
 }
@@ -200,7 +200,7 @@ TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
     k.canonical = 1;
     k.root_share = 0.001;
     auto slow = k;
-    slow.stride = slow.relaxation = 0.5;
+    slow.step_factor = slow.relaxation = 0.5;
     int hits = 0;
     int off = 0;
     for (int i = 0; i < 30 * 30; ++i) {

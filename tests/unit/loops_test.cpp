@@ -69,7 +69,7 @@ Loops made_by(const Scene& scene)
 {
     const auto plain = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
     const auto fast = kernel_scene<layout_f64::Scene>(scene, Mode::fast);
-    const std::string_view name = scene.fractal->nickname;
+    const std::string_view name = scene.fractal->short_name;
     return name == "bulb"  ? bulb::made_by(&plain, &fast)
            : name == "box" ? box::made_by(&plain, &fast)
                            : julia::made_by(&plain, &fast);
@@ -105,11 +105,11 @@ TEST(Loops, OneLessIsTooFew)
     for (const Fractal& fractal : fractals()) {
         for (const int colouring : {0, 2}) {
             // Orbits that start near the middle take all iterations.
-            Scene scene = official_scene(std::string(fractal.nickname), 5, 5);
+            Scene scene = official_scene(std::string(fractal.short_name), 5, 5);
             scene.eye = {0.01, 0.02, 0.01};
             scene.iterations = 4;
             scene.colouring = colouring;
-            if (fractal.nickname == "julia") {
+            if (fractal.short_name == "julia") {
                 // So do those near the unit ball, whose surface is visible from outside only.
                 scene.eye = {1.2, 0.1, 0};
                 scene.shape = {0, 0, 0};
@@ -147,7 +147,7 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
     constexpr std::int64_t survived = 65'000;
     for (const Fractal& fractal : fractals()) {
         for (const int iterations : {1, 2, 3, 5, 18, 60, 90, 300, 4000}) {
-            Scene scene = official_scene(std::string(fractal.nickname), 8, 8);
+            Scene scene = official_scene(std::string(fractal.short_name), 8, 8);
             scene.iterations = iterations;
             scene.colouring = 0;
             const Loops loops = loops_of(scene);

@@ -21,7 +21,7 @@ namespace mandelmarch {
 namespace {
 
 using openmp::Lattice;
-using openmp::Notes;
+using openmp::LatticeBuffers;
 
 constexpr float not_drawn = -7;  // not a depth
 
@@ -74,7 +74,7 @@ public:
         return image;
     }
 
-    Notes<float> notes;
+    LatticeBuffers<float> notes;
 
 private:
     static openmp::Variant<float> counted_packs(const Scene& scene)
@@ -222,14 +222,14 @@ TEST(Neighbours, ChangeLittleAndSaveEstimates)
         Work with;
         Work without;
         for (const NamedScene& named : random_scenes(20, 606)) {
-            if (named.scene.fractal->nickname != fractal) continue;
+            if (named.scene.fractal->short_name != fractal) continue;
             Scene scene = named.scene;
             scene.width *= 4;
             scene.height *= 4;
             const auto drawn = [&](bool neighbours, Work& work) {
                 const RendererOptions options{.mode = Mode::fast, .techniques = {.neighbours = neighbours}};
                 Image image(scene.width, scene.height, Image::Layers::all);
-                work.estimates += registry.find("openmp")->create(options)->render(scene, image).work.estimates;
+                work.de_calls += registry.find("openmp")->create(options)->render(scene, image).work.de_calls;
                 return image;
             };
             const Comparison one = compare(drawn(true, with), drawn(false, without));
@@ -239,7 +239,7 @@ TEST(Neighbours, ChangeLittleAndSaveEstimates)
         }
         EXPECT_LE(percent(all.visibly_differing, all), 1) << fractal;
         EXPECT_LE(percent(all.hit_or_miss, all), 0.01) << fractal;
-        EXPECT_LT(with.estimates, without.estimates * 9 / 10) << fractal;
+        EXPECT_LT(with.de_calls, without.de_calls * 9 / 10) << fractal;
         EXPECT_GT(all.visibly_differing, 0U) << fractal;  // the technique was used
     }
 }

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -110,7 +110,7 @@ void add(Offness& to, const Image& canonical, const Image& image)
     if (50 * c.visibly_differing > c.pixels) ++to.far_off;
 }
 
-// The constants of relaxed(), fast.stride, tails and trials were tuned on scenes of other seeds. Fractions of some
+// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. Fractions of some
 // hundredths of a percent need the pixels of all scenes.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
@@ -121,7 +121,7 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
         Offness twins[2];
         for (const NamedScene& named : scenes) {
             const Scene& scene = named.scene;
-            if (scene.fractal->nickname != fractal) continue;
+            if (scene.fractal->short_name != fractal) continue;
             const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
             for (const Precision precision : {Precision::f64, Precision::f32}) {
                 const auto drawn = [&](Mode mode) {

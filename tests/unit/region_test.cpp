@@ -14,17 +14,17 @@ namespace {
 
 Image part_of(const Image& whole, const Region& region)
 {
-    Image part(region.width, region.height, Image::Layers::all);
+    Image crop_window(region.width, region.height, Image::Layers::all);
     for (int y = 0; y < region.height; ++y) {
         for (int x = 0; x < region.width; ++x) {
             const std::size_t from =
                 Image::pixels(whole.width(), region.bottom + y) + static_cast<std::size_t>(region.left + x);
             const std::size_t to = Image::pixels(region.width, y) + static_cast<std::size_t>(x);
-            for (std::size_t c = 0; c < 3; ++c) part.bytes()[3 * to + c] = whole.bytes()[3 * from + c];
-            part.values()[to] = whole.values()[from];
+            for (std::size_t c = 0; c < 3; ++c) crop_window.bytes()[3 * to + c] = whole.bytes()[3 * from + c];
+            crop_window.values()[to] = whole.values()[from];
         }
     }
-    return part;
+    return crop_window;
 }
 
 class Regions : public testing::TestWithParam<std::string> {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts and roles of backends, which programs use instead of names and every wrapper passes on.
+// BackendInfo and roles of backends, which programs use instead of names and every wrapper passes on.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>
@@ -14,13 +14,13 @@ namespace {
 
 class Made : public Backend {
 public:
-    Made(std::string name, Facts facts, bool has_gpu = false)
-        : name_(std::move(name)), facts_(std::move(facts)), has_gpu_(has_gpu)
+    Made(std::string name, BackendInfo info, bool has_gpu = false)
+        : name_(std::move(name)), info_(std::move(info)), has_gpu_(has_gpu)
     {
     }
 
     std::string_view name() const override { return name_; }
-    Facts facts() const override { return facts_; }
+    BackendInfo info() const override { return info_; }
     std::vector<InstalledDriver> installed_drivers() const override
     {
         return {{"made", "made.icd", "libmade.so", "1"}};
@@ -31,7 +31,7 @@ public:
 
 private:
     std::string name_;
-    Facts facts_;
+    BackendInfo info_;
     bool has_gpu_;
 };
 
@@ -43,7 +43,7 @@ public:
     std::vector<Device> devices() const override { std::abort(); }
 };
 
-Facts all_facts()
+BackendInfo all_facts()
 {
     return {.role = Role::accelerator,
             .has_driver = true,
@@ -54,14 +54,14 @@ Facts all_facts()
             .build = {"a compiler", "-exact", "-fast"}};
 }
 
-void expect_all(const Facts& facts)
+void expect_all(const BackendInfo& info)
 {
-    EXPECT_EQ(facts.role, Role::accelerator);
-    EXPECT_TRUE(facts.has_driver && facts.threads && facts.pack && facts.chunk);
-    EXPECT_EQ(facts.variables, std::vector<std::string_view>{"MADE"});
-    EXPECT_EQ(facts.build.compiler, "a compiler");
-    EXPECT_EQ(facts.build.exact, "-exact");
-    EXPECT_EQ(facts.build.fast, "-fast");
+    EXPECT_EQ(info.role, Role::accelerator);
+    EXPECT_TRUE(info.has_driver && info.threads && info.pack && info.chunk);
+    EXPECT_EQ(info.variables, std::vector<std::string_view>{"MADE"});
+    EXPECT_EQ(info.build.compiler, "a compiler");
+    EXPECT_EQ(info.build.exact, "-exact");
+    EXPECT_EQ(info.build.fast, "-fast");
 }
 
 template <class... Backends>
@@ -72,23 +72,23 @@ Registry registry_of(Backends... backends)
     return Registry(std::move(all));
 }
 
-TEST(Facts, PassThroughTrialsAndIsolationWithoutADevice)
+TEST(BackendInfo, PassThroughTrialsAndIsolationWithoutADevice)
 {
-    expect_all(with_trials(std::make_unique<Made>("made", all_facts()))->facts());
+    expect_all(with_trials(std::make_unique<Made>("made", all_facts()))->info());
     const auto isolated_one = isolated(with_trials(std::make_unique<Crashing>("made", all_facts())));
-    expect_all(isolated_one->facts());
+    expect_all(isolated_one->info());
     EXPECT_EQ(isolated_one->installed_drivers().at(0).library, "libmade.so");
     EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not asked for the facts";
-    EXPECT_EQ(without_backend("made", "not built")->facts().build.compiler, "");
+    EXPECT_EQ(without_backend("made", "not built")->info().build.compiler, "");
 }
 
-TEST(Facts, EveryBackendThatIsBuiltSaysHow)
+TEST(BackendInfo, EveryBackendThatIsBuiltSaysHow)
 {
     const Registry registry = all_backends();
     EXPECT_EQ(registry.with(Role::reference).name(), "reference");
     EXPECT_EQ(registry.with(Role::host).name(), "openmp");
     for (const auto& backend : registry.backends()) {
-        const BuildFacts build = backend->facts().build;
+        const KernelBuild build = backend->info().build;
         if (backend->unavailable() == "not built") continue;
         EXPECT_FALSE(build.compiler.empty() || build.exact.empty() || build.fast.empty()) << backend->name();
     }

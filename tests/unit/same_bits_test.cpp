@@ -25,7 +25,7 @@ protected:
         return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .pack = pack});
     }
 
-    RenderReport draw_report() const
+    RenderStats draw_report() const
     {
         const Scene scene = official_scene("bulb", 8, 8);
         Image image(8, 8, Image::Layers::bytes);
@@ -77,9 +77,9 @@ TEST_P(SameBits, BytesAlone)
             const Work work = openmp.create(options)->render(scene, bytes).work;
             const Work whole = openmp.create(options)->render(scene, all).work;
             EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", pack " << pack;
-            EXPECT_GE(work.estimates, bytes.pixels() / 100);
+            EXPECT_GE(work.de_calls, bytes.pixels() / 100);
             EXPECT_EQ(work.steps, whole.steps);
-            EXPECT_EQ(work.estimates, whole.estimates);
+            EXPECT_EQ(work.de_calls, whole.de_calls);
             EXPECT_EQ(work.iterations, whole.iterations);
             // Without counts the work may be 0; the picture is the same.
             RendererOptions uncounted = options;
@@ -87,10 +87,10 @@ TEST_P(SameBits, BytesAlone)
             Image again(scene.width, scene.height, Image::Layers::bytes);
             const Work none = openmp.create(uncounted)->render(scene, again).work;
             EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", pack " << pack << ", uncounted";
-            EXPECT_TRUE(none.estimates == 0 || none.estimates == whole.estimates) << name;
+            EXPECT_TRUE(none.de_calls == 0 || none.de_calls == whole.de_calls) << name;
             // Sanitizer builds have no variant without counts.
             if (pack == 0) {
-                EXPECT_EQ(none.estimates == 0, !MANDELMARCH_SANITIZED) << name;
+                EXPECT_EQ(none.de_calls == 0, !MANDELMARCH_SANITIZED) << name;
             }
         }
     }
@@ -207,9 +207,9 @@ TEST_P(SameBits, WorkDoesNotDependOnThreadsOrPacks)
     const Work one = work(1, 1);
     const Work many = work(5, 0);
     EXPECT_EQ(one.steps, many.steps);
-    EXPECT_EQ(one.estimates, many.estimates);
+    EXPECT_EQ(one.de_calls, many.de_calls);
     EXPECT_EQ(one.iterations, many.iterations);
-    EXPECT_GT(one.iterations, one.estimates);
+    EXPECT_GT(one.iterations, one.de_calls);
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, SameBits, testing::Values(Precision::f64, Precision::f32),

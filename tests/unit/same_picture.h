@@ -23,7 +23,7 @@ inline void expect_same_picture(Renderer& yardstick, Renderer& renderer, const S
     EXPECT_TRUE(difference.same()) << what << ": "
                                    << describe_pixel(expected, image, std::max<std::int64_t>(0, difference.first));
     EXPECT_EQ(work.steps, expected_work.steps) << what;
-    EXPECT_EQ(work.estimates, expected_work.estimates) << what;
+    EXPECT_EQ(work.de_calls, expected_work.de_calls) << what;
     EXPECT_EQ(work.iterations, expected_work.iterations) << what;
 }
 

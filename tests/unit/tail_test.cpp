@@ -62,7 +62,7 @@ TEST(Tails, LeaveEstimatesAsTheyAre)
 {
     Difference all;
     for (const auto& [name, scene] : random_scenes(24, 2002)) {
-        if (scene.fractal->nickname != "box") continue;
+        if (scene.fractal->short_name != "box") continue;
         const tailed::Scene with = scene_of(scene, true);
         if (tailed::box_tail_end(with) == 0) continue;
         const Difference found = difference(scene, with);

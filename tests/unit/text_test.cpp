@@ -79,24 +79,24 @@ void redirect(int descriptor, const char* path)
 int says(int, char**)
 {
     say("a note that is {}\n", "lost");
-    return exit_fine;
+    return exit_success;
 }
 
 int prints(int, char**)
 {
     print("a result of {}\n", 7);
-    return exit_fine;
+    return exit_success;
 }
 
 TEST(Console, NotesThatCannotBeWrittenEndNothing)
 {
-    EXPECT_EQ(code_of(says, [] { redirect(STDERR_FILENO, "/dev/full"); }), exit_fine);
-    EXPECT_EQ(code_of(says, [] { close(STDERR_FILENO); }), exit_fine);
+    EXPECT_EQ(code_of(says, [] { redirect(STDERR_FILENO, "/dev/full"); }), exit_success);
+    EXPECT_EQ(code_of(says, [] { close(STDERR_FILENO); }), exit_success);
 }
 
 TEST(Console, ResultsThatCannotBeWrittenAreFailures)
 {
-    EXPECT_EQ(code_of(prints, [] { redirect(STDOUT_FILENO, "/dev/null"); }), exit_fine);
+    EXPECT_EQ(code_of(prints, [] { redirect(STDOUT_FILENO, "/dev/null"); }), exit_success);
     EXPECT_EQ(code_of(prints, [] { redirect(STDOUT_FILENO, "/dev/full"); }), exit_failure);
     EXPECT_EQ(code_of(prints, [] { close(STDOUT_FILENO); }), exit_failure);
 }
@@ -107,7 +107,7 @@ TEST(Console, NoFileGetsAStandardDescriptor)
     const auto close_all = [] {
         for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) close(descriptor);
     };
-    EXPECT_EQ(code_of(body, close_all), exit_fine);
+    EXPECT_EQ(code_of(body, close_all), exit_success);
 }
 
 TEST(DeviceTimeout, IsASaneNumberOfSeconds)

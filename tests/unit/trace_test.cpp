@@ -30,7 +30,7 @@ std::vector<NamedScene> small_scenes()
 {
     std::vector<NamedScene> scenes = odd_scenes();
     for (const Fractal& fractal : fractals()) {
-        scenes.push_back({std::string(fractal.name), official_scene(std::string(fractal.nickname), 40, 30)});
+        scenes.push_back({std::string(fractal.name), official_scene(std::string(fractal.short_name), 40, 30)});
     }
     for (NamedScene& named : scenes) {
         named.scene.width = 40;

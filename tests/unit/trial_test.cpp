@@ -27,7 +27,7 @@ struct Pictures {
             EXPECT_LE(small.width * small.height, 1100);
             std::ranges::fill(image.bytes(), static_cast<unsigned char>(0));
             const auto share = static_cast<std::size_t>(off.at(strides.size()));
-            strides.push_back(small.limits.stride);
+            strides.push_back(small.limits.step_factor);
             std::fill_n(image.bytes().begin(), image.bytes().size() * share / 1000,
                         static_cast<unsigned char>(10 * strides.size()));
         });
@@ -38,31 +38,31 @@ TEST(Trial, ShortensStepsUntilPicturesAgree)
 {
     const Scene bulb = official_scene("bulb", 1080, 1080);
     Pictures agree{{0, 14}};
-    EXPECT_EQ(agree.tried(bulb).stride, plain_stride);
-    EXPECT_EQ(agree.strides, (std::vector{plain_stride, 0.4}));
+    EXPECT_EQ(agree.tried(bulb).step_factor, plain_step_factor);
+    EXPECT_EQ(agree.strides, (std::vector{plain_step_factor, 0.4}));
     Pictures settle{{60, 0, 14}};
     const Trial settled = settle.tried(bulb);
-    EXPECT_EQ(settled.stride, 0.4);
+    EXPECT_EQ(settled.step_factor, 0.4);
     EXPECT_TRUE(settled.settled());
-    EXPECT_EQ(settle.strides, (std::vector{plain_stride, 0.4, 0.2}));
+    EXPECT_EQ(settle.strides, (std::vector{plain_step_factor, 0.4, 0.2}));
     Pictures come_nearer{{90, 40, 0, 20}};
-    EXPECT_EQ(come_nearer.tried(bulb).stride, 0.1);
+    EXPECT_EQ(come_nearer.tried(bulb).step_factor, 0.1);
     Pictures stay_apart{{0, 60, 60, 60}};
     const Trial apart = stay_apart.tried(bulb);
-    EXPECT_EQ(apart.stride, plain_stride);
+    EXPECT_EQ(apart.step_factor, plain_step_factor);
     EXPECT_FALSE(apart.settled());
     EXPECT_NEAR(apart.off, 0.06, 0.001);
-    EXPECT_EQ(stay_apart.strides, (std::vector{plain_stride, 0.4, 0.2}));
+    EXPECT_EQ(stay_apart.strides, (std::vector{plain_step_factor, 0.4, 0.2}));
     Scene low = bulb;
     low.shape[2] = 3;  // its own step factor is 0.4
     Pictures low_agree{{0, 0}};
-    EXPECT_EQ(low_agree.tried(low).stride, 0.4);
+    EXPECT_EQ(low_agree.tried(low).step_factor, 0.4);
     EXPECT_EQ(low_agree.strides, (std::vector{0.4, 0.2}));
     Scene shortest = bulb;
-    shortest.limits.stride = 0.1;  // nothing shorter is tried, so no error is found
+    shortest.limits.step_factor = 0.1;  // nothing shorter is tried, so no error is found
     Pictures once{{60}};
     const Trial untried = once.tried(shortest);
-    EXPECT_EQ(untried.stride, 0.1);
+    EXPECT_EQ(untried.step_factor, 0.1);
     EXPECT_TRUE(untried.settled());
 }
 

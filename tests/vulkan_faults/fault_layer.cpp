@@ -25,14 +25,14 @@
 #include <type_traits>
 #include <vector>
 
-#include "tests/drivers/misconduct.h"
+#include "tests/drivers/driver_faults.h"
 #include "tests/vulkan_faults/wrong_arithmetic.h"
 
 namespace {
 
 using mandelmarch::Rewritten;
 using mandelmarch::without_division;
-using mandelmarch::drivers::misconduct;
+using mandelmarch::drivers::driver_faults;
 
 // The next layer's functions, from the last instance and the last device: all of a program's have one driver.
 struct Next {
@@ -129,7 +129,7 @@ void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* prope
     next.get_properties(physical, properties);
     if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
     // A name that fills its array without a terminating 0.
-    if (!misconduct("enumeration")) return;
+    if (!driver_faults("enumeration")) return;
     for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
         properties->deviceName[i] =
             mandelmarch::drivers::garbage_name[i % std::strlen(mandelmarch::drivers::garbage_name)];
@@ -156,7 +156,7 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
     // Garbage: does nothing and reports success.
-    if (misconduct("launch")) count = 0;
+    if (driver_faults("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
     return next.queue_submit(queue, count, infos, fence);
 }
@@ -182,13 +182,13 @@ VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAl
 VkResult map_memory(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
                     VkMemoryMapFlags flags, void** data)
 {
-    misconduct("map");
+    driver_faults("map");
     return next.map_memory(device, memory, offset, size, flags, data);
 }
 
 void destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks)
 {
-    misconduct("release");
+    driver_faults("release");
     next.destroy_device(device, callbacks);
 }
 
@@ -201,7 +201,7 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     if (wanted("contraction")) words = Rewritten(words).contracted();
     if (wanted("float_division")) words = without_division(words, 32);
     if (wanted("double_division")) words = without_division(words, 64);
-    if (misconduct("build")) return VK_ERROR_INITIALIZATION_FAILED;
+    if (driver_faults("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.codeSize = 4 * words.size();
     changed.pCode = words.data();
     return next.create_shader_module(device, &changed, memory, module);
@@ -255,7 +255,7 @@ PFN_vkVoidFunction own(std::string_view name)
 extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(
     VkNegotiateLayerInterface* interface)
 {
-    misconduct("load");
+    driver_faults("load");
     interface->loaderLayerInterfaceVersion = 2;
     interface->pfnGetInstanceProcAddr = instance_proc;
     interface->pfnGetDeviceProcAddr = device_proc;

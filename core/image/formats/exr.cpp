@@ -24,8 +24,8 @@
 
 #include "core/base/error.h"
 #include "core/image/formats/formats.h"
-#include "core/image/image_file.h"
-#include "core/scene/scene.h"
+#include "core/image/formats/image_file.h"
+#include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {

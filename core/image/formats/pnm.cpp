@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/image/formats/formats.h"
-#include "core/image/image_file.h"
+#include "core/image/formats/image_file.h"
 
 namespace mandelmarch {
 namespace {

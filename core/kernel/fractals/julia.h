@@ -50,7 +50,7 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
     real dr = 1;
     real r2 = julia_r2(z);
-    effort iterations = 0;
+    counter iterations = 0;
     on = on && r2 <= julia_escape2(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {

@@ -5,7 +5,7 @@
 // sphere fold, including |s|, is 1 / r^2.
 
 // Refill pays here: step counts differ more between rays than iteration counts between neighbouring pixels.
-#define MM_LANES_WAIT 1
+#define MM_REFILL_LANES 1
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // sign of s: -1 or 1
@@ -43,7 +43,7 @@ struct BoxOrbit {
     vec3 z;
     real k;
     mask late;  // too close to the max iterations to have a tail
-    effort iterations;
+    counter iterations;
 };
 
 // Iterates the orbit of p until it escapes or its tail begins. usual: a compile-time constant; 1 requires s > 0 and
@@ -62,7 +62,7 @@ FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
         if (i < box_tail_end(scene)) last2 = box_tail2(scene);
         if (i == box_tail_end(scene)) a.late = on;
         vec3 f = pick3(on, box_fold(scene, a.z), a.z);
-        real r2 = inner(f, f);
+        real r2 = dot3(f, f);
         real growth = box_growth(scene, r2);
         real factor = growth * box_sign(scene);
         if (usual != 0) {
@@ -91,7 +91,7 @@ FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
     vec3 f = box_fold(scene, a.z);
     f = box_fold(scene, box_outside(scene, p, f));
     f = box_fold(scene, box_outside(scene, p, f));
-    mask more = inner(f, f) < box_escape2(scene);
+    mask more = dot3(f, f) < box_escape2(scene);
     b.z = box_outside(scene, p, f);
     b.z = pick3(more, box_outside(scene, p, box_fold(scene, b.z)), b.z);
     b.k = box_outside_k(scene, box_outside_k(scene, box_outside_k(scene, a.k)));
@@ -153,7 +153,7 @@ FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
 // values, by masked instructions.
 FN BoxTangent box_advance(BoxTangent v, vec3 axis, BoxStep turn)
 {
-    real d_factor = turn.slope * inner(turn.across, v.z);
+    real d_factor = turn.slope * dot3(turn.across, v.z);
     vec3 outward = along(axis, turn.f, d_factor);
     BoxTangent next;
     next.z = pick3(
@@ -189,7 +189,7 @@ FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
     vec3 turned = box_turned3(scene, a.z, vec3(factor, factor, factor));
     vec3 f = box_fold(scene, a.z);
     BoxFar b;
-    b.r2 = inner(f, f);
+    b.r2 = dot3(f, f);
     b.z = pick3(on, box_outside(scene, q, f), a.z);
     b.slope = pick3(on, vec3(a.slope.x * turned.x, a.slope.y * turned.y, a.slope.z * turned.z), a.slope);
     b.direct =
@@ -203,7 +203,7 @@ FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
 FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent v)
 {
     vec3 towards = vec3(end.z.x * end.slope.x, end.z.y * end.slope.y, end.z.z * end.slope.z);
-    real outward = quick_quotient(inner(towards, v.z) + direct, length);
+    real outward = quick_quotient(dot3(towards, v.z) + direct, length);
     return quick_quotient(outward - quick_quotient(length - box_offset(scene), end.k) * (v.k * end.growth), end.k);
 }
 
@@ -225,7 +225,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
         BoxStep turn;
         turn.on = on;
         turn.f = pick3(on, box_fold(scene, z), z);
-        real r2 = inner(turn.f, turn.f);
+        real r2 = dot3(turn.f, turn.f);
         turn.growth = box_growth(scene, r2);
         real factor = turn.growth * box_sign(scene);
         turn.across = box_turned3(scene, z, turn.f);
@@ -275,7 +275,7 @@ FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
     int i = 0;
     while (i < scene.max_iterations && i < 8 && any(on)) {
         vec3 f = box_fold(scene, z);
-        real r2 = inner(f, f);
+        real r2 = dot3(f, f);
         vec3 near = vec3(smaller(trap.x, magnitude(f.x) * unit), smaller(trap.y, magnitude(f.x - f.y) * unit),
                          smaller(trap.z, r2 * (unit * unit)));
         trap = pick3(on, near, trap);

@@ -122,7 +122,7 @@ FN real rho2_of(vec3 z) { return z.x * z.x + z.y * z.y; }
 // The same as norm2(z).
 FN real r2_of(vec3 z, real rho2) { return larger(z.z * z.z + rho2, axis_radius2()); }
 
-FN Estimate bulb_estimate(real r2, real dr, effort iterations)
+FN Estimate bulb_estimate(real r2, real dr, counter iterations)
 {
     Estimate result;
     result.distance =
@@ -140,7 +140,7 @@ FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     real rho2 = rho2_of(z);
     real r2 = r2_of(z, rho2);
     scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene) * (eighth_one() * eighth_one());
-    effort iterations = 0;
+    counter iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
@@ -164,7 +164,7 @@ FN_SAMPLED Estimate estimate_any(Scene scene, vec3 p, mask on)
     real dr = 1;
     real r2 = norm2(z);
     scalar bailout2 = bulb_bailout(scene) * bulb_bailout(scene);
-    effort iterations = 0;
+    counter iterations = 0;
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {

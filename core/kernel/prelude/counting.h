@@ -22,7 +22,7 @@
 
 typedef MM_REAL scalar;
 typedef int whole;
-typedef int effort;
+typedef int counter;
 typedef bool mask;
 
 struct real {

@@ -9,7 +9,7 @@
 #define any(on) (on)
 #define count(on) ((on) ? 1 : 0)
 #define whole int
-#define effort int
+#define counter int
 #define mask bool
 #define triple vec3
 

@@ -17,7 +17,7 @@ struct real {
     real(double) {}
 };
 typedef real whole;
-typedef real effort;
+typedef real counter;
 
 struct mask {
     mask() = default;

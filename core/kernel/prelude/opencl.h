@@ -69,7 +69,7 @@ typedef MM_VECTOR(double) Double;
 // A mask is a bool, or a vector of 0 and -1.
 #if MM_LANES == 1
 typedef int whole;
-typedef int effort;
+typedef int counter;
 typedef int scalar_whole;
 typedef bool mask;
 #undef any  // some drivers define one
@@ -78,7 +78,7 @@ typedef bool mask;
 #define count(on) ((on) ? 1 : 0)
 #else
 typedef Int whole;
-typedef Int effort;
+typedef Int counter;
 typedef Int mask;
 typedef MM_INT scalar_whole;
 

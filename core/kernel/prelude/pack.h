@@ -67,16 +67,16 @@ struct whole {
 };
 
 #if MM_COUNTED
-using effort = whole;
+using counter = whole;
 #else
 // Empty counter for builds that do not count work.
-struct effort {
-    HWY_INLINE effort() = default;
-    HWY_INLINE effort(Int) {}
-    HWY_INLINE effort(const whole&) {}
+struct counter {
+    HWY_INLINE counter() = default;
+    HWY_INLINE counter(Int) {}
+    HWY_INLINE counter(const whole&) {}
 };
 
-FN effort operator+(const effort&, const effort&) { return {}; }
+FN counter operator+(const counter&, const counter&) { return {}; }
 #endif
 
 // One real number per lane.

@@ -9,14 +9,14 @@ FN real root(real a)
 
 #define MM_HAS_TALLY
 #if MM_COUNTED
-FN effort tally(effort a, const mask& on)
+FN counter tally(counter a, const mask& on)
 {
     EACH_REGISTER(
         a.of[u] = hn::IfThenElse(hn::RebindMask(Wholes(), on.of[u]), hn::Add(a.of[u], hn::Set(Wholes(), 1)), a.of[u]);)
     return a;
 }
 #else
-FN effort tally(effort a, const mask&) { return a; }
+FN counter tally(counter a, const mask&) { return a; }
 #endif
 
 #if HWY_TARGET <= HWY_AVX3

@@ -30,7 +30,7 @@
 typedef MM_REAL real;
 typedef MM_REAL scalar;
 typedef int whole;
-typedef int effort;
+typedef int counter;
 typedef bool mask;
 
 struct vec3 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "core/scene/chance.h"
-#include "core/scene/fractals/row.h"
+#include "core/scene/scene_random.h"
+#include "core/scene/descriptor.h"
 #include "core/scene/hull.h"
 #include "core/scene/scene.h"
 
@@ -13,7 +13,7 @@ constexpr std::string_view official =
 #include "official/paramsJulia.dat"
     ;
 
-constexpr Meaning::Slider part{-1, 1, 0.005};
+constexpr ParameterInfo::Slider part{-1, 1, 0.005};
 
 // Far outside, the estimate improves with the radius; this one keeps r^2 within float's range.
 constexpr double escape_radius = 1000;
@@ -26,7 +26,7 @@ FractalConstants<Number> constants(const FractalInputs<Number>& of)
     return {.values = {a, i, j, of.escape, escape_radius * escape_radius}};
 }
 
-double hull(const Scene& scene, const Sight& view)
+double hull(const Scene& scene, const ViewLimits& view)
 {
     const auto [a, i, j] = scene.shape;
     const double c = std::sqrt(a * a + i * i + j * j + scene.escape * scene.escape);
@@ -37,7 +37,7 @@ double hull(const Scene& scene, const Sight& view)
 // z^2 doubles lengths at |z| = 1, which is typical of the surface.
 double growth(const Scene&) { return 2; }
 
-void random_shape(Scene& scene, Chance& chance, bool)
+void random_shape(Scene& scene, SceneRandom& chance, bool)
 {
     scene.shape[0] = chance.single_between(-0.6, 0.2);
     scene.shape[1] = chance.single_between(-0.6, 0.6);
@@ -45,7 +45,7 @@ void random_shape(Scene& scene, Chance& chance, bool)
     scene.escape = chance.single_between(-0.5, 0.5);
 }
 
-void extreme_shape(Scene& scene, Chance& chance)
+void extreme_shape(Scene& scene, SceneRandom& chance)
 {
     const double most = chance.one_in(4) ? 4 : 0.7;
     for (double& value : scene.shape) value = chance.one_in(8) ? 0 : chance.between(-most, most);
@@ -54,19 +54,19 @@ void extreme_shape(Scene& scene, Chance& chance)
 
 }  // namespace
 
-constexpr Fractal rows::julia{
+constexpr Fractal descriptors::julia{
     .name = "julia",
-    .nickname = "julia",
-    .rank = 3,
+    .short_name = "julia",
+    .list_order = 3,
     .official = official,
-    .shape = {Meaning{"c's real part", -4, 4, false, part},
+    .shape = {ParameterInfo{"c's real part", -4, 4, false, part},
               {"c's i part", -4, 4, false, part},
               {"c's j part", -4, 4, false, part}},
     .escape = {"c's k part", -4, 4, false, part},
     .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
     .fast = {.root_share = 0.01, .cone_pitch = 40, .neighbour_pitch = 48},
-    .flight = {.growth = growth, .trust = {.safety = 1, .stride = plain_stride}},
+    .flight = {.growth = growth, .trust = {.safety = 1, .step_factor = plain_step_factor}},
     .random = {.extent = 1.2,
                .nearest = 1.1,
                .farthest = 2.5,

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/chance.h"
-#include "core/scene/fractals/row.h"
+#include "core/scene/scene_random.h"
+#include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
@@ -67,7 +67,7 @@ void add_tail(const Scene& scene, FractalConstants<double>& to)
     to.whole = tail > 0 ? scene.iterations - 4 : 0;
 }
 
-double hull(const Scene& scene, const Sight& view)
+double hull(const Scene& scene, const ViewLimits& view)
 {
     const auto [scale, inner, fixed] = scene.shape;
     const double s = std::abs(scale);
@@ -86,11 +86,11 @@ double hull(const Scene& scene, const Sight& view)
 double growth(const Scene& scene) { return std::abs(scene.shape[0]); }
 
 // A cube of half edge 2 (s + 1)/(s - 1) for s > 1 and 2 for s < -1.
-std::optional<Hull> body(const Scene& scene)
+std::optional<Bounds> body(const Scene& scene)
 {
     const double s = scene.shape[0];
-    if (s > 1) return Hull{Hull::Shape::cube, 2 * (s + 1) / (s - 1)};
-    if (s < -1) return Hull{Hull::Shape::cube, 2};
+    if (s > 1) return Bounds{Bounds::Shape::cube, 2 * (s + 1) / (s - 1)};
+    if (s < -1) return Bounds{Bounds::Shape::cube, 2};
     return {};
 }
 
@@ -102,7 +102,10 @@ Vector representative(const Scene&, Vector p)
     return {c[0], c[1], c[2]};
 }
 
-bool worth_searching(const Scene&, const Hull& body, Vector p) { return std::min({p.x, p.y, p.z}) > -0.1 * body.size; }
+bool worth_searching(const Scene&, const Bounds& body, Vector p)
+{
+    return std::min({p.x, p.y, p.z}) > -0.1 * body.size;
+}
 
 // The axis closest to up: floors, walls and ceilings are parallel to the cube's sides.
 Vector upward(Vector, Vector up)
@@ -115,14 +118,14 @@ Vector upward(Vector, Vector up)
 }
 
 // Scales above and below 0.
-void random_shape(Scene& scene, Chance& chance, bool even)
+void random_shape(Scene& scene, SceneRandom& chance, bool even)
 {
     scene.shape[0] = even ? chance.single_between(1.5, 3) : chance.single_between(-2.5, -1.2);
     scene.shape[1] = chance.single_between(0.2, 0.8);
     scene.shape[2] = chance.single_between(0.8, 1.5);
 }
 
-void extreme_shape(Scene& scene, Chance& chance)
+void extreme_shape(Scene& scene, SceneRandom& chance)
 {
     const double scale = chance.one_in(4) ? chance.magnitude(1e-2, 20) : chance.between(1.1, 3);
     scene.shape[0] = chance.sign() * scale;
@@ -135,7 +138,7 @@ constexpr std::array iterations{4, 8, 12, 18, 30, 60};
 
 // Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 600 random places directly before
 // the surface at which float and double agree. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
-constexpr FractalStudy::Look close_up{
+constexpr FractalStudy::CloseUp close_up{
     {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
 
 // The estimate is about 3.5 times too small, so free space appears narrower and allows faster flights.
@@ -144,15 +147,15 @@ constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 2
 
 }  // namespace
 
-constexpr Fractal rows::mandelbox{
+constexpr Fractal descriptors::mandelbox{
     .name = "mandelbox",
-    .nickname = "box",
-    .rank = 2,
-    .studied = true,
+    .short_name = "box",
+    .list_order = 2,
+    .in_default_study = true,
     .official = official,
-    .shape = {Meaning{"scale", -huge, huge, false, Meaning::Slider{-3, 4, 0.05}},
-              {"rMin", 0, huge, true, Meaning::Slider{0.05, 1, 0.05}},
-              {"rFixed", 0, huge, true, Meaning::Slider{0.2, 2, 0.05}}},
+    .shape = {ParameterInfo{"scale", -huge, huge, false, ParameterInfo::Slider{-3, 4, 0.05}},
+              {"rMin", 0, huge, true, ParameterInfo::Slider{0.05, 1, 0.05}},
+              {"rFixed", 0, huge, true, ParameterInfo::Slider{0.2, 2, 0.05}}},
     .escape = {"escape time", 0, 1e15, true},
     .objection = objection,
     .constants = {constants<double>, constants<Formula>},
@@ -160,7 +163,7 @@ constexpr Fractal rows::mandelbox{
     .hull = {.size = hull, .corner = cube_corner},
     .fast = {.root_share = 0.003, .cone_pitch = 8, .neighbour_pitch = 35},
     .flight = {.growth = growth,
-               .trust = {.safety = 1, .stride = plain_stride},
+               .trust = {.safety = 1, .step_factor = plain_step_factor},
                .body = body,
                .representative = representative,
                .worth_searching = worth_searching,

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/scene/chance.h"
-#include "core/scene/fractals/row.h"
+#include "core/scene/scene_random.h"
+#include "core/scene/descriptor.h"
 #include "core/scene/hull.h"
 #include "core/scene/scene.h"
 
@@ -28,7 +28,7 @@ FractalConstants<Number> constants(const FractalInputs<Number>& of)
             .whole = pick(power == floor(power), power, 0)};
 }
 
-double hull(const Scene& scene, const Sight& view)
+double hull(const Scene& scene, const ViewLimits& view)
 {
     const double escape = scene.shape[1];
     const double power = scene.shape[2];
@@ -41,9 +41,9 @@ double hull(const Scene& scene, const Sight& view)
 
 // Shorter steps at low powers, where longer ones miss thin features: docs/notes/experiments.md.
 template <class Number>
-Number stride(const FractalInputs<Number>& of)
+Number step_factor(const FractalInputs<Number>& of)
 {
-    return pick(of.shape[2] < 4.5, low_power_stride, plain_stride);
+    return pick(of.shape[2] < 4.5, low_power_stride, plain_step_factor);
 }
 
 double growth(const Scene& scene) { return scene.shape[2]; }
@@ -55,10 +55,10 @@ bool has_whole_power(const Scene& scene)
 }
 
 // A sphere of radius 2^(1/(P - 1)).
-std::optional<Hull> body(const Scene& scene)
+std::optional<Bounds> body(const Scene& scene)
 {
     if (!(scene.shape[2] > 1.2F)) return {};  // shapes have single precision
-    return Hull{Hull::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
+    return Bounds{Bounds::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
 }
 
 // Mirrored in y; integer P: (P - 1)-fold about z; odd P: also mirrored in z.
@@ -76,7 +76,7 @@ Vector representative(const Scene& scene, Vector p)
     return {rho * std::cos(angle), rho * std::sin(angle), odd ? std::abs(p.z) : p.z};
 }
 
-bool worth_searching(const Scene& scene, const Hull&, Vector p)
+bool worth_searching(const Scene& scene, const Bounds&, Vector p)
 {
     const double turns = scene.shape[2] - 1;
     const double wedge = has_whole_power(scene) ? 2.1 * std::numbers::pi / turns : 1.1 * std::numbers::pi;
@@ -84,13 +84,13 @@ bool worth_searching(const Scene& scene, const Hull&, Vector p)
 }
 
 // Integer and other powers.
-void random_shape(Scene& scene, Chance& chance, bool even)
+void random_shape(Scene& scene, SceneRandom& chance, bool even)
 {
     scene.shape[1] = chance.single_between(2, 6);
     scene.shape[2] = even ? std::floor(chance.between(2, 12)) : chance.single_between(2, 12);
 }
 
-void extreme_shape(Scene& scene, Chance& chance)
+void extreme_shape(Scene& scene, SceneRandom& chance)
 {
     scene.shape[1] = chance.one_in(4) ? chance.magnitude(1e-3, 1e6) : chance.between(1.2, 6);
     const double power = chance.one_in(5) ? chance.magnitude(0.01, 1000) : chance.between(1, 12);
@@ -99,29 +99,33 @@ void extreme_shape(Scene& scene, Chance& chance)
 
 // Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 300 random places directly before
 // the surface and away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
-constexpr FractalStudy::Look close_up{{-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
+constexpr FractalStudy::CloseUp close_up{
+    {-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
 
 // A power that is not an integer is raised through angles; the picture is nearly the official one.
 constexpr FractalStudy::Variant angles{"angles", {0, 0, 1e-5}};
 
 }  // namespace
 
-constexpr Fractal rows::mandelbulb{
+constexpr Fractal descriptors::mandelbulb{
     .name = "mandelbulb",
-    .nickname = "bulb",
-    .rank = 1,
-    .studied = true,
+    .short_name = "bulb",
+    .list_order = 1,
+    .in_default_study = true,
     .official = official,
     .shape = {ignored_number,
-              {"bailout", 0, 1e6, true, Meaning::Slider{1.5, 16, 0.5}},
-              {"power", 0, 1000, true, Meaning::Slider{2, 16, 0.1}}},
+              {"bailout", 0, 1e6, true, ParameterInfo::Slider{1.5, 16, 0.5}},
+              {"power", 0, 1000, true, ParameterInfo::Slider{2, 16, 0.1}}},
     .escape = ignored_number,
     .constants = {constants<double>, constants<Formula>},
     .hull = {.size = hull, .corner = sphere_corner},
-    .fast = {.stride = {stride<double>, stride<Formula>}, .root_share = 0.02, .cone_pitch = 40, .neighbour_pitch = 48},
+    .fast = {.step_factor = {step_factor<double>, step_factor<Formula>},
+             .root_share = 0.02,
+             .cone_pitch = 40,
+             .neighbour_pitch = 48},
     .flight = {.growth = growth,
-               .trust = {.safety = 0.8, .stride = 0.6},
-               .conservative = FractalFlight::Trust{.safety = 0.9, .stride = 0.9},
+               .trust = {.safety = 0.8, .step_factor = 0.6},
+               .conservative = FractalFlight::Trust{.safety = 0.9, .step_factor = 0.9},
                .body = body,
                .representative = representative,
                .worth_searching = worth_searching},

@@ -68,7 +68,7 @@ FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
 // Returns the derivative of DE, times dr > 0.
 FN real bulb_slope(vec3 z, real r, real dr, real ln_r, BulbTangent v)
 {
-    real d_r = quick_quotient(inner(z, v.z), r);
+    real d_r = quick_quotient(dot3(z, v.z), r);
     return quick_quotient((ln_r + 1) * d_r, dr) - quick_quotient(ln_r * r, dr) * quick_quotient(v.dr, dr);
 }
 

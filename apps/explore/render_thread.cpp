@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/render_thread.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "flight/film/frames.h"
+#include "flight/film/shrink.h"
+
+namespace mandelmarch::explore {
+
+struct RenderThread::Shared {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::optional<RenderRequest> order;
+    std::optional<RenderedPicture> drawn;
+    std::stop_source stop;
+    bool ends = false;
+    bool ended = false;
+    std::atomic<double> progress = 0;
+    std::atomic<Clock::rep> heard = 0;
+
+    void hear(double share)
+    {
+        progress = share;
+        heard = Clock::now().time_since_epoch().count();
+    }
+};
+
+namespace {
+
+constexpr auto parting = std::chrono::milliseconds(50);
+
+// Renderers and pictures that are reused by later requests.
+class Easel {
+public:
+    explicit Easel(const Registry& registry) : registry_(registry) {}
+
+    void draw(RenderedPicture& drawn, const Progress& progress)
+    {
+        const RenderRequest& order = drawn.order;
+        const Clock::time_point start = Clock::now();
+        Scene scene = order.scene;
+        scene.width *= order.samples;
+        scene.height *= order.samples;
+        Renderer& renderer = renderer_of(order);
+        if (image_.width() != scene.width || image_.height() != scene.height) {
+            image_ = Image(scene.width, scene.height, Image::Layers::bytes);
+        }
+        drawn.report = renderer.render(scene, image_, progress);
+        if (order.samples == 1) {
+            drawn.pixels = pixels_of(image_);
+            if (!order.moving) drawn.image = image_;
+        } else {
+            drawn.pixels = pixels_of_rgb(shrunk(image_, order.scene.width, order.scene.height, 0), order.scene);
+        }
+        drawn.seconds = seconds_since(start);
+    }
+
+    // Discards the renderers of a setup after a failure.
+    void forget(const Setup& setup)
+    {
+        std::erase_if(renderers_, [&](const auto& known) { return known.first.first == setup; });
+    }
+
+private:
+    static Pixels pixels_of_rgb(const std::vector<std::uint8_t>& rgb, const Scene& scene)
+    {
+        Pixels pixels{scene.width, scene.height, std::vector<std::uint32_t>(Image::pixels(scene.width, scene.height))};
+        const std::uint8_t* at = rgb.data();
+        for (std::uint32_t& pixel : pixels.of) {
+            pixel =
+                0xFF000000U | static_cast<std::uint32_t>(at[0]) << 16 | static_cast<std::uint32_t>(at[1]) << 8 | at[2];
+            at += 3;
+        }
+        return pixels;
+    }
+
+    Renderer& renderer_of(const RenderRequest& order)
+    {
+        auto& renderer = renderers_[{order.setup, order.moving}];
+        if (renderer != nullptr) return *renderer;
+        const Backend* backend = registry_.find(order.setup.backend);
+        if (backend == nullptr) throw Unavailable("there is no backend " + order.setup.backend);
+        // Throws the driver's error if it failed while listing its devices.
+        if (const auto why = backend->unavailable()) throw Unavailable(order.setup.backend + ": " + *why);
+        const RendererOptions options = options_of(order.setup);
+        renderer = backend->create(order.moving ? without_trial(options) : options);
+        return *renderer;
+    }
+
+    const Registry& registry_;
+    std::map<std::pair<Setup, bool>, std::unique_ptr<Renderer>> renderers_;
+    Image image_;
+};
+
+}  // namespace
+
+Pixels pixels_of(const Image& image)
+{
+    Pixels pixels{image.width(), image.height(), std::vector<std::uint32_t>(image.pixels())};
+    const auto width = static_cast<std::size_t>(image.width());
+    for (std::size_t row = 0; row < static_cast<std::size_t>(image.height()); ++row) {
+        const std::uint8_t* from =
+            image.bytes().data() + 3 * width * (static_cast<std::size_t>(image.height()) - 1 - row);
+        std::uint32_t* to = pixels.of.data() + row * width;
+        for (std::size_t x = 0; x < width; ++x, from += 3) {
+            to[x] = 0xFF000000U | static_cast<std::uint32_t>(from[0]) << 16 | static_cast<std::uint32_t>(from[1]) << 8 |
+                    from[2];
+        }
+    }
+    return pixels;
+}
+
+RenderThread::RenderThread(const Registry& registry) : registry_(registry) {}
+
+RenderThread::~RenderThread()
+{
+    if (shared_ == nullptr) return;
+    std::unique_lock lock(shared_->mutex);
+    shared_->ends = true;
+    shared_->stop.request_stop();
+    shared_->changed.notify_all();
+    shared_->changed.wait_for(lock, parting, [this] { return shared_->ended; });
+}
+
+void RenderThread::work(const std::shared_ptr<Shared>& shared, const Registry& registry)
+{
+    {
+        Easel easel(registry);
+        std::unique_lock lock(shared->mutex);
+        for (;;) {
+            shared->changed.wait(lock, [&] { return shared->ends || shared->order; });
+            if (shared->ends) break;
+            RenderedPicture drawn{
+                .order = std::move(*shared->order), .pixels = {}, .image = {}, .report = {}, .failure = {}};
+            shared->order.reset();
+            const std::stop_token stop = shared->stop.get_token();
+            lock.unlock();
+            try {
+                easel.draw(drawn, Progress([&](double share) { shared->hear(share); }, stop));
+            } catch (const Cancelled&) {
+                drawn.cancelled = true;
+            } catch (const std::exception& error) {
+                drawn.failure = error.what();
+                easel.forget(drawn.order.setup);
+            }
+            lock.lock();
+            shared->drawn = std::move(drawn);
+            shared->changed.notify_all();
+        }
+    }
+    const std::scoped_lock lock(shared->mutex);
+    shared->ended = true;
+    shared->changed.notify_all();
+}
+
+void RenderThread::draw(RenderRequest order)
+{
+    if (shared_ == nullptr) {
+        shared_ = std::make_shared<Shared>();
+        // Detached, as it may hang in a driver.
+        std::thread([shared = shared_, &registry = registry_] { work(shared, registry); }).detach();
+    }
+    const std::scoped_lock lock(shared_->mutex);
+    current_ = order;
+    shared_->hear(0);
+    shared_->stop = std::stop_source();
+    shared_->order = std::move(order);
+    shared_->changed.notify_all();
+}
+
+void RenderThread::cancel()
+{
+    if (!current_) return;
+    const std::scoped_lock lock(shared_->mutex);
+    shared_->stop.request_stop();
+}
+
+std::optional<RenderedPicture> RenderThread::wait(Moment until)
+{
+    if (!current_) return std::nullopt;
+    std::unique_lock lock(shared_->mutex);
+    if (!shared_->changed.wait_until(lock, until, [this] { return shared_->drawn.has_value(); })) return std::nullopt;
+    std::optional<RenderedPicture> drawn = std::move(shared_->drawn);
+    shared_->drawn.reset();
+    current_.reset();
+    return drawn;
+}
+
+double RenderThread::progress() const { return current_ ? shared_->progress.load() : 0; }
+
+double RenderThread::silence() const
+{
+    if (!current_) return 0;
+    return seconds_since(Clock::time_point(Clock::duration(shared_->heard.load())));
+}
+
+void RenderThread::abandon()
+{
+    const auto left = std::exchange(shared_, nullptr);
+    current_.reset();
+    if (left == nullptr) return;
+    const std::scoped_lock lock(left->mutex);
+    left->ends = true;
+    left->stop.request_stop();
+    left->changed.notify_all();
+}
+
+}  // namespace mandelmarch::explore

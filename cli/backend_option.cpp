@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/backend_option.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/base/console.h"
+#include "core/base/error.h"
+
+namespace mandelmarch {
+
+void add_backend_option(CLI::App& app, std::string& name, const Registry& registry)
+{
+    std::vector<std::string> names = registry.names();
+    names.insert(names.begin(), "auto");
+    app.add_option("--backend", name, "rendering backend; auto: on a GPU if one is present, else openmp")
+        ->check(CLI::IsMember(names))
+        ->capture_default_str();
+    add_isolation_option(app);
+}
+
+void add_isolation_option(CLI::App& app)
+{
+    app.add_flag("--no-isolation")->description("run device drivers in this process, for profilers and debuggers");
+}
+
+std::string unheeded(const Backend& backend, const RendererOptions& options)
+{
+    const BackendInfo info = backend.info();
+    if (options.threads > 0 && !info.threads) return "--threads";
+    if (options.pack > 0 && !info.pack) return "--pack";
+    return {};
+}
+
+void refuse_unheeded(const Registry& registry, const Backend& backend, const RendererOptions& options)
+{
+    const std::string option = unheeded(backend, options);
+    if (option.empty()) return;
+    std::vector<std::string_view> heeding;
+    for (const auto& other : registry.backends()) {
+        if (unheeded(*other, option == "--threads" ? RendererOptions{.threads = 1} : RendererOptions{.pack = 1})
+                .empty())
+            heeding.push_back(other->name());
+    }
+    throw InputError(fmt::format("{}: not supported by backend {}, expected one of {}", option, backend.name(),
+                                 fmt::join(heeding, ", ")));
+}
+
+const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
+                              const RendererOptions& options)
+{
+    if (name != "auto") return *registry.find(name);
+    AutomaticChoice choice = registry.automatic();
+    if (const std::string option = unheeded(*choice.backend, options); !option.empty()) {
+        choice = {&registry.with(Role::host), fmt::format("{} is given", option)};
+    }
+    if (tells) say("backend {}: {}\n", choice.backend->name(), choice.reason);
+    return *choice.backend;
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/isolation/device_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <new>
+#include <set>
+
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::isolation {
+namespace {
+
+// Longer than device_timeout(), because the process then gives a device up itself, with a more precise message.
+std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
+
+constexpr std::size_t most_said = 1 << 16;  // bytes kept until they are printed
+constexpr std::size_t last_words = 300;     // bytes of output quoted in a message
+
+constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
+
+// Opens the file that the variable names; none if it is not set.
+Descriptor opened_log()
+{
+    const char* path = std::getenv(log_variable);
+    if (path == nullptr || *path == '\0') return {};
+    Descriptor log(open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable, path, std::strerror(errno)));
+    return log;
+}
+
+}  // namespace
+
+DeviceProcess::DeviceProcess(std::shared_ptr<const ForkServer> fork_server, std::string name)
+    : fork_server_(std::move(fork_server)), name_(std::move(name)), child_(fork_server_->start()), log_(opened_log())
+{
+}
+
+DeviceProcess::~DeviceProcess()
+{
+    if (!ended_) end();
+}
+
+std::optional<Packet> DeviceProcess::heard(const char* doing)
+{
+    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit());
+    for (;;) {
+        std::array<pollfd, 2> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0}};
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        if (left <= 0) break;
+        poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
+        // The output must not block in a full pipe, and does not count as a response.
+        if (from[1].revents != 0) listen();
+        if (from[0].revents != 0) return child_.channel.receive();
+    }
+    end(true);
+    repeat_said();
+    throw DeviceHung(
+        fmt::format("{}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name_, device_timeout(), doing));
+}
+
+void DeviceProcess::listen()
+{
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
+        if (size == 0) child_.said = Descriptor();  // closed by the process
+        if (size <= 0) return;
+        log({buffer.data(), static_cast<std::size_t>(size)});
+        said_.append(buffer.data(), static_cast<std::size_t>(size));
+        if (said_.size() > most_said) said_.erase(0, said_.size() - most_said);
+    }
+}
+
+void DeviceProcess::log(std::string_view text)
+{
+    while (log_.number() >= 0 && !text.empty()) {
+        const ssize_t size = write(log_.number(), text.data(), text.size());
+        if (size < 0) {
+            say("{}: {}\n", log_variable, std::strerror(errno));
+            log_ = Descriptor();
+            return;
+        }
+        text.remove_prefix(static_cast<std::size_t>(size));
+    }
+}
+
+void DeviceProcess::repeat_said()
+{
+    // All processes of a driver print the same, so each line is printed to the user once.
+    static std::set<std::string, std::less<>> repeated;
+    static std::mutex one;
+    const std::scoped_lock lock(one);
+    for (std::size_t begin = 0; begin < said_.size();) {
+        const std::size_t end = std::min(said_.find('\n', begin), said_.size() - 1) + 1;
+        const auto [line, is_new] = repeated.insert(said_.substr(begin, end - begin));
+        if (is_new) say(*line);
+        begin = end;
+    }
+    said_.clear();
+}
+
+std::string DeviceProcess::end(bool now)
+{
+    child_.channel = Channel(Descriptor());
+    std::string how = fork_server_->end(child_.id, now);
+    listen();
+    ended_ = true;
+    return how;
+}
+
+void DeviceProcess::tell(const Serializer& request)
+{
+    const std::scoped_lock lock(mutex_);
+    if (!ended_) child_.channel.send(request.bytes());
+}
+
+Deserializer DeviceProcess::ask(const Serializer& request, const char* doing, int descriptor, const Progress& progress)
+{
+    const std::scoped_lock lock(mutex_);
+    const auto ended = [&]() -> Error {
+        const std::string how = end();
+        while (!said_.empty() && said_.back() == '\n') said_.pop_back();
+        std::string words = said_.substr(said_.rfind('\n') + 1);
+        said_.clear();
+        if (!words.empty()) words = fmt::format("; its last words: {}", printable(words, last_words));
+        return Error(fmt::format("{}: the driver ended the device's process while {}: {}{}", name_, doing, how, words));
+    };
+    bool cancelled = false;
+    if (ended_ || !child_.channel.send(request.bytes(), descriptor)) throw ended();
+    for (;;) {
+        auto packet = heard(doing);
+        if (!packet) throw ended();
+        Deserializer answer(std::move(packet->bytes));
+        const auto kind = answer.take<Answer>();
+        if (kind == Answer::progress) {
+            if (!cancelled) cancelled = !told(progress, answer.take<double>());
+            continue;
+        }
+        listen();
+        repeat_said();
+        if (cancelled && (kind == Answer::done || kind == Answer::cancelled)) throw Cancelled();
+        if (kind == Answer::done) return answer;
+        fail(kind, answer, doing);
+    }
+}
+
+bool DeviceProcess::told(const Progress& progress, double share)
+{
+    try {
+        if (progress) progress(share);
+        return true;
+    } catch (const Cancelled&) {
+        Serializer request;
+        request(Request::cancel);
+        child_.channel.send(request.bytes());
+        return false;
+    }
+}
+
+void DeviceProcess::fail(Answer kind, Deserializer& answer, const char* doing)
+{
+    if (kind == Answer::no_memory) throw std::bad_alloc();
+    const auto why = answer.take<std::string>();
+    switch (kind) {
+        case Answer::input_error: throw InputError(why);
+        case Answer::unavailable: throw Unavailable(why);
+        case Answer::hung: end(true); throw DeviceHung(why);
+        case Answer::error: throw Error(why);
+        default: throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));
+    }
+}
+
+}  // namespace mandelmarch::isolation

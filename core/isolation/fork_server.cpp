@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/isolation/fork_server.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <stdio_ext.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/isolation/message.h"
+
+namespace mandelmarch::isolation {
+namespace {
+
+using Task = std::function<void(Channel)>;
+
+constexpr auto patience = std::chrono::seconds(1);  // for a process that has closed its channel
+constexpr auto nap = std::chrono::milliseconds(2);
+
+[[noreturn]] void fail(const char* what)
+{
+    throw Error(fmt::format("{} for a device: {}", what, std::strerror(errno)));
+}
+
+// Forks; the child ends with its parent, and discards the parent's unwritten output.
+pid_t fork_tied()
+{
+    const pid_t parent = getpid();
+    const pid_t id = fork();
+    if (id != 0) return id;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(exit_failure);
+    __fpurge(stdout);
+    __fpurge(stderr);
+    return 0;
+}
+
+// Runs a new process: output of drivers goes to `said`, so that it does not mix with results on stdout.
+[[noreturn]] void run(const Task& work, Descriptor socket, Descriptor said)
+{
+    const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+    dup2(nothing.number(), STDIN_FILENO);
+    dup2(said.number(), STDOUT_FILENO);
+    dup2(said.number(), STDERR_FILENO);
+    try {
+        work(Channel(std::move(socket)));
+    } catch (const std::exception& error) {
+        say("{}\n", error.what());
+        _exit(exit_failure);
+    }
+    _exit(exit_success);
+}
+
+// Returns the status of waitpid(); unless `now`, gives the process some time to exit by itself.
+int status_of(pid_t child, bool now)
+{
+    const auto start = std::chrono::steady_clock::now();
+    int status = 0;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (now || std::chrono::steady_clock::now() - start > patience) {
+            kill(child, SIGKILL);
+            waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(nap);
+    }
+    return status;
+}
+
+// Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
+// output; any other message contains the process to end.
+[[noreturn]] void tend(const Task& work, const Channel& channel)
+{
+    while (auto asked = channel.receive()) {
+        Serializer answer;
+        if (asked->descriptor.number() >= 0) {
+            auto said = channel.receive();
+            if (!said) break;
+            const pid_t child = fork_tied();
+            if (child == 0) run(work, std::move(asked->descriptor), std::move(said->descriptor));
+            answer(child, errno);
+        } else {
+            Deserializer reader(asked->bytes);
+            const auto child = reader.take<pid_t>();
+            answer(status_of(child, reader.take<bool>()));
+        }
+        if (!channel.send(answer.bytes())) break;
+    }
+    _exit(exit_success);
+}
+
+}  // namespace
+
+ForkServer::ForkServer(const Task& work) : channel_(Descriptor())
+{
+    std::pair<Channel, Channel> ends = Channel::pair();
+    id_ = fork_tied();
+    if (id_ < 0) fail("no process");
+    if (id_ == 0) tend(work, ends.second);
+    channel_ = std::move(ends.first);
+}
+
+ForkServer::~ForkServer()
+{
+    // Its processes end with it.
+    kill(id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+}
+
+std::optional<Packet> ForkServer::ask(std::initializer_list<std::pair<std::string, int>> messages) const
+{
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [bytes, descriptor] : messages) {
+        if (!channel_.send(bytes, descriptor)) return std::nullopt;
+    }
+    return channel_.receive();
+}
+
+Child ForkServer::start() const
+{
+    auto [ours, theirs] = Channel::pair();
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) fail("no pipe");
+    Descriptor said(ends[0]);
+    const Descriptor says(ends[1]);
+    fcntl(said.number(), F_SETFL, O_NONBLOCK);
+    const auto answer = ask({{"socket", theirs.number()}, {"pipe", says.number()}});
+    if (!answer) throw Error("the process that starts processes for devices has ended");
+    Deserializer reader(answer->bytes);
+    const auto id = reader.take<pid_t>();
+    errno = reader.take<int>();
+    if (id < 0) fail("no process");
+    return {id, std::move(ours), std::move(said)};
+}
+
+std::string ForkServer::end(pid_t child, bool now) const
+{
+    Serializer message;
+    message(child, now);
+    const auto answer = ask({{message.bytes(), -1}});
+    if (!answer) return "all of the program's other processes have ended";
+    const int status = Deserializer(answer->bytes).take<int>();
+    if (WIFEXITED(status)) return fmt::format("exit code {}", WEXITSTATUS(status));
+    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+}
+
+}  // namespace mandelmarch::isolation

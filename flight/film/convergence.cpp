@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/film/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/image/compare.h"
+#include "flight/audit/view_rows.h"
+#include "flight/plan/random.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::size_t every = 100;  // frames
+constexpr int strata = 4;           // of a frame's width and height, with one patch in each
+constexpr int place_width = 48;     // pixels
+constexpr int place_height = 27;    // pixels
+constexpr double converged = 0.06;  // step factor; with a smaller one, far rays run out of steps
+// Percent of the pixels.
+constexpr double median_bar = 2;
+constexpr double most_frames_bar = 4;
+constexpr double worst_bar = 6;
+
+// Returns the options of a film, except that each pixel computes its own occlusion. Shared occlusion affects the light,
+// not the steps (its error is given in docs/flight.md).
+RendererOptions by_film_steps(const RendererOptions& options)
+{
+    RendererOptions alone = without_trial(options);
+    alone.techniques.occlusion = false;
+    return alone;
+}
+
+// Returns options in which every ray marches from its beginning, not from near its neighbours' hits.
+RendererOptions by_short_steps(const RendererOptions& options)
+{
+    RendererOptions alone = by_film_steps(options);
+    alone.techniques.neighbours = false;
+    alone.techniques.cones = false;
+    return alone;
+}
+
+Scene by_short_steps(Scene scene)
+{
+    scene.limits = {.step_factor = converged, .root_share = 0};
+    return scene;
+}
+
+class Comparer {
+public:
+    Comparer(const Path& path, const Backend& backend, const RendererOptions& options, const Picture& picture)
+        : path_(path),
+          picture_(picture),
+          film_(backend.create(by_film_steps(options))),
+          truth_(backend.create(by_short_steps(options)))
+    {
+    }
+
+    // Returns the percentage of a frame's pixels that differ visibly.
+    double off(std::size_t frame) const
+    {
+        Scene scene = frame_scene(path_, frame, picture_);
+        scene.crop_window = {.whole_width = scene.width, .whole_height = scene.height};
+        FlightRandom random(frame);
+        double differing = 0;
+        double pixels = 0;
+        for (int stratum = 0; stratum < strata * strata; ++stratum) {
+            std::tie(scene.crop_window.left, scene.width) =
+                place(scene.crop_window.whole_width, stratum % strata, place_width, random);
+            std::tie(scene.crop_window.bottom, scene.height) =
+                place(scene.crop_window.whole_height, stratum / strata, place_height, random);
+            const Comparison found = compare(drawn(*film_, scene), drawn(*truth_, by_short_steps(scene)));
+            differing += static_cast<double>(found.visibly_differing);
+            pixels += static_cast<double>(found.pixels);
+        }
+        return 100 * differing / pixels;
+    }
+
+private:
+    // Returns the first pixel and the length of a patch, at random in a stratum of a side.
+    static std::pair<int, int> place(int side, int stratum, int pixels, FlightRandom& random)
+    {
+        const int begin = side * stratum / strata;
+        const int room = side * (stratum + 1) / strata - begin;
+        const int length = std::max(1, std::min(pixels, room));
+        const auto spare = static_cast<std::uint64_t>(std::max(0, room - length)) + 1;
+        return {std::min(begin, side - length) + static_cast<int>(random.next() % spare), length};
+    }
+
+    static Image drawn(Renderer& renderer, const Scene& scene)
+    {
+        Image image(scene.width, scene.height, Image::Layers::bytes);
+        renderer.render(scene, image);
+        return image;
+    }
+
+    const Path& path_;
+    Picture picture_;
+    std::unique_ptr<Renderer> film_, truth_;
+};
+
+}  // namespace
+
+std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
+                            const Picture& picture)
+{
+    const Comparer comparer(path, backend, options, picture);
+    std::vector<double> offs;
+    for (std::size_t frame = 0; frame < path.frames.size(); frame += every) offs.push_back(comparer.off(frame));
+    const auto worst = static_cast<std::size_t>(std::ranges::max_element(offs) - offs.begin());
+    std::vector<double> sorted = offs;
+    std::ranges::sort(sorted);
+    const auto at = [&](double share) {
+        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    };
+    const auto row = [](const char* name, double value, double bar, const std::string& where) {
+        return Row{name, value, bar, true, true, "%", where};
+    };
+    return {row("pixels off their converged picture, median frame", at(0.5), median_bar, ""),
+            row("pixels off their converged picture, 95 of 100 frames", at(0.95), most_frames_bar, ""),
+            row("pixels off their converged picture, worst frame", offs[worst], worst_bar, at_frame(worst * every))};
+}
+
+}  // namespace mandelmarch

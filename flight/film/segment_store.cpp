@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/film/segment_store.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/output_file.h"
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* part_prefix = ".part-";
+constexpr const char* lock_name = "/lock";
+constexpr int most_tries = 100;
+
+// False if the open file is no longer the one with that name, because another run has removed it.
+bool still_there(int descriptor, const std::string& name)
+{
+    struct stat held {};
+    struct stat named {};
+    return fstat(descriptor, &held) == 0 && stat(name.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+           held.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+SegmentStore::SegmentStore(const std::string& film, const std::string& parts, const std::string& description,
+                           std::size_t frames)
+    : film_(film),
+      parts_(parts),
+      description_(description),
+      digest_(digest(description)),
+      folder_(fmt::format("{}/{}", parts, digest_)),
+      frames_(frames)
+{
+}
+
+SegmentStore::~SegmentStore()
+{
+    if (lock_ >= 0) ::close(lock_);
+}
+
+std::size_t SegmentStore::segments() const { return (frames_ + segment_frames - 1) / segment_frames; }
+
+std::size_t SegmentStore::last(std::size_t segment) const { return std::min(frames_, (segment + 1) * segment_frames); }
+
+void SegmentStore::lock(bool shared)
+{
+    const std::string name = parts_ + lock_name;
+    for (int tries = 1;; ++tries) {
+        std::error_code error;
+        fs::create_directories(parts_, error);
+        if (error) throw Error(fmt::format("{}: cannot make the folder: {}", parts_, error.message()));
+        lock_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (lock_ < 0 && errno == ENOENT && tries < most_tries) continue;  // another run has just removed the folder
+        if (lock_ < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+        if (flock(lock_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
+            if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+            throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+        }
+        if (still_there(lock_, name)) return;
+        ::close(lock_);
+    }
+}
+
+void SegmentStore::open(bool shared)
+{
+    lock(shared);
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw Error(fmt::format("{}: cannot make the folder: {}", folder_, error.message()));
+    if (!shared) {
+        for (const auto& entry : fs::directory_iterator(folder_)) {
+            const std::string name = entry.path().filename().string();
+            if (name.starts_with(part_prefix) || name.starts_with(".mandelmarch-")) fs::remove(entry.path(), error);
+        }
+    }
+    if (fs::exists(folder_ + "/manifest.json")) return;
+    OutputFile manifest(folder_ + "/manifest.json");
+    manifest.write(description_.data(), description_.size());
+    manifest.commit();
+}
+
+std::string SegmentStore::segment_file(std::size_t segment) const { return fmt::format("segment-{:06}.mp4", segment); }
+
+std::string SegmentStore::part_file(std::size_t segment) const
+{
+    char host[65] = "host";
+    gethostname(host, sizeof host - 1);
+    return fmt::format("{}{:06}-{}-{}.mp4", part_prefix, segment, host, getpid());
+}
+
+std::string SegmentStore::piece(const std::string& file) const { return digest_ + " " + file; }
+
+FileState SegmentStore::state_of(const std::string& file) const
+{
+    return mandelmarch::state_of(folder_ + "/" + file, piece(file));
+}
+
+void SegmentStore::finish(const std::string& part, const std::string& file) const
+{
+    const std::string path = folder_ + "/" + part;
+    const std::string finished = folder_ + "/" + file;
+    // Flushed to disk before the renaming, so that a file with the final name is complete even after a power cut.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
+    const int why = errno;
+    if (descriptor >= 0) ::close(descriptor);
+    if (!synced) throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(why)));
+    write_note(finished, piece(file), digest_of_file(path));
+    std::error_code error;
+    fs::rename(path, finished, error);
+    if (error) throw Error(fmt::format("{}: cannot be renamed to {}: {}", path, finished, error.message()));
+}
+
+std::map<std::string, SegmentStore::Other> SegmentStore::others() const
+{
+    std::map<std::string, Other> all;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(parts_, error)) {
+        if (entry.path().filename() == digest_ || !entry.is_directory(error)) continue;
+        std::ifstream manifest(entry.path() / "manifest.json");
+        Other other;
+        if (!std::getline(manifest, other.description)) continue;
+        other.description += '\n';
+        for (const std::string& file : files_in(entry.path().string())) {
+            const std::string name = fs::path(file).filename().string();
+            if (name.starts_with("segment-") && name.ends_with(".mp4")) ++other.segments;
+        }
+        if (other.segments > 0) all.emplace(entry.path().string(), std::move(other));
+    }
+    return all;
+}
+
+void SegmentStore::close()
+{
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    // Removes the folder of all parts unless another film's are in it.
+    fs::remove(parts_ + lock_name, ignored);
+    fs::remove(parts_, ignored);
+}
+
+}  // namespace mandelmarch

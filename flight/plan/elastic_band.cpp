@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/plan/elastic_band.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "flight/field/threads.h"
+#include "flight/field/hull.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr double spacing = 0.35;      // between points, in clearances
+constexpr double densest = 0.0005;    // fractal sizes: lower limit of a clearance, for the spacing
+constexpr double freedom = 0.45;      // largest move of a point in one round, in safe clearances
+constexpr double pin_freedom = 0.08;  // the same for a pin
+constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
+constexpr int rounds = 7;
+constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
+constexpr int sweeps = 12;  // at each stride
+// For shapes that change in flight:
+constexpr double parts_a_step = 10;  // stages of following the walls, per step of the shape parameter
+constexpr int most_parts = 60;
+constexpr int pushes = 2;             // in each stage
+constexpr double clock_reach = 12.0;  // clearances on either side over which the shape time is averaged
+
+struct Band {
+    std::vector<Vector> at;
+    std::vector<char> pinned;
+    std::vector<double> clock;
+    std::vector<double> value;
+    std::vector<double> clearance;
+};
+
+// Returns the band with new points along it, denser in narrow places. Pins are kept.
+Band resampled(const Shapes& shapes, const Band& old)
+{
+    const double most = 1.5 * fastest_clearance(shapes.field().bounds());
+    // A changing shape may have moved the band into solid. There, its points are as dense as close to a wall.
+    const double least = densest * shapes.field().bounds().size;
+    const auto apart = [&](double clearance) { return spacing * std::clamp(clearance, least, most); };
+    Band band;
+    const auto add = [&](Vector p, bool pin, double clearance, double clock, double value) {
+        band.at.push_back(p);
+        band.pinned.push_back(pin ? 1 : 0);
+        band.clearance.push_back(clearance);
+        band.clock.push_back(clock);
+        band.value.push_back(value);
+    };
+    const auto keep = [&](std::size_t i, bool pin) {
+        add(old.at[i], pin, old.clearance[i], old.clock[i], old.value[i]);
+    };
+    keep(0, old.pinned[0] != 0);
+    double left = apart(old.clearance[0]);
+    for (std::size_t i = 1; i < old.at.size(); ++i) {
+        const Vector from = old.at[i - 1];
+        const double whole = length(old.at[i] - from);
+        double done = 0;
+        while (whole - done > left) {
+            done += left;
+            const double share = done / whole;
+            // Interpolated; the exact clearances are computed below.
+            const double guess = (1 - share) * old.clearance[i - 1] + share * old.clearance[i];
+            add(from + share * (old.at[i] - from), false, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
+                std::lerp(old.value[i - 1], old.value[i], share));
+            left = apart(guess);
+        }
+        left -= whole - done;
+        if (old.pinned[i] != 0) {
+            keep(i, true);
+            left = apart(old.clearance[i]);
+        }
+    }
+    keep(old.at.size() - 1, false);
+    shapes.distances(band.at, band.value, band.clearance);
+    return band;
+}
+
+Band band_of(const Shapes& shapes, const Polyline& way)
+{
+    Band band{way.points, way.pinned, way.clock, way.found, std::vector<double>(way.points.size())};
+    shapes.distances(band.at, band.value, band.clearance);
+    return resampled(shapes, band);
+}
+
+// Moves points away from the walls, perpendicular to the band. Moves pins only if `pins`.
+void push_off(const Shapes& shapes, Band& band, bool pins)
+{
+    const std::vector<Vector> old = band.at;
+    const double open = fastest_clearance(shapes.field().bounds());
+    parallel(old.size(), 64, shapes.threads(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = std::max<std::size_t>(first, 1); i < std::min(last, old.size() - 1); ++i) {
+            if ((band.pinned[i] != 0 && !pins) || band.clearance[i] > open) continue;
+            std::optional<DistanceField> room;
+            const DistanceField& field = shapes.at(band.value[i], room);
+            const Vector tangent = unit(old[i + 1] - old[i - 1]);
+            Vector up = field.uphill(old[i], 0.3 * band.clearance[i]);
+            up = up - dot(up, tangent) * tangent;
+            const Vector to = old[i] + push * band.clearance[i] * up;
+            const double there = field.distance(to);
+            if (there <= band.clearance[i]) continue;
+            band.at[i] = to;
+            band.clearance[i] = there;
+        }
+    });
+}
+
+void relax(const Shapes& shapes, Band& band)
+{
+    const std::vector<Vector> home = band.at;
+    const auto count = static_cast<int>(home.size());
+    std::vector<double> radius(home.size());
+    for (std::size_t i = 0; i < home.size(); ++i) {
+        const double most = 2 * fastest_clearance(shapes.field().bounds());
+        radius[i] =
+            (band.pinned[i] != 0 ? pin_freedom : freedom) * shapes.field().safety() * std::min(band.clearance[i], most);
+    }
+    for (const int stride : strides) {
+        for (int sweep = 0; sweep < sweeps; ++sweep) {
+            for (int k = 1; k < count - 1; ++k) {
+                // Sweeps alternate between forwards and backwards.
+                const int i = sweep % 2 == 0 ? k : count - 1 - k;
+                const int step = std::min({stride, i, count - 1 - i});
+                const auto middle = band.at.begin() + i;
+                const auto point = [&](int offset) { return middle[offset]; };
+                // The midpoint of the two neighbours, or, with four neighbours, a blend with the cubic through them,
+                // which keeps bends round.
+                Vector aim = 0.5 * (point(-step) + point(step));
+                if (i - 2 * step >= 0 && i + 2 * step < count) {
+                    const Vector bent =
+                        (4.0 / 6) * (point(-step) + point(step)) - (1.0 / 6) * (point(-2 * step) + point(2 * step));
+                    aim = 0.4 * aim + 0.6 * bent;
+                }
+                const auto n = static_cast<std::size_t>(i);
+                Vector to = band.at[n] + 0.8 * (aim - band.at[n]);
+                const Vector away = to - home[n];
+                const double far = length(away);
+                if (far > radius[n]) to = home[n] + (radius[n] / far) * away;
+                band.at[n] = to;
+            }
+        }
+    }
+}
+
+// Moves points whose clearance is below `least` back towards `home`.
+void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home, double least)
+{
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        shapes.distances(band.at, band.value, band.clearance);
+        for (std::size_t i = 0; i < home.size(); ++i) {
+            if (band.clearance[i] < least) band.at[i] = attempt < 3 ? 0.5 * (band.at[i] + home[i]) : home[i];
+        }
+    }
+    shapes.distances(band.at, band.value, band.clearance);
+}
+
+// Moves the band, pins included, with the walls: from the shapes in which it was found to the shape at each point's own
+// time, in small stages.
+void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double step)
+{
+    const std::vector<double> found = band.value;
+    std::vector<double> there(found.size());
+    double most = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        there[i] = schedule.value(band.clock[i]);
+        most = std::max(most, std::abs(there[i] - found[i]));
+    }
+    const int parts = std::clamp(static_cast<int>(std::ceil(parts_a_step * most / step)), 1, most_parts);
+    for (int part = 1; part <= parts; ++part) {
+        // All values change by the same amount per stage, so small changes are complete before large ones.
+        const double gone = most * part / parts;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            band.value[i] = found[i] + std::clamp(there[i] - found[i], -gone, gone);
+        shapes.distances(band.at, band.value, band.clearance);
+        for (int round = 0; round < pushes; ++round) push_off(shapes, band, true);
+    }
+}
+
+// Smooths the shape time by a moving average over the distance in clearances, as a jump would be a jump of the shape.
+void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
+{
+    const double cap = fastest_clearance(shapes.field().bounds());
+    std::vector<double> way(band.at.size(), 0);  // distance from the beginning, in clearances
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double clearance = 0.5 * (std::min(band.clearance[i], cap) + std::min(band.clearance[i - 1], cap));
+        way[i] = way[i - 1] + length(band.at[i] - band.at[i - 1]) / std::max(clearance, 0.01 * cap);
+    }
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::vector<double> old = band.clock;
+        std::vector<double> sum(way.size(), 0);  // integral of the shape time over the distance
+        for (std::size_t i = 1; i < way.size(); ++i)
+            sum[i] = sum[i - 1] + 0.5 * (old[i] + old[i - 1]) * (way[i] - way[i - 1]);
+        const auto integral = [&](double to) {
+            const auto after = std::ranges::upper_bound(way, to) - way.begin();
+            const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(way) - 1)) - 1;
+            const double rest = to - way[k];
+            const double rise = (old[k + 1] - old[k]) / std::max(way[k + 1] - way[k], 1e-12);
+            return sum[k] + rest * (old[k] + 0.5 * rest * rise);
+        };
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            // The window is symmetric and shrinks towards the ends: end values and constant rates are unchanged.
+            const double reach = std::min({clock_reach, way[i] - way.front(), way.back() - way[i]});
+            if (reach > 1e-9) band.clock[i] = (integral(way[i] + reach) - integral(way[i] - reach)) / (2 * reach);
+        }
+    }
+    for (std::size_t i = 1; i < way.size(); ++i) band.clock[i] = std::max(band.clock[i], band.clock[i - 1]);
+    for (std::size_t i = 0; i < way.size(); ++i) band.value[i] = schedule.value(band.clock[i]);
+    shapes.distances(band.at, band.value, band.clearance);
+}
+
+}  // namespace
+
+double least_on(const Shapes& shapes, const Polyline& way, const Schedule& schedule, double step)
+{
+    Band band = band_of(shapes, way);
+    follow(shapes, band, schedule, step);
+    return *std::ranges::min_element(band.clearance);
+}
+
+ControlPoints smooth(const Shapes& shapes, const Polyline& way, const Schedule& schedule, double step, double least)
+{
+    const bool changes = schedule.changes();
+    Band band = band_of(shapes, way);
+    if (changes) follow(shapes, band, schedule, step);
+    for (int round = 0; round < rounds; ++round) {
+        if (changes) set_clock(shapes, band, schedule);
+        push_off(shapes, band, false);
+        const std::vector<Vector> home = band.at;
+        relax(shapes, band);
+        take_back(shapes, band, home, least);
+        band = resampled(shapes, band);
+    }
+    return {std::move(band.at), std::move(band.clock), std::move(band.value)};
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames have converged: compared with orbits, independently of any distance estimate, and with short steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "backends/all.h"
+#include "core/image/compare.h"
+#include "core/render/kernel_scene.h"
+#include "flight/film/convergence.h"
+#include "tests/scenes.h"
+
+namespace mandelmarch {
+namespace {
+
+struct Place {
+    int frame;
+    Vector eye, target, up;
+};
+
+// From the first flight with torn frames: two ordinary frames, and four close to the poles, where the original estimate
+// is up to forty times too large.
+constexpr Place places[] = {
+    {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
+    {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
+    {3300, {0.0984036, -0.0998721, -0.858128}, {-0.558501, 0.431969, -0.323693}, {-0.745286, -0.565327, -0.35349}},
+    {3600, {0.167981, -0.122596, -0.846307}, {-0.0891713, 0.0824185, 0.0980668}, {-0.49282, -0.868433, 0.0543342}},
+    {4500, {0.536057, -0.00673194, 0.76855}, {0.107571, 0.810719, 1.15348}, {-0.840874, -0.204863, -0.500961}},
+    {5400, {0.328618, 0.412669, 0.784391}, {-0.0173689, 0.772824, 1.65075}, {0.787524, 0.613405, 0.0595037}},
+};
+
+// Returns a path of one frame.
+Path path_at(const Place& place, bool conservative)
+{
+    Path path;
+    path.scene = official_scene("bulb", 16, 9);
+    path.scene.conservative = conservative;
+    path.scene.colouring = 3;
+    path.frames.push_back({place.eye, place.target, place.up, 1, {}});
+    return path;
+}
+
+// Returns true if the orbit of p under z -> z^8 + p stays within 4 for so many iterations.
+bool is_solid(Vector p, int iterations)
+{
+    using Complex = std::complex<double>;
+    const auto eighth = [](Complex z) {
+        z *= z;
+        z *= z;
+        return z * z;
+    };
+    Vector z = p;
+    for (int i = 0; i < iterations; ++i) {
+        if (dot(z, z) > 16) return false;
+        const double rho = std::hypot(z.x, z.y);
+        const Complex polar = eighth({z.z, rho});
+        const Complex azimuth = rho > 0 ? eighth({z.x / rho, z.y / rho}) : Complex{1, 0};
+        z = Vector{polar.imag() * azimuth.real(), polar.imag() * azimuth.imag(), polar.real()} + p;
+    }
+    return true;
+}
+
+// Returns the depth at which a ray enters the solid, in steps of 0.15 tolerances; infinity if it does not.
+double entry(const Scene& scene, Vector direction, double tolerance)
+{
+    constexpr double begin = 0.003;
+    constexpr double end = 4;
+    for (double t = begin; t < end; t *= 1 + 0.15 * tolerance) {
+        if (is_solid(scene.eye + t * direction, scene.iterations)) return t;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+// Returns the fraction of a frame's rays that end more than three tolerances inside the solid.
+double share_behind(const Backend& openmp, const Place& place, bool conservative)
+{
+    const Path path = path_at(place, conservative);
+    const Picture picture;
+    Scene scene = frame_scene(path, 0, picture);
+    const double tolerance = std::pow(10.0, scene.detail);
+    scene.width = 14;
+    scene.height = 8;
+    const Image image = render(openmp, scene, without_trial({.precision = Precision::f32, .mode = Mode::fast}));
+    const Camera camera = camera_of(scene);
+    int behind = 0;
+    for (int j = 0; j < scene.height; ++j) {
+        for (int i = 0; i < scene.width; ++i) {
+            const double u = (2 * i + 1.0) / scene.width - 1;
+            const double v = (2 * j + 1.0) / scene.height - 1;
+            const Vector direction = unit(camera.forward + u * camera.across + v * camera.upward);
+            const double depth = image.values()[static_cast<std::size_t>(j * scene.width + i)].depth;
+            if (depth > entry(scene, direction, tolerance) * (1 + 3 * tolerance)) ++behind;
+        }
+    }
+    return static_cast<double>(behind) / (scene.width * scene.height);
+}
+
+TEST(Truth, RaysEndBeforeTheSolid)
+{
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    for (const Place& place : places) EXPECT_LE(share_behind(openmp, place, true), 0.01) << "frame " << place.frame;
+    // Negative control: the original estimate in the first of the torn frames.
+    EXPECT_GT(share_behind(openmp, places[2], false), 0.1);
+}
+
+TEST(Truth, FramesAreThoseOfShortSteps)
+{
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    const RendererOptions options{.precision = Precision::f32, .mode = Mode::fast, .counts = false};
+    for (const Row& row : truth_rows(path_at(places[2], true), openmp, options, {})) {
+        EXPECT_TRUE(row.promise);
+        EXPECT_TRUE(row.kept()) << row.name << ": " << row.value;
+    }
+    // Negative control: the original estimate.
+    const auto torn = truth_rows(path_at(places[2], false), openmp, options, {});
+    EXPECT_FALSE(torn.back().kept()) << torn.back().value;
+}
+
+// Pixels share the occlusion of their neighbours: less work, and nearly the same picture.
+TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
+{
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    RendererOptions options = without_trial({.precision = Precision::f32, .mode = Mode::fast});
+    Scene scene = frame_scene(path_at(places[0], true), 0, {});
+    scene.crop_window = {.left = 700, .bottom = 400, .whole_width = scene.width, .whole_height = scene.height};
+    scene.width = 192;
+    scene.height = 108;
+    const auto drawn = [&](Image& image) { return openmp.create(options)->render(scene, image).work.de_calls; };
+    Image shared(scene.width, scene.height, Image::Layers::bytes);
+    Image alone(scene.width, scene.height, Image::Layers::bytes);
+    const auto less = drawn(shared);
+    options.techniques.occlusion = false;
+    const auto more = drawn(alone);
+    EXPECT_LT(static_cast<double>(less), 0.85 * static_cast<double>(more));
+    const Comparison c = compare(shared, alone);
+    EXPECT_GT(c.psnr, 36) << c.psnr;  // root mean square error below 4.1 bytes
+    EXPECT_GT(c.differing, 0U);
+}
+
+// A part of a picture equals that part of the whole one, and rays through pixel centres are every second ray of a
+// picture twice as large.
+TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
+{
+    const Registry registry = all_backends();
+    const Backend& openmp = *registry.find("openmp");
+    Scene scene = official_scene("bulb", 60, 40);
+    const Image whole = render(openmp, scene, {});
+    const auto off = [&](const Image& image, int left, int bottom, int apart) {
+        int differing = 0;
+        for (int j = 0; j < image.height(); ++j) {
+            for (int i = 0; i < image.width(); ++i) {
+                const auto at = static_cast<std::size_t>((bottom + apart * j) * whole.width() + left + apart * i);
+                const auto here = static_cast<std::size_t>(j * image.width() + i);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    differing += std::abs(whole.bytes()[3 * at + c] - image.bytes()[3 * here + c]) > 2;
+                }
+            }
+        }
+        return differing;
+    };
+    scene.crop_window = {.left = 21, .bottom = 9, .whole_width = 60, .whole_height = 40};
+    scene.width = 30;
+    scene.height = 20;
+    const Image crop_window = render(openmp, scene, {});
+    EXPECT_LE(off(crop_window, 21, 9, 1), 3);
+    EXPECT_GT(off(crop_window, 20, 9, 1), 100);
+    scene.crop_window = {};
+    scene.centred = true;
+    const Image middles = render(openmp, scene, {});
+    EXPECT_LE(off(middles, 1, 1, 2), 3);
+    EXPECT_GT(off(middles, 0, 0, 2), 100);
+}
+
+}  // namespace
+}  // namespace mandelmarch

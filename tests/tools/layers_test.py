@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Includes between folders go down only, in the order of LAYERS. A folder stands for its subfolders that are not listed."""
+
+from __future__ import annotations
+
+import re
+import unittest
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+# Folders of one level do not include each other.
+LAYERS = [
+    ["core/kernel"],
+    ["core/base"],
+    ["core/image"],
+    ["core/image/formats"],
+    ["core/scene"],
+    ["core/scene/fractals"],
+    ["core/render"],
+    ["core/isolation", "core/job"],
+    [f"backends/{name}" for name in ("cuda", "kokkos", "omptarget", "openacc", "opencl", "openmp", "reference", "skeleton", "stdpar", "vulkan")],
+    ["backends"],
+    ["cli", "flight/field"],
+    ["flight/path"],
+    ["flight/audit"],
+    ["flight/plan"],
+    ["flight/film"],
+    ["apps/trace"],
+    ["apps"],
+    ["apps/explore", "bench"],
+]
+LEVELS = {folder: level for level, folders in enumerate(LAYERS) for folder in folders}
+
+
+def layer(path: str) -> str:
+    """Returns the longest listed folder that contains the file."""
+    folder = Path(path).parent
+    while str(folder) not in LEVELS:
+        if folder == folder.parent:
+            raise ValueError(f"{path}: in no layer")
+        folder = folder.parent
+    return str(folder)
+
+
+def includes() -> Iterator[tuple[str, str]]:
+    """Yields (file, included file) for includes of the project's files by its sources."""
+    for top in sorted({folder.split("/")[0] for folder in LEVELS}):
+        for path in sorted((ROOT / top).rglob("*")):
+            if path.suffix in {".h", ".cpp", ".in", ".cl", ".comp", ".cu"}:
+                for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', path.read_text(encoding="utf-8"), re.M):
+                    if (ROOT / name).is_file():
+                        yield path.relative_to(ROOT).as_posix(), name
+
+
+def goes_down(source: str, target: str) -> bool:
+    upper, lower = layer(source), layer(target)
+    return upper == lower or LEVELS[lower] < LEVELS[upper]
+
+
+class Layers(unittest.TestCase):
+    def test_includes_go_down(self) -> None:
+        found = list(includes())
+        self.assertGreater(len(found), 1000)
+        self.assertEqual([pair for pair in found if not goes_down(*pair)], [])
+
+    def test_an_include_that_goes_up_or_across_is_found(self) -> None:
+        self.assertFalse(goes_down("core/base/error.cpp", "core/scene/scene.h"))
+        self.assertFalse(goes_down("backends/cuda/cuda.cpp", "backends/openacc/openacc.h"))
+        self.assertFalse(goes_down("flight/audit/audit.cpp", "flight/plan/roadmap.h"))
+
+
+if __name__ == "__main__":
+    unittest.main()
