@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be drawn, and what is drawn, as JSON: the fractals with their formulas, and a scene as the kernel text takes
-// it. The report's viewer computes with the one and is checked against the other (docs/report.md).
+// it. The report's viewer computes with the one and is checked against the other (docs/report-internals.md).
 #pragma once
 
 #include <string>

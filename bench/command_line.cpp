@@ -228,7 +228,7 @@ CommandLine parse_command_line(int argc, char** argv)
     app.footer(
         "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests work, too.\n"
         "Exit codes: 0 fine, 1 a wrong picture, a regression or a failure, 2 wrong arguments, 77 the one backend asked "
-        "for is not available. docs/benchmarking.md explains every figure.");
+        "for is not available. docs/bench-output.md explains every figure.");
     try {
         std::ranges::reverse(words);
         app.parse(words);

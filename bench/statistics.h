@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The statistics of the harness, each explained where it is computed (statistics.cpp) and in docs/benchmarking.md.
+// The statistics of the harness, each explained where it is computed (statistics.cpp) and in docs/method.md.
 #pragma once
 
 #include <map>

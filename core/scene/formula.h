@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number that writes down how it was computed. What a fractal's row computes as a function template over the number
 // type, the programs compute with double and hand out as text: an expression that JavaScript and Python both read, so
-// that the viewer computes the same (docs/report.md).
+// that the viewer computes the same (docs/report-internals.md).
 #pragma once
 
 #include <algorithm>
