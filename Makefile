@@ -60,7 +60,7 @@ bundle: ## a folder and a .tar.xz that run without installation: build/bundle (4
 	@tools/build $(PRESET) bundle_program
 	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
-# The study is explained in docs/benchmarking.md.
+# docs/bench.md explains the study.
 LAUNCHES ?= 3
 bench: build ## the standard study in three processes, one after the other: report/results/bench.json (8 min)
 	@mkdir -p report/results
@@ -117,7 +117,7 @@ gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
 
 # How often bench duel is right on this machine, idle and with LOAD busy processes. The two programs are test programs.
 LOAD ?= 2
-duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/benchmarking.md (20 min)
+duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/method.md (20 min)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // JSON of all fractals with their formulas, and of a scene as passed to kernels. The report's viewer uses the former
-// and is tested against the latter (docs/report.md).
+// and is tested against the latter (docs/report-internals.md).
 #pragma once
 
 #include <string>

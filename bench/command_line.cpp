@@ -241,7 +241,7 @@ CommandLine parse_command_line(int argc, char** argv)
         "supported.\n"
         "Exit codes: 0 success, 1 wrong picture, regression or failure, 2 wrong arguments, 77 the only selected "
         "backend "
-        "is not available. docs/benchmarking.md explains every figure.");
+        "is not available. docs/bench-output.md explains every figure.");
     try {
         std::ranges::reverse(words);
         app.parse(words);

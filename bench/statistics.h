@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statistics of bench. Each method is explained in statistics.cpp and in docs/benchmarking.md.
+// Statistics of bench. Each method is explained in statistics.cpp and in docs/method.md.
 #pragma once
 
 #include <map>

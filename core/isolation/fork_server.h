@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates device processes. The fork server (nursery) is forked while the program has no threads and no driver; each
+// Creates device processes. The fork server is forked while the program has no threads and no driver; each
 // device process is forked from it, and so begins in that clean state, however long the program has run.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number that records its formula. Function templates of a fractal's descriptor are computed with double in the
 // programs and exported as text with Formula. The text is an expression valid in both JavaScript and Python, so that
-// the viewer computes the same (docs/report.md).
+// the viewer computes the same (docs/report-internals.md).
 #pragma once
 
 #include <algorithm>

@@ -25,14 +25,6 @@ def _read(file: str) -> str:
         raise InputError(f"{file}: it cannot be read: {error.strerror}") from None
 
 
-def paragraph(file: str, title: str) -> Markup:
-    """Returns the paragraph that begins with **title.**, without that title."""
-    found = re.search(rf"^\*\*{re.escape(title)}\.\*\* (.*?)(?=\n\n|\Z)", _read(file), re.M | re.S)
-    if not found:
-        raise InputError(f"{file}: no paragraph begins with **{title}.**, which the report cites")
-    return _html(found[1])
-
-
 def chapter(file: str, title: str) -> Markup:
     """Returns the text under the heading `title`, up to the next heading of its level or above."""
     found = re.search(rf"^(#+) {re.escape(title)}\n(.*?)(?=^#{{1,2}} |\Z)", _read(file), re.M | re.S)
