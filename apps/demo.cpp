@@ -195,4 +195,4 @@ int body(int argc, char** argv)
 
 }  // namespace
 
-int main(int argc, char** argv) { return mandelmarch::run_program("demo", body, argc, argv); }
+int demo_main(int argc, char** argv) { return mandelmarch::run_program("demo", body, argc, argv); }

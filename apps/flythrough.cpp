@@ -279,4 +279,4 @@ int body(int argc, char** argv)
 
 }  // namespace
 
-int main(int argc, char** argv) { return mandelmarch::run_program("flythrough", body, argc, argv); }
+int flythrough_main(int argc, char** argv) { return mandelmarch::run_program("flythrough", body, argc, argv); }

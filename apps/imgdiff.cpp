@@ -127,4 +127,4 @@ int body(int argc, char** argv)
 
 }  // namespace
 
-int main(int argc, char** argv) { return mandelmarch::run_program("imgdiff", body, argc, argv); }
+int imgdiff_main(int argc, char** argv) { return mandelmarch::run_program("imgdiff", body, argc, argv); }

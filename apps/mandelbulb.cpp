@@ -3,7 +3,7 @@
 #include "backends/all.h"
 #include "core/base/error.h"
 
-int main(int argc, char** argv)
+int mandelbulb_main(int argc, char** argv)
 {
     const auto body = [](int count, char** values) {
         return mandelmarch::render_program(mandelmarch::program_backends(count, values), "mandelbulb", "mandelbulb",

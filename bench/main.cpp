@@ -13,4 +13,4 @@ int body(int argc, char** argv)
 
 }  // namespace
 
-int main(int argc, char** argv) { return mandelmarch::run_program("bench", body, argc, argv); }
+int bench_main(int argc, char** argv) { return mandelmarch::run_program("bench", body, argc, argv); }

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): adds the program NAME. Its sources form the object library
-# program_NAME, in which main() is renamed to main_of_NAME(): the bundle links all programs into one file (packaging/).
+# program_NAME and define NAME_main(argc, argv), so that the bundle can link all programs into one file (packaging/).
 function(mandelmarch_program name)
     cmake_parse_arguments(PARSE_ARGV 1 program "" "" "LIBRARIES")
     add_library(program_${name} OBJECT ${program_UNPARSED_ARGUMENTS})
-    target_compile_definitions(program_${name} PRIVATE main=main_of_${name})
     target_link_libraries(program_${name} PUBLIC ${program_LIBRARIES} PRIVATE mandelmarch_warnings)
-    set(main ${CMAKE_CURRENT_BINARY_DIR}/main_of_${name}.cpp)
+    set(main ${CMAKE_CURRENT_BINARY_DIR}/${name}_main.cpp)
     file(CONFIGURE OUTPUT ${main} CONTENT [[
-int main_of_@name@(int argc, char** argv);
-int main(int argc, char** argv) { return main_of_@name@(argc, argv); }
+int @name@_main(int argc, char** argv);
+int main(int argc, char** argv) { return @name@_main(argc, argv); }
 ]] @ONLY)
     add_executable(${name} ${main})
     target_link_libraries(${name} PRIVATE program_${name})

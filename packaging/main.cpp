@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "packaging/carried.h"
 
-#define PROGRAM(name) int main_of_##name(int argc, char** argv);
+#define PROGRAM(name) int name##_main(int argc, char** argv);
 #include "programs.inc"
 #undef PROGRAM
 
@@ -20,7 +20,7 @@ struct Program {
 };
 
 constexpr std::array programs{
-#define PROGRAM(name) Program{#name, main_of_##name},
+#define PROGRAM(name) Program{#name, name##_main},
 #include "programs.inc"
 #undef PROGRAM
 };
