@@ -8,13 +8,15 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/cores.h"
+
 namespace mandelmarch {
 
 void parallel(std::size_t count, std::size_t grain, int threads,
               const std::function<void(std::size_t first, std::size_t last)>& body)
 {
     const std::size_t parts = (count + grain - 1) / grain;
-    const std::size_t helpers = std::min(parts, static_cast<std::size_t>(std::max(threads, 1)));
+    const std::size_t helpers = std::min(parts, static_cast<std::size_t>(threads > 0 ? threads : usable_threads()));
     if (helpers <= 1) {
         if (count > 0) body(0, count);
         return;
