@@ -51,8 +51,8 @@ public:
         row.mode = options.mode;
         draw(row, backend, scene, options);
         rows_.push_back(row);
-        const std::string head = fmt::format("{:<11} {:<10} {:<7} {:<6} ", row.fractal,
-                                             fmt::format("{}{}", row.backend, row.pack == 1 ? " 1" : ""),
+        const std::string head = fmt::format("{:<11} {:<13} {:<9} {:<5} ", row.fractal,
+                                             fmt::format("{}{}", row.backend, row.pack == 1 ? "-scalar" : ""),
                                              name_of(row.precision), name_of(row.mode));
         if (!row.drawn) {
             print("{}{}: {}\n", head, row.ok ? "unavailable" : "FAILED", row.said);
@@ -73,7 +73,7 @@ public:
         row.ok = listing.failure.empty();
         row.said = listing.unavailable + listing.failure;
         rows_.push_back(row);
-        print("{:<11} {:<10} {}: {}\n", row.fractal, row.backend, row.ok ? "unavailable" : "FAILED", row.said);
+        print("{:<11} {:<13} {}: {}\n", row.fractal, row.backend, row.ok ? "unavailable" : "FAILED", row.said);
     }
 
     // Writes the table; returns true if no row failed.
@@ -112,7 +112,7 @@ private:
         if (is_reference) reference_[{row.fractal, options.mode}] = {image, row.seconds};
         row.speed_up = reference_.at({row.fractal, Mode::exact}).second / row.seconds;
         if (is_reference) {
-            row.said = "yardstick";
+            row.said = "expected picture";
         } else {
             prove(row, scene, options, image);
         }
@@ -184,10 +184,10 @@ int body(int argc, char** argv)
 
     const Registry registry = program_backends(argc, argv);
     print("{}, {} threads\n", cpu_name(), usable_threads());
-    print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {} 1: the text as scalar C++\n", side, side,
-          repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());
-    print("{:<11} {:<10} {:<7} {:<6} {:>9} {:>9}   {}\n", "fractal", "backend", "number", "mode", "wall ms", "speed-up",
-          "picture");
+    print("{} x {} pixels; fastest of {} pictures; speed-up over {}, exact; {}-scalar: the kernel as scalar C++\n",
+          side, side, repetitions, registry.with(Role::reference).name(), registry.with(Role::host).name());
+    print("{:<11} {:<13} {:<9} {:<5} {:>9} {:>9}   {}\n", "fractal", "backend", "precision", "mode", "wall ms",
+          "speed-up", "picture");
     Demo demo(side, folder);
     draw_all(demo, registry, side);
     return demo.finish() ? exit_success : exit_failure;

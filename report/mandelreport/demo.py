@@ -35,7 +35,7 @@ class Picture:
 
 
 def label(row: dict[str, Any]) -> str:
-    return f"{row['backend']}{' 1' if row['pack'] == 1 else ''}, {row['precision']}, {row['mode']}"
+    return f"{row['backend']}{'-scalar' if row['pack'] == 1 else ''}, {row['precision']}, {row['mode']}"
 
 
 def read_table(folder: Path) -> dict[str, Any]:
@@ -63,7 +63,7 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
 def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Returns the times of each precision and mode as fractions of the longest; the reference's times are too long for
     bars."""
-    timed = [row for row in rows if row["drawn"] and row["fine"] and row["said"] != "yardstick"]
+    timed = [row for row in rows if row["drawn"] and row["fine"] and row["said"] != "expected picture"]
     longest = max((row["wall_seconds"] for row in timed), default=1.0)
     kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
     return [
@@ -92,7 +92,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
                 "pictures": pictures,
                 "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
-                "yardstick": [row for row in rows if row["said"] == "yardstick"],
+                "yardstick": [row for row in rows if row["said"] == "expected picture"],
                 "bars": bars_of(rows),
                 "failed": [row for row in rows if not row["fine"]],
                 "absent": [row for row in rows if not row["drawn"] and row["fine"]],
