@@ -86,9 +86,6 @@ explore: ## the interactive explorer: bin/explore (1 min with set-up, estimated)
 	@tools/build $(HERE) explore
 	@$(call take,$(HERE),explore)
 
-explore-study: build ## frame times of scripted flights: report/results/explore.txt (5 min, on a machine at rest)
-	@python3 tools/explore_study.py bin/explore bin/flythrough report/results
-
 # Running it again resumes an interrupted film. AUTHORS is the second line of the title.
 FRACTAL ?= bulb
 SEED ?= 1

@@ -19,6 +19,7 @@ namespace {
 constexpr double spare = 0.0012;      // seconds of a frame kept free
 constexpr double patience = 1.5;      // frames to wait for a picture while moving
 constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
+constexpr double kept = 10;           // seconds of intervals between frames
 constexpr int idle_wait = 100;        // milliseconds
 constexpr double notch = 1.2;         // factor on the speed per notch of the wheel
 constexpr double least_speed = 1.0 / 16, most_speed = 16;
@@ -112,7 +113,6 @@ void Explorer::move(double seconds)
     if (!moving_ && !dirty_ && !resized) return;
     ++view_;
     dirty_ = false;
-    measure.asked(view_, frame_);
     guarded([&] { clearance_ = motion.clearance(scene); });
     panes.look(scene, view_, area_);
 }
@@ -143,7 +143,7 @@ void Explorer::tick(Script* script)
     if (const std::string news = picture.take_news(); !news.empty()) say(news);
 
     const double given = budget();
-    bool came = panes.work(window.renderer(), moving_, given, begin);
+    panes.work(window.renderer(), moving_, given, begin);
     const Moment build = Clock::now();
     window.begin();
     show_panels(*this);
@@ -151,17 +151,13 @@ void Explorer::tick(Script* script)
     if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);
     const double building = seconds_since(build);
     const double wait = moving_ ? std::max(given + building, patience * period - showing_) : period - showing_ - spare;
-    came = panes.work(window.renderer(), moving_, given, begin + duration(wait)) || came;
+    panes.work(window.renderer(), moving_, given, begin + duration(wait));
     const Moment drawn = Clock::now();
     show();
     const Moment end = Clock::now();
     const double showing = building + std::chrono::duration<double>(end - drawn).count();
     showing_ += 0.1 * (showing - showing_);
-    const Pane& first = *panes.all().front();
-    if (came) measure.shown(first.view, frame_);
-    measure.note({std::chrono::duration<double>(end - begin).count(),
-                  std::chrono::duration<double>(end - presented_).count(), came ? first.seconds : 0, showing,
-                  first.share});
+    note_interval(std::chrono::duration<double>(end - presented_).count());
     presented_ = end;
     if (window.waits()) return wait_if_idle();
     // present() does not wait, so the screen's rate is kept with a timer.
@@ -170,9 +166,19 @@ void Explorer::tick(Script* script)
     wait_if_idle();
 }
 
+void Explorer::note_interval(double seconds)
+{
+    intervals.push_back(static_cast<float>(seconds));
+    intervals_seconds_ += seconds;
+    while (intervals.size() > 1 && intervals_seconds_ > kept) {
+        intervals_seconds_ -= static_cast<double>(intervals.front());
+        intervals.pop_front();
+    }
+}
+
 void Explorer::wait_if_idle()
 {
-    if (moving_ || measure.on() || tasks_running() || path_editor.planning() || !at_rest()) return;
+    if (moving_ || tasks_running() || path_editor.planning() || !at_rest()) return;
     SDL_WaitEventTimeout(nullptr, idle_wait);
     last_ = presented_ = due_ = Clock::now();
 }

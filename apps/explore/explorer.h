@@ -2,6 +2,7 @@
 // The program's state and its main loop.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +12,6 @@
 #include "apps/explore/devices.h"
 #include "apps/explore/export.h"
 #include "apps/explore/input.h"
-#include "apps/explore/frame_statistics.h"
 #include "apps/explore/motion.h"
 #include "apps/explore/panes.h"
 #include "apps/explore/settings.h"
@@ -38,8 +38,8 @@ public:
     PathEditor path_editor;
     PictureTask picture;
     Devices devices;
-    FrameStatistics measure;
-    Scene scene;  // the view; its size is unused
+    std::deque<float> intervals;  // seconds between frames, of the last ten seconds
+    Scene scene;                  // the view; its size is unused
     bool help = false;
     bool paths = false;
     bool quit = false;
@@ -108,6 +108,7 @@ private:
     void show();
     State state() const;
     void set_state(const State& state);
+    void note_interval(double seconds);
     void wait_if_idle();
 
     Input input_;
@@ -122,6 +123,7 @@ private:
     std::uint64_t frame_ = 0;
     SDL_Rect area_{0, 0, 1, 1};  // of the pictures
     double clearance_ = 0;
+    double intervals_seconds_ = 0;
     double showing_ = 0.004;  // seconds per frame apart from rendering, averaged
     Moment last_{}, presented_{}, due_{};
 };

@@ -15,7 +15,6 @@
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
-#include "core/base/output_file.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -35,7 +34,6 @@ struct Options {
     std::string size;
     std::string folder;
     std::string script;
-    std::string stats;
 };
 
 Options parse_options(const Registry& registry, int argc, char** argv, std::optional<int>& done)
@@ -56,7 +54,6 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
     app.add_option("--folder", options.folder,
                    "where to save views, pictures, paths and films (default: current folder)");
     app.add_option("--script", options.script, "run a script that simulates the user (see docs/explore.md)");
-    app.add_option("--stats", options.stats, "write frame times of the script's measured parts to this file, as JSON");
     app.footer(
         "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, except with --script.\n"
         "Exit codes: 0 success, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
@@ -100,7 +97,6 @@ int body(int argc, char** argv)
     const Fractal& fractal = options.fractal.empty() ? fractals().front() : fractal_named(options.fractal);
     std::optional<Script> script;
     if (!options.script.empty()) script.emplace(options.script);
-    if (!options.stats.empty()) OutputFile::check(options.stats);
     if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {
         throw InputError(fmt::format("--folder: '{}' is not a folder", options.folder));
     }
@@ -113,10 +109,6 @@ int body(int argc, char** argv)
     explorer.say(said);
     if (!options.file.empty()) explorer.open(options.file);
     explorer.run(script ? &*script : nullptr);
-    if (!options.stats.empty()) {
-        write_file(options.stats,
-                   explorer.measure.json(window.size(), window.how(), window.rate(), *explorer.panes.all().front()));
-    }
     if (!script) {
         try {
             write_settings(file, explorer.settings);

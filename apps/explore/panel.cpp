@@ -197,7 +197,7 @@ void hand_out(Explorer& explorer)
 
 void graph(const Explorer& explorer)
 {
-    const auto& last = explorer.measure.last();
+    const auto& last = explorer.intervals;
     if (last.empty()) return;
     double total = 0;
     for (const float seconds : last) total += static_cast<double>(seconds);

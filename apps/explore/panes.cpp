@@ -114,9 +114,8 @@ bool Panes::missing() const
     });
 }
 
-bool Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment until)
+void Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment until)
 {
-    bool came = false;
     // Abandons an obsolete request if its device does not respond.
     if (const RenderRequest* current = render_thread_.current();
         current != nullptr && render_thread_.silence() > short_silence) {
@@ -126,12 +125,11 @@ bool Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment unti
     for (;;) {
         if (render_thread_.current() == nullptr) {
             auto order = next(moving, budget);
-            if (!order) return came;
+            if (!order) return;
             render_thread_.draw(std::move(*order));
         }
         auto drawn = render_thread_.wait(until);
-        if (!drawn) return came;
-        came = !drawn->cancelled || came;
+        if (!drawn) return;
         accept(renderer, std::move(*drawn));
     }
 }

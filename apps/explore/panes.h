@@ -52,9 +52,8 @@ public:
     // Sets the view and the part of the window for pictures; all panes are rendered again. The scene's size is unused.
     void look(const Scene& scene, std::uint64_t view, const SDL_Rect& area);
     // Renders the missing pictures, at most until `until`. If `moving`, their size is such that all take `budget`
-    // seconds; else they have full size and, one after the other, all of samples_at_rest. Returns true if a picture was
-    // completed.
-    bool work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
+    // seconds; else they have full size and, one after the other, all of samples_at_rest.
+    void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
     // True while a picture at rest is missing.
     bool missing() const;
     // Returns a message if a device has not responded for some time, else "".

@@ -23,10 +23,9 @@ constexpr int longest = 1'000'000;  // frames
 
 // The minimum and maximum number of words after each verb.
 const std::map<std::string, std::pair<std::size_t, std::size_t>> verbs{
-    {"size", {2, 2}},    {"open", {1, 1}},    {"scene", {1, 1}},   {"key", {1, 2}},  {"press", {1, 1}},
-    {"release", {1, 1}}, {"drag", {3, 3}},    {"wheel", {1, 1}},   {"wait", {1, 1}}, {"rest", {0, 0}},
-    {"tasks", {0, 0}},   {"audited", {0, 0}}, {"picture", {2, 2}}, {"play", {1, 1}}, {"measure", {1, 1}},
-    {"end", {0, 0}},     {"shoot", {1, 1}},   {"tell", {0, 0}},    {"quit", {0, 0}},
+    {"size", {2, 2}},    {"open", {1, 1}},  {"scene", {1, 1}}, {"key", {1, 2}},  {"press", {1, 1}}, {"release", {1, 1}},
+    {"drag", {3, 3}},    {"wheel", {1, 1}}, {"wait", {1, 1}},  {"rest", {0, 0}}, {"tasks", {0, 0}}, {"audited", {0, 0}},
+    {"picture", {2, 2}}, {"play", {1, 1}},  {"shoot", {1, 1}}, {"tell", {0, 0}}, {"quit", {0, 0}},
 };
 
 struct Key {
@@ -183,8 +182,6 @@ bool Script::carry_out(Explorer& explorer, const Line& line)
         }
         return frames_ >= whole(line, 0, 1, longest);
     }
-    if (verb == "measure") explorer.measure.begin(line.words[0]);
-    if (verb == "end") explorer.measure.end();
     if (verb == "shoot") {
         if (frames_ == 0) explorer.shoot(line.words[0]);
         return frames_ >= 1;

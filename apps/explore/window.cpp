@@ -148,13 +148,6 @@ double Window::rate() const
     return mode.refresh_rate;
 }
 
-std::string Window::how() const
-{
-    SDL_RendererInfo info{};
-    SDL_GetRendererInfo(renderer_, &info);
-    return fmt::format("{}, {}", SDL_GetCurrentVideoDriver(), info.name);
-}
-
 void Window::take(const SDL_Event& event) { ImGui_ImplSDL2_ProcessEvent(&event); }
 
 void Window::begin()

@@ -43,7 +43,6 @@ public:
     std::pair<int, int> size() const;      // pixels
     double rate() const;                   // of the screen, Hz
     bool waits() const { return waits_; }  // present() waits for the screen
-    std::string how() const;               // driver and renderer, such as "x11, software"
 
     static void take(const SDL_Event& event);  // passes an event to the panels
     void begin();                              // begins a frame: clears the window, starts ImGui's frame

@@ -105,8 +105,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.maps.append(read_map(name, data))
     elif kind.get("schema") == FILM_SCHEMA:
         results.films.append(read_film(name, data))
-    elif kind.get("schema") in ("mandelmarch-explore", "mandelmarch-duel"):
-        pass  # from docs/explore.md and the log
+    elif kind.get("schema") == "mandelmarch-duel":
+        pass  # from the log
     elif "promises_kept" in kind:
         results.audits.append(read_audit(name, data))
     else:

@@ -27,7 +27,7 @@ REGISTRY = Registry().with_resources((schema["$id"], Resource.from_contents(sche
 BY_NAME = {
     "mandelmarch-bench": "result", "mandelmarch-bench-random": "random", "mandelmarch-duel": "duel",
     "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film", "mandelmarch-race": "race",
-    "mandelmarch-divergence": "divergence", "mandelmarch-explore": "explore",
+    "mandelmarch-divergence": "divergence",
 }
 
 
