@@ -134,9 +134,6 @@ fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
 	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
 
-intel-opencl: build ## install a second OpenCL CPU device and run the equivalence tests on it (large; 10 min, estimated)
-	@tools/intel_opencl $(BUILD)
-
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
