@@ -190,10 +190,6 @@ gpu-hour: build ## the same and longer steps on this machine; resumes if interru
 	@packaging/gpu_check --hour --work build/gpu-hour bin build/gpu-hour $(STEPS); code=$$?; \
 	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
 
-SITE_SEEDS ?= 1 2
-site: build python ## a web site: front page, gallery, films of SITE_SEEDS="1 2", viewer: build/site (5 min)
-	@tools/site bin build/site $(SITE_SEEDS)
-
 install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
