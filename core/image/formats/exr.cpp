@@ -13,6 +13,7 @@
 #include <ImfStdIO.h>
 #include <ImfTileDescription.h>
 #include <ImfVersion.h>
+#include <ImfXdr.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -160,31 +161,9 @@ private:
     std::uint64_t at_ = 0;
 };
 
-// Returns the max ratio of decoded to encoded size. ZIP, PIZ, PXR24 and B44 stay below twice deflate's ratio (PXR24
-// first drops a quarter of a float); DWA may store one number per block of 8 x 8.
-std::uint64_t ratio_of(Imf::Compression compression)
-{
-    switch (compression) {
-        case Imf::NO_COMPRESSION: return 1;
-        case Imf::DWAA_COMPRESSION:
-        case Imf::DWAB_COMPRESSION: return deflate_ratio * 2 * 64;
-        default: return 2 * deflate_ratio;
-    }
-}
-
-int lines_of_block(Imf::Compression compression)
-{
-    switch (compression) {
-        case Imf::ZIP_COMPRESSION:
-        case Imf::PXR24_COMPRESSION: return 16;
-        case Imf::PIZ_COMPRESSION:
-        case Imf::B44_COMPRESSION:
-        case Imf::B44A_COMPRESSION:
-        case Imf::DWAA_COMPRESSION: return 32;
-        case Imf::DWAB_COMPRESSION: return 256;
-        default: return 1;
-    }
-}
+constexpr int largest_tile = 4096;                // pixels, both sides
+constexpr std::uint64_t largest_block = 256;      // lines that are encoded together, in DWAB files
+constexpr std::uint64_t usual_block = 640 << 20;  // bytes, enough for the widest picture
 
 constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after magic number and version
 
@@ -223,51 +202,47 @@ struct ExrChannels {
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
-    constexpr int largest_tile = 4096;  // pixels, both sides
     Imf::Header::setMaxImageSize(max_side, max_side);
     Imf::Header::setMaxTileSize(largest_tile, largest_tile);
-    std::array<char, first_attribute> first{};  // magic number; version and flags, lowest byte first
-    stream.read(first.data(), first.size());
+    int magic = 0;
     int version = 0;
-    for (std::size_t i = first.size(); i > 4; --i) version = version << 8 | static_cast<unsigned char>(first.at(i - 1));
+    Imf::Xdr::read<Imf::StreamIO>(stream, magic);
+    Imf::Xdr::read<Imf::StreamIO>(stream, version);
     if (Imf::isMultiPart(version) || Imf::isNonImage(version)) throw Error("it has several parts or deep pixels");
     check_attributes(data);
     Imf::Header header;
     header.readFrom(stream, version);
     header.sanityCheck(Imf::isTiled(version));
-    for (const char* channel : {"R", "G", "B"}) {
-        if (header.channels().findChannel(channel) == nullptr)
-            throw Error(fmt::format("it has no channel {}", channel));
-    }
-    std::uint64_t bits = 0;
-    std::uint64_t bytes = 0;  // per pixel, if channels are not subsampled
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        const std::uint64_t size = channel.channel().type == Imf::HALF ? 2 : 4;
-        bytes += size;
-        bits += 8 * size / static_cast<std::uint64_t>(channel.channel().xSampling * channel.channel().ySampling);
-    }
-    const auto window = header.dataWindow();
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    const auto block =
-        Imf::isTiled(version)
-            ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
-            : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
-    constexpr std::uint64_t usual_block = 64 << 20;  // bytes; a small picture may have a large block
-    const std::uint64_t most = data.size() * ratio_of(header.compression());
     const auto has = [&](const char* channel) { return header.channels().findChannel(channel) != nullptr; };
+    for (const char* channel : exr_colours) {
+        if (!has(channel)) throw Error(fmt::format("it has no channel {}", channel));
+    }
     const ExrChannels found{.depth = has(depth_name)       ? depth_name
                                      : has(old_depth_name) ? old_depth_name
                                                            : nullptr,
                             .displayed = std::ranges::all_of(exr_displayed, has),
                             .light = has(depth_name) || !has(old_depth_name)};
+    std::uint64_t bytes = 0;  // per pixel
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        bytes += channel.channel().type == Imf::HALF ? 2 : 4;
+    }
+    const auto window = header.dataWindow();
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    // OpenEXR decodes a row of tiles or a block of lines at once.
+    const auto lines = Imf::isTiled(version) ? header.tileDescription().ySize : largest_block;
+    const std::uint64_t block = static_cast<std::uint64_t>(width) * lines * bytes;
+    // The decoded size is at most twice deflate's ratio; DWA may store one number per block of 8 x 8.
+    const auto packing = header.compression();
+    const bool dwa = packing == Imf::DWAA_COMPRESSION || packing == Imf::DWAB_COMPRESSION;
+    const std::uint64_t most = data.size() * 2 * deflate_ratio * (dwa ? 64 : 1);
     check_claim(name, {.width = width,
                        .height = height,
-                       .pixel_bits = bits,
+                       .pixel_bits = 8 * bytes,
                        .most_bytes = most,
-                       .decoder = 3 * block * bytes,  // encoded, decoded and an intermediate copy
+                       .decoder = 3 * block,  // encoded, decoded and an intermediate copy
                        .layers = found.depth != nullptr ? Image::Layers::all : Image::Layers::colours});
-    if (block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
+    if (block > usual_block + most) throw Error("its lines or tiles are too large for the file");
     return found;
 }
 

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/image/formats/formats.h"
@@ -34,41 +32,6 @@ ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
         sink.error = std::current_exception();
         return 0;
     }
-}
-
-std::uint32_t number(std::span<const std::byte> data, std::size_t at)  // big-endian
-{
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(data[at + i]);
-    return value;
-}
-
-constexpr std::size_t signature_size = 8;
-constexpr std::size_t chunk_frame = 12;  // bytes of a chunk in addition to its data: length, type and checksum
-constexpr std::uint32_t type_ihdr = 0x49484452, type_idat = 0x49444154, type_iend = 0x49454e44;
-
-// Returns the bytes of compressed pixels; nullopt if the chain of chunks does not reach the end chunk.
-std::optional<std::uint64_t> compressed_size(std::span<const std::byte> data)
-{
-    std::uint64_t size = 0;
-    for (std::size_t at = signature_size; data.size() - at >= chunk_frame;) {
-        const std::uint32_t length = number(data, at);
-        const std::uint32_t type = number(data, at + 4);
-        if (type == type_iend) return size;
-        if (length > data.size() - at - chunk_frame) return std::nullopt;
-        if (type == type_idat) size += length;
-        at += chunk_frame + length;
-    }
-    return std::nullopt;
-}
-
-// Returns the bits of a pixel, from bits per channel and colour type of the header; the types have 1, 3, 1 (palette), 2
-// and 4 channels.
-std::uint64_t pixel_bits(std::byte depth, std::byte colour)
-{
-    constexpr std::array<std::uint64_t, 7> channels{1, 0, 3, 1, 2, 0, 4};
-    const auto kind = std::to_integer<std::size_t>(colour);
-    return std::to_integer<std::uint64_t>(depth) * (kind < channels.size() ? channels.at(kind) : 0);
 }
 
 // Row stride for libpng, which begins with the top row; therefore negative.
@@ -98,23 +61,16 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: {}, expected a PNG picture", name, why));
     };
-    constexpr std::size_t header_at = signature_size + 8;
-    constexpr std::size_t header_length = 13;
-    if (data.size() < header_at + header_length || number(data, signature_size + 4) != type_ihdr) {
-        refuse("it has no header");
-    }
-    const auto compressed = compressed_size(data);
-    if (!compressed) refuse("the file ends early");
-    check_claim(name, {.width = number(data, header_at),
-                       .height = number(data, header_at + 4),
-                       .pixel_bits = pixel_bits(data[header_at + 8], data[header_at + 9]),
-                       .most_bytes = *compressed * deflate_ratio,
-                       .decoder = 0,
-                       .layers = Image::Layers::bytes});
     png_image header{};
     header.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, void (*)(png_image*)> guard(&header, &png_image_free);
     if (png_image_begin_read_from_memory(&header, data.data(), data.size()) == 0) refuse(header.message);
+    check_claim(name, {.width = header.width,
+                       .height = header.height,
+                       .pixel_bits = 1,  // at least
+                       .most_bytes = data.size() * deflate_ratio,
+                       .decoder = 0,
+                       .layers = Image::Layers::bytes});
     header.format = PNG_FORMAT_RGB;
     // Otherwise libpng interprets 16 bits as linear light.
     header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
