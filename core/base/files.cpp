@@ -29,8 +29,6 @@ std::optional<struct stat> status_of(const std::string& path)
     return status;
 }
 
-bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
-
 }  // namespace
 
 std::vector<std::string> files_in(const std::string& folder)
@@ -71,14 +69,9 @@ bool same_file(const std::string& a, const std::string& b)
 {
     const auto first = status_of(a);
     const auto second = status_of(b);
-    if (first && second) return same(*first, *second);
-    if (first || second) return false;
-    const std::string end = end_of_links(a);
-    const std::string other = end_of_links(b);
-    const auto folder = status_of(folder_of(end));
-    const auto other_folder = status_of(folder_of(other));
-    if (!folder || !other_folder) return end == other;
-    return same(*folder, *other_folder) && fs::path(end).filename() == fs::path(other).filename();
+    if (first || second) return first && second && first->st_dev == second->st_dev && first->st_ino == second->st_ino;
+    const auto whole = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(end_of_links(path))); };
+    return whole(a) == whole(b);
 }
 
 void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read)

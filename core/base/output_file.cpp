@@ -39,23 +39,6 @@ bool writable(int descriptor)
     return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
-// Programs do not create devices, so a new name in /dev is a mistake.
-bool new_in_dev(const std::string& target)
-{
-    std::error_code ignored;
-    return same_file(folder_of(target), "/dev") && !fs::exists(target, ignored);
-}
-
-// True for a relative path in a deleted current folder. No file can be created there, even if access() succeeds.
-bool is_deleted(const std::string& folder)
-{
-    std::error_code error;
-    const fs::path here = fs::current_path(error);
-    return fs::path(folder).is_relative() && error == std::errc::no_such_file_or_directory;
-}
-
-constexpr const char* no_device = "it would be a new file in /dev";
-
 }  // namespace
 
 bool OutputFile::is_stream(const std::string& path)
@@ -81,9 +64,7 @@ void OutputFile::check(const std::string& path)
     const std::string target = end_of_links(path);
     const std::string folder = folder_of(target);
     if (!fs::is_directory(folder, ignored)) refuse("the folder " + folder + " is missing");
-    if (is_deleted(folder)) refuse("the working folder has been deleted");
     if (access(folder.c_str(), W_OK | X_OK) != 0) refuse(fmt::format("folder {}: {}", folder, std::strerror(errno)));
-    if (new_in_dev(target)) refuse(no_device);
     if (fs::path(target).filename().string().size() > NAME_MAX) refuse("the name is too long");
 }
 
@@ -96,7 +77,6 @@ OutputFile::OutputFile(const std::string& path) : path_(path)
         return;
     }
     target_ = end_of_links(path);
-    if (new_in_dev(target_)) throw Error(fmt::format("{}: {}", path, no_device));
     try {
         temporary_.emplace(folder_of(target_) + "/.mandelmarch-", descriptor_);
     } catch (const Error& error) {

@@ -27,7 +27,7 @@ public:
     void commit();
 
     // Throws InputError if the target certainly cannot be written: its folder is missing or not writable, or it is a
-    // folder, or a new name in /dev. Changes nothing.
+    // folder. Changes nothing.
     static void check(const std::string& path);
 
     // True if the target exists and is neither a regular file nor a folder (a device, a pipe), or if its name is in

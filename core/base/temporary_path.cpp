@@ -3,62 +3,39 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pthread.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
-#include <mutex>
-#include <vector>
+#include <random>
 
 #include "core/base/error.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
+constexpr pid_t nobody = 0;
+constexpr pid_t in_change = -1;
 
 struct Name {
-    std::string path;
-    pid_t owner;  // a forked process has the name, but does not own the file
-
-    bool operator==(const Name&) const = default;
+    std::atomic<pid_t> owner = nobody;  // a forked process has the name, but does not own the file
+    std::array<char, PATH_MAX> path;
 };
 
-// The names in use; global, as a signal handler needs.
-struct Names {
-    std::vector<Name> all;
-    std::mutex mutex;
-    std::atomic<int> changing = 0;
-    std::atomic<bool> ending = false;
-};
-std::atomic<Names*> names = nullptr;  // NOLINT: see above
-
-void wait_a_millisecond()
-{
-    const timespec millisecond{0, 1'000'000};
-    nanosleep(&millisecond, nullptr);
-}
+// The names in use; global, as a signal handler needs. Files whose names find no slot remain after a signal.
+std::array<Name, 64> names;  // NOLINT: see above
 
 // Removes the files, then raises the signal with its default action.
 void remove_files(int signal)
 {
-    Names& known = *names.load();
-    known.ending = true;
-    // A thread inside a Change finishes soon, and no other begins. Waits at most a second, in case it is blocked in a
-    // file system.
-    for (int waits = 0; known.changing > 0 && waits < 1000; ++waits) wait_a_millisecond();
-    if (known.changing == 0) {
-        for (const Name& name : known.all) {
-            if (name.owner == getpid()) unlink(name.path.c_str());
-        }
+    for (const Name& name : names) {
+        if (name.owner == getpid()) unlink(name.path.data());
     }
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
@@ -66,80 +43,66 @@ void remove_files(int signal)
     raise(signal);
 }
 
-Names& installed()
+bool install()
 {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        names = new Names;  // never deleted, as signals may arrive until the end of the process
-        struct sigaction action {};
-        action.sa_handler = remove_files;
-        sigfillset(&action.sa_mask);
-        for (const int signal : ending_signals) {
-            struct sigaction old {};
-            sigaction(signal, nullptr, &old);
-            if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
-        }
-    });
-    return *names.load();
+    struct sigaction action {};
+    action.sa_handler = remove_files;
+    sigfillset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction old {};
+        sigaction(signal, nullptr, &old);
+        if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
+    }
+    return true;
 }
 
-// Files and names may change only while a Change exists. It blocks signals in this thread; handlers in others wait.
-class Change {
-public:
-    Change() : names_(installed())
-    {
-        sigset_t ending{};
-        sigemptyset(&ending);
-        for (const int signal : ending_signals) sigaddset(&ending, signal);
-        pthread_sigmask(SIG_BLOCK, &ending, &old_);
-        names_.mutex.lock();
-        ++names_.changing;
-        if (!names_.ending) return;
-        --names_.changing;
-        for (;;) pause();  // the process is about to end
+// Returns the name's slot; names.size() if all are in use.
+std::size_t add(const std::string& path)
+{
+    static const bool installed = install();
+    static_cast<void>(installed);
+    for (std::size_t slot = 0; slot < names.size() && path.size() < PATH_MAX; ++slot) {
+        Name& name = names.at(slot);
+        pid_t owner = nobody;
+        if (!name.owner.compare_exchange_strong(owner, in_change)) continue;
+        std::memcpy(name.path.data(), path.c_str(), path.size() + 1);
+        name.owner = getpid();
+        return slot;
     }
-    ~Change()
-    {
-        --names_.changing;
-        names_.mutex.unlock();
-        pthread_sigmask(SIG_SETMASK, &old_, nullptr);
-    }
-    Change(const Change&) = delete;
-    Change& operator=(const Change&) = delete;
+    return names.size();
+}
 
-    void add(const std::string& path) { names_.all.push_back({path, getpid()}); }
-    // Returns false if another process created the file.
-    bool forget(const std::string& path) { return std::erase(names_.all, Name{path, getpid()}) > 0; }
-
-private:
-    Names& names_;
-    sigset_t old_{};
-};
+void free_slot(std::size_t slot)
+{
+    if (slot < names.size()) names.at(slot).owner = nobody;
+}
 
 }  // namespace
 
-TemporaryPath::TemporaryPath(std::string path) : path_(std::move(path)) { Change().add(path_); }
+TemporaryPath::TemporaryPath(std::string path) : path_(std::move(path)), owner_(getpid()), slot_(add(path_)) {}
 
-TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : path_(prefix + "XXXXXX")
+TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : owner_(getpid())
 {
-    Change change;
-    descriptor = mkostemp(path_.data(), O_CLOEXEC);
-    if (descriptor < 0) throw Error(fmt::format("cannot create {}: {}", prefix + "XXXXXX", std::strerror(errno)));
-    change.add(path_);
+    do {
+        path_ = fmt::format("{}{:08x}", prefix, std::random_device()());
+        slot_ = add(path_);  // before the file exists, so that no signal leaves it
+        descriptor = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+        if (descriptor < 0) free_slot(slot_);
+    } while (descriptor < 0 && errno == EEXIST);
+    if (descriptor < 0) throw Error(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
 }
 
 TemporaryPath::~TemporaryPath()
 {
-    if (path_.empty()) return;
-    Change change;
-    if (change.forget(path_)) unlink(path_.c_str());
+    if (path_.empty() || owner_ != getpid()) return;
+    unlink(path_.c_str());
+    free_slot(slot_);
 }
 
 bool TemporaryPath::rename_to(const std::string& target)
 {
-    Change change;
     if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
-    change.forget(path_);
+    free_slot(slot_);
     path_.clear();
     return true;
 }

@@ -2,6 +2,9 @@
 // Temporary files that are removed when the process ends.
 #pragma once
 
+#include <sys/types.h>
+
+#include <cstddef>
 #include <string>
 
 namespace mandelmarch {
@@ -12,7 +15,7 @@ class TemporaryPath {
 public:
     // For a file created by other code.
     explicit TemporaryPath(std::string path);
-    // Creates an empty file, named `prefix` and six characters, and opens it for writing. Throws Error with name and
+    // Creates an empty file, named `prefix` and eight characters, and opens it for writing. Throws Error with name and
     // cause.
     TemporaryPath(const std::string& prefix, int& descriptor);
     ~TemporaryPath();
@@ -26,6 +29,8 @@ public:
 
 private:
     std::string path_;  // empty after renaming
+    pid_t owner_;       // a forked process does not own the file
+    std::size_t slot_;  // of the name, for signals
 };
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that appears complete or not at all: links, /dev, descriptors, missing folders, signals.
+// Output that appears complete or not at all: links, descriptors, signals.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
@@ -87,14 +87,6 @@ TEST_F(OutputFiles, SharedMemoryIsAFolderAsOthers)
     fs::remove(file);
 }
 
-TEST_F(OutputFiles, NoFileIsMadeInDev)
-{
-    EXPECT_THROW(OutputFile::check("/dev/mandelmarch-test"), InputError);
-    EXPECT_THROW(OutputFile("/dev/mandelmarch-test"), Error);
-    fs::create_symlink("/dev/mandelmarch-test", path("link"));
-    EXPECT_THROW(OutputFile::check(path("link")), InputError);
-}
-
 TEST_F(OutputFiles, ADescriptorIsWrittenIntoWhereItStands)
 {
     std::ofstream(path("log")) << "0123456789";
@@ -139,17 +131,6 @@ TEST_F(OutputFiles, LinksThatLeadNowhereAreRefused)
     EXPECT_THROW(OutputFile(path("circle")), Error);
     fs::create_symlink("missing/target", path("link"));
     EXPECT_THROW(OutputFile::check(path("link")), InputError);
-}
-
-TEST_F(OutputFiles, ADeletedFolderIsSeenBeforehand)
-{
-    const fs::path before = fs::current_path();
-    fs::create_directory(path("gone"));
-    fs::current_path(path("gone"));
-    fs::remove(path("gone"));
-    EXPECT_THROW(OutputFile::check("a.bmp"), InputError);
-    EXPECT_NO_THROW(OutputFile::check(path("a.bmp")));
-    fs::current_path(before);
 }
 
 TEST_F(OutputFiles, SignalsThatEndTheProcessLeaveNothing)
