@@ -153,6 +153,17 @@ const Viewer = (() => {
         change();
     }
 
+    // Opens the view in the page's address: #fractal=NAME&dat=TEXT, from a gallery.
+    function ask(wanted) {
+        const name = wanted.get("fractal");
+        if (name in data.table.rows) {
+            find("viewer-fractal").value = name;
+            choose(name);
+        }
+        if (!wanted.has("dat")) return;
+        try { goTo(wanted.get("dat")); } catch (error) { say(`The parameter file: ${error.message}`); }
+    }
+
     function listen() {
         canvas.addEventListener("keydown", (event) => {
             const key = event.key.toLowerCase();
@@ -239,6 +250,7 @@ const Viewer = (() => {
         fast = find("viewer-mode").value === "fast";
         choose(fractal);
         resize(...find("viewer-size").value.split("x").map(Number));
+        ask(new URLSearchParams(location.hash.slice(1)));
         // Renders only while visible.
         new IntersectionObserver(([entry]) => {
             const was = running;

@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""path_csv_test.py: a path converted to a table and back is unchanged."""
+"""path_csv_test.py: a path converted to a table and back, and to Blender's cameras and back, is unchanged."""
 import json
+import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
+sys.path.insert(0, TOOLS)
+import blender_path  # noqa: E402
 
 
 def frame(number):
@@ -105,6 +110,64 @@ class TableTest(unittest.TestCase):
             self.assertIn(said, done.stderr)
             self.assertFalse(os.path.exists(self.name("new.json")))
         self.assertEqual(self.run_tool("export", "missing.json", "x.csv").returncode, 2)
+
+
+# The part of Blender's interface that the script uses.
+class Camera:
+    def __init__(self):
+        self.matrix_world = None
+        self.data = types.SimpleNamespace(angle_y=None, sensor_fit=None, keyframe_insert=lambda what, frame: None)
+        self.keys = {}
+
+    def keyframe_insert(self, what, frame):
+        self.keys[frame] = (self.matrix_world, self.data.angle_y)
+
+
+def fake_blender():
+    scene = types.SimpleNamespace(render=types.SimpleNamespace(fps=None), frame_start=None, frame_end=None, camera=None,
+                                  collection=types.SimpleNamespace(objects=types.SimpleNamespace(link=lambda it: None)))
+
+    def frame_set(number):
+        scene.camera.matrix_world, scene.camera.data.angle_y = scene.camera.keys[number]
+
+    scene.frame_set = frame_set
+    return types.SimpleNamespace(
+        context=types.SimpleNamespace(scene=scene),
+        data=types.SimpleNamespace(objects=types.SimpleNamespace(new=lambda name, data: Camera()),
+                                   cameras=types.SimpleNamespace(new=lambda name: None)))
+
+
+class BlenderTest(unittest.TestCase):
+    def test_cameras_and_back(self):
+        bpy = fake_blender()
+        blender_path.load(bpy, types.SimpleNamespace(Matrix=lambda rows: rows), PATH)
+        scene = bpy.context.scene
+        self.assertEqual((scene.render.fps, scene.frame_start, scene.frame_end), (30, 0, 3))
+        new = blender_path.save(bpy, PATH)
+        for was, now in zip(PATH["frames"], new["frames"], strict=True):
+            self.assertEqual(now["location"], was["location"])
+            self.assertAlmostEqual(now["field_of_view"], was["field_of_view"], places=12)
+            gaze = blender_path.unit(blender_path.minus(was["look_at"], was["location"]))
+            for a, b in zip(blender_path.unit(blender_path.minus(now["look_at"], now["location"])), gaze):
+                self.assertAlmostEqual(a, b, places=12)
+            # A camera's up is perpendicular to its gaze, in the plane of the path's up and gaze.
+            self.assertAlmostEqual(sum(a * b for a, b in zip(now["up"], gaze)), 0, places=12)
+            self.assertGreater(sum(a * b for a, b in zip(now["up"], was["up"])), 0)
+            self.assertEqual(now["brightness"], was["brightness"])
+
+    def test_a_unit_of_the_field_is_the_kernels(self):
+        with open(os.path.join(TOOLS, "..", "core", "scene", "scene.h"), encoding="utf-8") as file:
+            degrees = re.search(r"degrees_per_field = ([0-9.]+);", file.read()).group(1)
+        self.assertEqual(float(degrees), blender_path.DEGREES_PER_FIELD)
+
+    def test_the_axes_are_a_rotation(self):
+        rows = blender_path.matrix_of(frame(0))
+        columns = [[rows[r][c] for r in range(3)] for c in range(3)]
+        for i in range(3):
+            for j in range(3):
+                self.assertAlmostEqual(sum(a * b for a, b in zip(columns[i], columns[j])), float(i == j), places=12)
+        self.assertAlmostEqual(math.fsum(a * b for a, b in zip(blender_path.cross(columns[0], columns[1]), columns[2])), 1,
+                               places=12)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Exchanges cameras between path files and Blender.
+
+blender --python tools/blender_path.py -- load PATH.json                # make a camera with one keyframe per frame
+blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # write PATH.json with the scene's camera
+
+mandelmarch's y is up if the path says so; axes are not converted. Blender's camera looks along its -z axis, and its y
+axis is the picture's up. field_of_view 1 is 65 degrees from the picture's bottom to its top."""
+import json
+import math
+import sys
+
+DEGREES_PER_FIELD = 65.0  # core/scene/scene.h
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def unit(a):
+    length = math.sqrt(sum(x * x for x in a))
+    return [x / length for x in a]
+
+
+def matrix_of(frame):
+    """Returns the camera's matrix to the world, as rows of four: its columns are the axes right, up and back, and the
+    position."""
+    back = unit(minus(frame["location"], frame["look_at"]))
+    right = unit(cross(frame["up"], back))
+    columns = [right, cross(back, right), back, frame["location"]]
+    return [[column[row] for column in columns] for row in range(3)] + [[0.0, 0.0, 0.0, 1.0]]
+
+
+def camera_of(matrix):
+    """Returns location, look_at and up for such a matrix."""
+    column = [[matrix[row][index] for row in range(3)] for index in range(4)]
+    return {"location": column[3], "look_at": minus(column[3], unit(column[2])), "up": unit(column[1])}
+
+
+def load(bpy, mathutils, path):
+    scene = bpy.context.scene
+    scene.render.fps = path.get("frames_per_second", 30)
+    scene.frame_start, scene.frame_end = 0, len(path["frames"]) - 1
+    camera = bpy.data.objects.new("mandelmarch", bpy.data.cameras.new("mandelmarch"))
+    camera.data.sensor_fit = "VERTICAL"
+    camera.rotation_mode = "QUATERNION"
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    for number, frame in enumerate(path["frames"]):
+        camera.matrix_world = mathutils.Matrix(matrix_of(frame))
+        camera.data.angle_y = math.radians(DEGREES_PER_FIELD * frame["field_of_view"])
+        camera.keyframe_insert("location", frame=number)
+        camera.keyframe_insert("rotation_quaternion", frame=number)
+        camera.data.keyframe_insert("lens", frame=number)
+
+
+def save(bpy, path):
+    scene = bpy.context.scene
+    frames = []
+    for number in range(scene.frame_start, scene.frame_end + 1):
+        scene.frame_set(number)
+        frame = dict(path["frames"][min(len(frames), len(path["frames"]) - 1)])
+        frame.update(camera_of(scene.camera.matrix_world))
+        frame["field_of_view"] = math.degrees(scene.camera.data.angle_y) / DEGREES_PER_FIELD
+        frames.append(frame)
+    return {**path, "frames": frames}
+
+
+def main(arguments):
+    import bpy
+    import mathutils
+    if len(arguments) not in (2, 3) or arguments[0] not in ("load", "save") or (arguments[0] == "save") != (len(arguments) == 3):
+        sys.exit(__doc__)
+    with open(arguments[1], encoding="utf-8") as file:
+        path = json.load(file)
+    if arguments[0] == "load":
+        load(bpy, mathutils, path)
+    else:
+        with open(arguments[2], "w", encoding="utf-8") as file:
+            json.dump(save(bpy, path), file)
+
+
+if __name__ == "__main__":
+    main(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
