@@ -26,7 +26,6 @@ struct Changes {
     std::optional<double> brightness;
 
     bool none() const { return !detail && !shape && !iterations && !escape && !colouring && !brightness; }
-    bool of_shape() const { return shape || iterations || escape; }
 };
 
 struct Frame {
