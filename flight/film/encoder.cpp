@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "flight/film/child_process.h"
+#include "flight/film/ffmpeg_process.h"
 #include "flight/film/title.h"
 
 namespace mandelmarch {
@@ -87,7 +87,7 @@ void check_ffmpeg(Container container)
     const std::string filter = fmt::format("drawtext={}:text=x,{}", font_option(), conversion);
     const std::vector<std::string> codec = video_codec(container);
     try {
-        ChildProcess process(
+        FfmpegProcess process(
             joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter},
                    codec, std::vector<std::string>{"-f", "null", "-"}),
             "", ffmpeg_timeout(check_seconds));
@@ -101,14 +101,14 @@ void check_ffmpeg(Container container)
 
 std::string ffmpeg_version()
 {
-    ChildProcess process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
+    FfmpegProcess process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
     const std::string text = process.finish().output;
     return text.substr(0, text.find(" Copyright"));
 }
 
 std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what)
 {
-    ChildProcess process(joined(quietly(), arguments), folder);
+    FfmpegProcess process(joined(quietly(), arguments), folder);
     const auto result = process.finish();
     if (!result.ok) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
     return result.output;
@@ -124,7 +124,7 @@ std::int64_t frames_in(const std::string& progress)
 }
 
 struct Encoder::Pipe {
-    ChildProcess process;
+    FfmpegProcess process;
 };
 
 Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,

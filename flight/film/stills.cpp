@@ -14,7 +14,7 @@
 #include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
-#include "flight/film/child_process.h"
+#include "flight/film/ffmpeg_process.h"
 #include "flight/film/progress.h"
 #include "flight/film/segment_store.h"
 
@@ -36,7 +36,7 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
 
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
 {
-    ChildProcess process({ffmpeg(),
+    FfmpegProcess process({ffmpeg(),
                           "-hide_banner",
                           "-loglevel",
                           "error",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "flight/film/child_process.h"
+#include "flight/film/ffmpeg_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ std::string cause_of(const std::string& errors)
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& folder,
+FfmpegProcess::FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
                            std::optional<double> limit)
     : limit_(limit)
 {
@@ -98,7 +98,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
     throw Error(fmt::format("{} cannot be started: {}", command[0], std::strerror(failed)));
 }
 
-ChildProcess::~ChildProcess()
+FfmpegProcess::~FfmpegProcess()
 {
     if (child_ > 0) {
         kill();
@@ -109,10 +109,10 @@ ChildProcess::~ChildProcess()
     close_if_open(errors_);
 }
 
-void ChildProcess::kill() { ::kill(child_, SIGKILL); }
+void FfmpegProcess::kill() { ::kill(child_, SIGKILL); }
 
 // Waits until the child reads. Kills it and returns false if it does not read within the limit.
-bool ChildProcess::ready()
+bool FfmpegProcess::ready()
 {
     pollfd pipe{.fd = input_, .events = POLLOUT, .revents = 0};
     int told = 0;
@@ -124,7 +124,7 @@ bool ChildProcess::ready()
     return false;
 }
 
-bool ChildProcess::write(const void* data, std::size_t size)
+bool FfmpegProcess::write(const void* data, std::size_t size)
 {
     const char* next = static_cast<const char*>(data);
     while (size > 0) {
@@ -139,7 +139,7 @@ bool ChildProcess::write(const void* data, std::size_t size)
 }
 
 // Waits for the child's end, at most for the limit, and returns its status.
-int ChildProcess::wait()
+int FfmpegProcess::wait()
 {
     const auto start = Clock::now();
     int status = 0;
@@ -155,7 +155,7 @@ int ChildProcess::wait()
     }
 }
 
-ChildProcess::Result ChildProcess::finish()
+FfmpegProcess::Result FfmpegProcess::finish()
 {
     close_if_open(input_);
     const int status = wait();

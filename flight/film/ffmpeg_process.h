@@ -10,16 +10,16 @@
 namespace mandelmarch {
 
 // Starts in the constructor; its output is kept.
-class ChildProcess {
+class FfmpegProcess {
 public:
     // `folder`: working directory; empty: the caller's. `limit`: seconds after which the child is killed if it does not
     // read or does not end; finish() reports that. Without a limit, the child may take for ever. Throws Error if it
     // cannot be started.
-    ChildProcess(const std::vector<std::string>& command, const std::string& folder,
+    FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
                  std::optional<double> limit = std::nullopt);
-    ~ChildProcess();  // kills a child that still runs, and waits for it
-    ChildProcess(const ChildProcess&) = delete;
-    ChildProcess& operator=(const ChildProcess&) = delete;
+    ~FfmpegProcess();  // kills a child that still runs, and waits for it
+    FfmpegProcess(const FfmpegProcess&) = delete;
+    FfmpegProcess& operator=(const FfmpegProcess&) = delete;
 
     // Returns false if the child does not read any more; finish() reports the cause.
     bool write(const void* data, std::size_t size);
