@@ -1,47 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/contender.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 #include "bench/on_demand.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
-extern char** environ;  // NOLINT: POSIX requires the program to declare it
-
 namespace mandelmarch::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns this process's environment with OMP_WAIT_POLICY=passive. Otherwise waiting OpenMP threads would spin, on the
-// cores that the other program uses, and count as processor time.
-std::vector<std::string> variables_of_contenders()
-{
-    std::vector<std::string> variables{"OMP_WAIT_POLICY=passive"};
-    for (char** variable = environ; *variable != nullptr; ++variable) {
-        if (!std::string_view(*variable).starts_with("OMP_WAIT_POLICY=")) variables.emplace_back(*variable);
-    }
-    return variables;
-}
-
-std::string ending(int status)
-{
-    if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
-    const int code = WEXITSTATUS(status);
-    return fmt::format("ended with {}{}", code,
-                       code == exit_usage ? ", as a bench without duels does that has no option --on-demand" : "");
-}
+constexpr double last_wait = 2;  // seconds for a program that has closed its socket
 
 }  // namespace
 
@@ -52,60 +29,37 @@ DuelProcess::DuelProcess(const std::string& program, const std::vector<std::stri
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
         throw Error(fmt::format("a socket: {}", std::strerror(errno)));
     }
-    socket_.emplace(pair[0]);
+    socket_.emplace(Descriptor(pair[0]));
+    const Descriptor theirs(pair[1]);
+    // Waiting threads sleep. OpenMP's would otherwise spin on the cores that the other program uses, and count as
+    // processor time.
+    setenv("OMP_WAIT_POLICY", "passive", 1);
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     words.emplace_back("--on-demand");
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pair[1], STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    std::vector<std::string> variables = variables_of_contenders();
-    std::vector<char*> envp;
-    envp.reserve(variables.size() + 1);
-    for (std::string& variable : variables) envp.push_back(variable.data());
-    envp.push_back(nullptr);
-    const int code = posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), envp.data());
-    posix_spawn_file_actions_destroy(&actions);
-    close(pair[1]);
-    if (code != 0) {
-        process_ = 0;
-        throw Error(fmt::format("does not start: {}", std::strerror(code)));
-    }
+    process_.emplace(ChildSetup{.words = std::move(words), .program = program, .input = theirs.number()});
 }
 
 DuelProcess::~DuelProcess()
 {
-    socket_.reset();  // tells the process to exit
-    for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
-    if (ended()) return;
-    kill(process_, SIGKILL);
-    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
-}
-
-bool DuelProcess::ended()
-{
-    if (process_ == 0 || status_) return true;
-    int status = 0;
-    const pid_t found = waitpid(process_, &status, WNOHANG);
-    if (found == process_) status_ = status;
-    return found == process_ || (found < 0 && errno == ECHILD);
+    socket_.reset();  // the process then exits, unless it hangs
+    process_->end(last_wait);
 }
 
 std::string DuelProcess::how_it_ended()
 {
-    for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
-    return status_ ? ending(*status_) : "closed its socket";
+    if (!process_->ends_within(last_wait)) return "closed its socket";
+    const Ended& ended = process_->end();
+    if (ended.signal != 0) return fmt::format("was ended by signal {}", ended.signal);
+    return fmt::format(
+        "ended with {}{}", ended.code,
+        ended.code == exit_usage ? ", as a bench without duels does that has no option --on-demand" : "");
 }
 
 Json DuelProcess::receive()
 {
     std::string line;
-    if (!socket_->receive(line, [this] { return ended(); })) {
+    if (!socket_->receive(line, [this] { return process_->ends_within(0); })) {
         throw Error(how_it_ended());
     }
     check_json_depth(line, "its answer");

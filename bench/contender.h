@@ -2,8 +2,6 @@
 // One of the two bench processes of `bench duel`.
 #pragma once
 
-#include <sys/types.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +10,7 @@
 
 #include "bench/duel.h"
 #include "bench/line_socket.h"
+#include "core/base/child_process.h"
 
 namespace mandelmarch::bench {
 
@@ -34,8 +33,6 @@ public:
     DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
     // Ends the process.
     ~DuelProcess();
-    DuelProcess(const DuelProcess&) = delete;
-    DuelProcess& operator=(const DuelProcess&) = delete;
 
     // Waits until the configurations are ready. Throws Error if the process ends first or sends an invalid message.
     void wait();
@@ -48,12 +45,10 @@ public:
 
 private:
     nlohmann::ordered_json receive();
-    bool ended();
     std::string how_it_ended();  // waits up to two seconds for the end
 
     DuelClock clock_;
-    pid_t process_ = 0;
-    std::optional<int> status_;  // from waitpid(), once the process has ended
+    std::optional<ChildProcess> process_;
     std::optional<LineSocket> socket_;
     std::map<std::string, Ready> rows_;
     nlohmann::ordered_json environment_;

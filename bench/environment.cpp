@@ -16,6 +16,7 @@
 #include "bench/build_info.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
+#include "core/base/files.h"
 #include "core/base/memory.h"
 #include "core/base/version.h"
 
@@ -24,14 +25,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
-}
 
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
@@ -80,8 +73,8 @@ Json cpu()
               {"quota", mine.quota ? Json(*mine.quota) : Json()},
               {"cores_usable", mine.threads()},
               {"binding", or_null(binding())},
-              {"governor", or_null(text_of(frequency / "scaling_governor"))},
-              {"turbo_disabled", or_null(text_of("/sys/devices/system/cpu/intel_pstate/no_turbo"))},
+              {"governor", or_null(first_line(frequency / "scaling_governor"))},
+              {"turbo_disabled", or_null(first_line("/sys/devices/system/cpu/intel_pstate/no_turbo"))},
               {"megahertz", or_null(value_in("/proc/cpuinfo", "cpu MHz", ':'))},
               {"microcode", or_null(value_in("/proc/cpuinfo", "microcode", ':'))}};
     return json;
@@ -178,7 +171,7 @@ Json environment(const Registry& registry)
         {"os",
          {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
           {"kernel", fmt::format("{} {}", system.sysname, system.release)},
-          {"boot", or_null(text_of("/proc/sys/kernel/random/boot_id"))},
+          {"boot", or_null(first_line("/proc/sys/kernel/random/boot_id"))},
           {"architecture", system.machine}}},
         {"backends", backends(registry)},
         {"icds", icds(registry)},

@@ -2,80 +2,18 @@
 #include "bench/launches.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "bench/report.h"
+#include "core/base/child_process.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
-extern char** environ;  // NOLINT: POSIX requires the program to declare it
-
 namespace mandelmarch::bench {
-namespace {
-
-// An anonymous file in memory, which vanishes with this process.
-class MemoryFile {
-public:
-    MemoryFile() : descriptor_(memfd_create("launch", MFD_CLOEXEC))
-    {
-        if (descriptor_ < 0) throw Error(fmt::format("a file in memory: {}", std::strerror(errno)));
-    }
-    ~MemoryFile() { close(descriptor_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    int descriptor() const { return descriptor_; }
-
-    std::string text() const
-    {
-        std::string text;
-        char block[1 << 16];
-        for (;;) {
-            const ssize_t got = pread(descriptor_, block, sizeof(block), static_cast<off_t>(text.size()));
-            if (got <= 0) return text;
-            text.append(block, static_cast<std::size_t>(got));
-        }
-    }
-
-private:
-    int descriptor_;
-};
-
-// Starts this program again, with its standard output in `output`. Returns the exit code, or 128 + the signal's number.
-int run(const std::vector<std::string>& arguments, int output)
-{
-    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    std::vector<std::string> words{program_invocation_name};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    pid_t child = 0;
-    const int code = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (code != 0) throw Error(fmt::format("does not start: {}", std::strerror(code)));
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) throw Error(fmt::format("cannot be waited for: {}", std::strerror(errno)));
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-}  // namespace
-
 Result merged(std::vector<Result> results)
 {
     Result all = std::move(results.front());
@@ -128,10 +66,12 @@ Result with_further_launches(Result first, int count, const Run& launch)
 Result launch_again(const std::vector<std::string>& arguments, int launch)
 {
     const MemoryFile file;
-    std::vector<std::string> words = arguments;
-    for (const char* word : {"--quiet", "--json", "-", "--launch"}) words.emplace_back(word);
-    words.push_back(std::to_string(launch));
-    const int code = run(words, file.descriptor());
+    // Under the name by which this program was called.
+    std::vector<std::string> words{program_invocation_name};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.insert(words.end(), {"--quiet", "--json", "-", "--launch", std::to_string(launch)});
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    const int code = ChildProcess({.words = std::move(words), .program = program, .output = file.number()}).end().code;
     // bench leaves a result with these two exit codes only (failure: a wrong picture).
     if (code != exit_success && code != exit_failure) throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();

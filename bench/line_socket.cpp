@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -19,13 +18,11 @@ constexpr std::size_t longest = std::size_t{16} << 20;
 
 }  // namespace
 
-LineSocket::~LineSocket() { close(descriptor_); }
-
 void LineSocket::send(const std::string& line)
 {
     const std::string whole = line + "\n";
     for (std::size_t sent = 0; sent < whole.size();) {
-        const ssize_t now = ::send(descriptor_, whole.data() + sent, whole.size() - sent, MSG_NOSIGNAL);
+        const ssize_t now = ::send(socket_.number(), whole.data() + sent, whole.size() - sent, MSG_NOSIGNAL);
         if (now < 0 && errno == EINTR) continue;
         if (now < 0) throw Error(fmt::format("the other side does not listen: {}", std::strerror(errno)));
         sent += static_cast<std::size_t>(now);
@@ -42,7 +39,7 @@ bool LineSocket::receive(std::string& line, const std::function<bool()>& gone)
         }
         if (last) return false;
         if (left_.size() > longest) throw Error("the other side sends a line without an end");
-        pollfd waiting{.fd = descriptor_, .events = POLLIN, .revents = 0};
+        pollfd waiting{.fd = socket_.number(), .events = POLLIN, .revents = 0};
         const int ready = poll(&waiting, 1, patience);
         if (ready == 0) {
             // Read data that the peer sent before it ended.
@@ -53,7 +50,7 @@ bool LineSocket::receive(std::string& line, const std::function<bool()>& gone)
         }
         if (ready < 0 && errno == EINTR) continue;
         char block[1 << 14];
-        const ssize_t got = recv(descriptor_, block, sizeof(block), 0);
+        const ssize_t got = recv(socket_.number(), block, sizeof(block), 0);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
         left_.append(block, static_cast<std::size_t>(got));

@@ -6,15 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/descriptor.h"
+
 namespace mandelmarch::bench {
 
-// Owns the descriptor.
 class LineSocket {
 public:
-    explicit LineSocket(int descriptor) : descriptor_(descriptor) {}
-    ~LineSocket();
-    LineSocket(const LineSocket&) = delete;
-    LineSocket& operator=(const LineSocket&) = delete;
+    explicit LineSocket(Descriptor socket) : socket_(std::move(socket)) {}
 
     // Sends a line, given without its newline. Throws Error if the peer is gone.
     void send(const std::string& line);
@@ -25,7 +23,7 @@ public:
         std::string& line, const std::function<bool()>& gone = [] { return false; });
 
 private:
-    int descriptor_;
+    Descriptor socket_;
     std::string left_;  // received part of later lines
 };
 

@@ -61,7 +61,7 @@ void draw_on_demand(const Registry& registry, const Options& options, bool prove
         rows.push_back(row_of(*one, live ? live->fingerprint : 0));
         if (live) ready.push_back(std::move(*live));
     }
-    LineSocket socket(dup(STDIN_FILENO));
+    LineSocket socket(Descriptor(dup(STDIN_FILENO)));
     socket.send(text_of_line({{"version", on_demand_version}, {"environment", environment(registry)}, {"rows", rows}}));
     Image image;
     for (std::string name; socket.receive(name);) socket.send(text_of_line(answer(ready, image, name)));

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -18,8 +17,9 @@
 #include "bench/proof.h"
 #include "bench/steadiness.h"
 #include "bench/study.h"
-#include "bench/timed_program.h"
+#include "core/base/child_process.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
 #include "core/base/text.h"
 #include "core/image/compare.h"
@@ -36,33 +36,18 @@ namespace fs = std::filesystem;
 constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
+constexpr std::size_t most_complaints = 4096;   // bytes of a program's stderr that are read
 // For a round's view the eye moves by a fraction of its distance to the target: first_move, doubled until least_change
 // of the pixels change visibly or the fraction exceeds last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;
 
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (fs::temp_directory_path() / "mandelmarch-race-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
-        path_ = name;
-    }
-    ~Folder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
+std::string last_line(std::string text)
+{
+    while (text.ends_with('\n')) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);
+}
 
 std::string absolute_program(const std::string& program)
 {
@@ -206,33 +191,37 @@ private:
     // Runs the program. Without a picture, sets the racer's verdict and reason.
     Drawn draw(RacedProgram& racer, const std::vector<std::string>& words)
     {
-        const Folder folder;
-        const fs::path work = folder.path() / "work";
-        fs::create_directory(work);
+        const TemporaryFolder folder;
+        const fs::path& work = folder.path();
         write_file((work / scene_name).string(), view_.parameters);
         const auto fails = [&](RaceVerdict verdict, std::string why) {
             racer.verdict = verdict;
             racer.why = std::move(why);
             return Drawn{};
         };
+        const MemoryFile complaints;
         Ended ended;
         try {
-            ended = run_timed(words, work.string(), (folder.path() / "complaints").string(), plan_.limit);
+            ended = ChildProcess({.words = words,
+                                  .program = words[0],
+                                  .folder = work.string(),
+                                  .errors = complaints.number(),
+                                  .confined = true})
+                        .end(plan_.limit);
         } catch (const Error& error) {
             return fails(RaceVerdict::no_start, error.what());
         }
-        racer.exit_code = ended.code;
-        racer.signal = ended.signal;
+        (ended.signal == 0 ? racer.exit_code : racer.signal) = ended.signal == 0 ? ended.code : ended.signal;
         racer.memory = std::max(racer.memory, ended.memory);
-        const std::string said =
-            ended.complaint.empty() ? "" : fmt::format(": {}", printable(ended.complaint, longest_complaint));
+        const std::string complaint = last_line(complaints.text(most_complaints));
+        const std::string said = complaint.empty() ? "" : fmt::format(": {}", printable(complaint, longest_complaint));
         if (ended.timed_out) return fails(RaceVerdict::hung, fmt::format("no end within {:g} s{}", plan_.limit, said));
-        if (ended.signal) {
+        if (ended.signal != 0) {
             return fails(RaceVerdict::crashed,
-                         fmt::format("ended by signal {}, {}{}", *ended.signal, sigdescr_np(*ended.signal), said));
+                         fmt::format("ended by signal {}, {}{}", ended.signal, sigdescr_np(ended.signal), said));
         }
         if (ended.code != exit_success)
-            return fails(RaceVerdict::failed, fmt::format("exit code {}{}", *ended.code, said));
+            return fails(RaceVerdict::failed, fmt::format("exit code {}{}", ended.code, said));
         const fs::path picture = work / image_name;
         if (!fs::is_regular_file(picture)) return fails(RaceVerdict::no_picture, "no " + what_is_left(work) + said);
         Drawn drawn{.image = {}, .sample = {.seconds = ended.seconds, .processor = ended.processor}};

@@ -13,6 +13,7 @@
 #include "bench/family_time.h"
 #include "bench/figures.h"
 #include "core/base/cores.h"
+#include "core/base/files.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -23,14 +24,6 @@ constexpr double much_stolen = 0.01;  // fraction of the processors' time
 constexpr double much_other = 0.05;   // fraction of the processors' time, used by other processes
 constexpr double much_drift = 0.05;   // of the clock frequency
 constexpr double much_spread = 0.05;  // median absolute deviation / median
-
-std::string first_line(const std::string& path)
-{
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
-}
 
 double fastest_clock()
 {

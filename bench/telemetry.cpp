@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "bench/nvml.h"
+#include "core/base/files.h"
 #include "core/base/stopwatch.h"
 
 namespace mandelmarch::bench {
@@ -37,14 +38,6 @@ std::optional<double> number_in(const fs::path& path)
     std::ifstream file(path);
     double value = 0;
     return file >> value ? std::optional(value) : std::nullopt;
-}
-
-std::string line_in(const fs::path& path)
-{
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
 }
 
 Json missing(const std::string& why) { return {{"missing", why}}; }
@@ -74,15 +67,8 @@ Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), s
     for (const GpuState& gpu : gpu_states(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules.value_or(-1));
 }
 
-Telemetry::~Telemetry()
-{
-    for (const Counter& counter : counters_) {
-        for (const int descriptor : counter.descriptors) close(descriptor);
-    }
-}
-
-// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Those with one
-// colon in their name are whole packages, the others parts of them.
+// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Names with one
+// colon are whole packages (or, on some Intel processors, the whole platform), others are parts of them.
 void Telemetry::look_for_domains()
 {
     std::error_code error;
@@ -98,7 +84,7 @@ void Telemetry::look_for_domains()
                 fmt::format("{} cannot be read, which Linux allows root only", (folder / "energy_uj").string());
             continue;
         }
-        domains_.push_back({.name = fmt::format("{} {}", folder.filename().string(), line_in(folder / "name")),
+        domains_.push_back({.name = fmt::format("{} {}", folder.filename().string(), first_line(folder / "name")),
                             .file = folder / "energy_uj",
                             .start = *start,
                             .range = number_in(folder / "max_energy_range_uj").value_or(0)});
@@ -112,9 +98,9 @@ void Telemetry::open_counters()
         Counter counter{.name = name, .descriptors = {}, .missing = {}};
         std::error_code error;
         for (const auto& entry : fs::directory_iterator("/proc/self/task", error)) {
-            const int descriptor = open_counter(event, std::atoi(entry.path().filename().c_str()));
-            if (descriptor >= 0) {
-                counter.descriptors.push_back(descriptor);
+            Descriptor descriptor(open_counter(event, std::atoi(entry.path().filename().c_str())));
+            if (descriptor.number() >= 0) {
+                counter.descriptors.push_back(std::move(descriptor));
             } else {
                 counter.missing = std::strerror(errno);
             }
@@ -149,11 +135,11 @@ Json Telemetry::counters() const
         }
         double sum = 0;
         bool counted = false;
-        for (const int descriptor : counter.descriptors) {
+        for (const Descriptor& descriptor : counter.descriptors) {
             struct {
                 std::uint64_t value, enabled, running;
             } told{};
-            if (read(descriptor, &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
+            if (read(descriptor.number(), &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
             // With more events than counters, each event counts only a fraction of the time.
             sum +=
                 static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);

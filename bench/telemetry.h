@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/descriptor.h"
+
 namespace mandelmarch::bench {
 
 // Sources on Linux. Tests replace them.
@@ -20,9 +22,6 @@ struct TelemetrySources {
 class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});
-    ~Telemetry();
-    Telemetry(const Telemetry&) = delete;
-    Telemetry& operator=(const Telemetry&) = delete;
 
     // {"energy", "counters", "gpus"}, each {"missing": why} or
     //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
@@ -41,7 +40,7 @@ private:
     };
     struct Counter {
         std::string name;
-        std::vector<int> descriptors;  // one per thread of this process
+        std::vector<Descriptor> descriptors;  // one for each thread of this process
         std::string missing;
     };
     void look_for_domains();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "backends/opencl/peak.h"
 #include "backends/opencl/renderer.h"
@@ -32,9 +31,7 @@ public:
         std::vector<InstalledDriver> found;
         const char* vendors = std::getenv("OCL_ICD_VENDORS");
         for (const std::string& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
-            std::string library;
-            std::getline(std::ifstream(path), library);
-            found.push_back({"opencl", path, library, ""});
+            found.push_back({"opencl", path, first_line(path), ""});
         }
         found.push_back({"loader", "libOpenCL.so.1", "libOpenCL.so.1", ""});
         return found;

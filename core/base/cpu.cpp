@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/base/files.h"
+
 namespace mandelmarch {
 namespace {
 
@@ -67,10 +69,7 @@ std::vector<Cache> read_caches(const std::string& folder)
     std::vector<Cache> caches;
     for (int index = 0;; ++index) {
         const auto line = [&](const char* name) {
-            std::ifstream file(fmt::format("{}/index{}/{}", folder, index, name));
-            std::string text;
-            std::getline(file, text);
-            return text;
+            return first_line(fmt::format("{}/index{}/{}", folder, index, name));
         };
         const auto level = number(line("level"));
         if (!level) return caches;

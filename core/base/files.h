@@ -2,6 +2,7 @@
 // File names and the files that they refer to.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,23 @@ bool in_proc(const std::string& path);
 
 // Returns the files of a folder, sorted; empty if it cannot be read.
 std::vector<std::string> files_in(const std::string& folder);
+
+// Returns the first line of a file; empty if the file cannot be read.
+std::string first_line(const std::string& path);
+
+// A new folder in the system's temporary folder. The destructor removes it with its contents.
+class TemporaryFolder {
+public:
+    TemporaryFolder();  // throws Error
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
 
 // Returns the folder of a path; "." if it has none.
 std::string folder_of(const std::string& path);

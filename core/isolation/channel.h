@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/isolation/descriptor.h"
+#include "core/base/descriptor.h"
 
 namespace mandelmarch::isolation {
 

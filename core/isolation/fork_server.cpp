@@ -9,12 +9,11 @@
 #include <sys/wait.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <thread>
 
+#include "core/base/child_process.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/isolation/message.h"
@@ -24,8 +23,7 @@ namespace {
 
 using Task = std::function<void(Channel)>;
 
-constexpr auto patience = std::chrono::seconds(1);  // for a process that has closed its channel
-constexpr auto nap = std::chrono::milliseconds(2);
+constexpr double patience = 1;  // seconds for a process that has closed its channel
 
 [[noreturn]] void fail(const char* what)
 {
@@ -61,22 +59,6 @@ pid_t fork_tied()
     _exit(exit_success);
 }
 
-// Returns the status of waitpid(); unless `now`, gives the process some time to exit by itself.
-int status_of(pid_t child, bool now)
-{
-    const auto start = std::chrono::steady_clock::now();
-    int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
-        if (now || std::chrono::steady_clock::now() - start > patience) {
-            kill(child, SIGKILL);
-            waitpid(child, &status, 0);
-            break;
-        }
-        std::this_thread::sleep_for(nap);
-    }
-    return status;
-}
-
 // Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
 // output; any other message contains the process to end.
 [[noreturn]] void tend(const Task& work, const Channel& channel)
@@ -92,7 +74,7 @@ int status_of(pid_t child, bool now)
         } else {
             Deserializer reader(asked->bytes);
             const auto child = reader.take<pid_t>();
-            answer(status_of(child, reader.take<bool>()));
+            answer(ChildProcess(child).end(reader.take<bool>() ? 0 : patience).text());
         }
         if (!channel.send(answer.bytes())) break;
     }
@@ -129,10 +111,7 @@ std::optional<Packet> ForkServer::ask(std::initializer_list<std::pair<std::strin
 Child ForkServer::start() const
 {
     auto [ours, theirs] = Channel::pair();
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) fail("no pipe");
-    Descriptor said(ends[0]);
-    const Descriptor says(ends[1]);
+    auto [said, says] = make_pipe();
     fcntl(said.number(), F_SETFL, O_NONBLOCK);
     const auto answer = ask({{"socket", theirs.number()}, {"pipe", says.number()}});
     if (!answer) throw Error("the process that starts processes for devices has ended");
@@ -149,9 +128,7 @@ std::string ForkServer::end(pid_t child, bool now) const
     message(child, now);
     const auto answer = ask({{message.bytes(), -1}});
     if (!answer) return "all of the program's other processes have ended";
-    const int status = Deserializer(answer->bytes).take<int>();
-    if (WIFEXITED(status)) return fmt::format("exit code {}", WEXITSTATUS(status));
-    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    return Deserializer(answer->bytes).take<std::string>();
 }
 
 }  // namespace mandelmarch::isolation

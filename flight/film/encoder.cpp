@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -18,26 +20,9 @@ namespace {
 // Returns ffmpeg's options for the output. bitexact omits metadata that changes from run to run.
 std::vector<std::string> encoding()
 {
-    return {"-threads",
-            "4",
-            "-pix_fmt",
-            "yuv420p",
-            "-g",
-            "60",
-            "-flags:v",
-            "+bitexact",
-            "-fflags",
-            "+bitexact",
-            "-colorspace",
-            "bt709",
-            "-color_primaries",
-            "bt709",
-            "-color_trc",
-            "bt709",
-            "-color_range",
-            "tv",
-            "-f",
-            "mp4"};
+    return words_of(
+        "-threads 4 -pix_fmt yuv420p -g 60 -flags:v +bitexact -fflags +bitexact -colorspace bt709 "
+        "-color_primaries bt709 -color_trc bt709 -color_range tv -f mp4");
 }
 
 constexpr const char* conversion =
@@ -52,9 +37,15 @@ std::vector<std::string> joined(std::vector<std::string> first, const Lists&... 
 
 constexpr double check_seconds = 30;
 
-std::vector<std::string> quietly() { return {ffmpeg(), "-hide_banner", "-nostdin", "-loglevel", "error", "-y"}; }
+std::vector<std::string> quietly() { return joined({ffmpeg()}, words_of("-hide_banner -nostdin -loglevel error -y")); }
 
 }  // namespace
+
+std::vector<std::string> words_of(const std::string& text)
+{
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
+}
 
 std::string ffmpeg()
 {
@@ -87,12 +78,11 @@ void check_ffmpeg(Container container)
     const std::string filter = fmt::format("drawtext={}:text=x,{}", font_option(), conversion);
     const std::vector<std::string> codec = video_codec(container);
     try {
-        FfmpegProcess process(
-            joined(quietly(), std::vector<std::string>{"-f", "lavfi", "-i", "color=s=64x64:r=30:d=0.1", "-vf", filter},
-                   codec, std::vector<std::string>{"-f", "null", "-"}),
-            "", ffmpeg_timeout(check_seconds));
+        FfmpegProcess process(joined(quietly(), words_of("-f lavfi -i color=s=64x64:r=30:d=0.1 -vf"),
+                                     std::vector{filter}, codec, words_of("-f null -")),
+                              "", ffmpeg_timeout(check_seconds));
         const auto result = process.finish();
-        if (!result.ok) throw Error(result.cause);
+        if (!result.cause.empty()) throw Error(result.cause);
     } catch (const Error& error) {
         throw Error(fmt::format("{} does not work: {}; films need ffmpeg with {} and drawtext", ffmpeg(), error.what(),
                                 codec[1]));
@@ -110,7 +100,7 @@ std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::str
 {
     FfmpegProcess process(joined(quietly(), arguments), folder);
     const auto result = process.finish();
-    if (!result.ok) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
+    if (!result.cause.empty()) throw Error(fmt::format("{}: ffmpeg failed: {}", what, result.cause));
     return result.output;
 }
 
@@ -131,24 +121,13 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
                  const Coding& coding)
     : file_(file)
 {
-    const std::vector<std::string> input{"-f",
-                                         "rawvideo",
-                                         "-pix_fmt",
-                                         "rgb24",
-                                         "-video_size",
-                                         fmt::format("{}x{}", width, height),
-                                         "-framerate",
-                                         fmt::format("{}", coding.frames_per_second),
-                                         "-i",
-                                         "-",
-                                         "-progress",
-                                         "pipe:1",
-                                         "-stats_period",
-                                         "3600",
-                                         "-vf",
-                                         (filter.empty() ? "" : filter + ",") + std::string(conversion)};
-    auto command = joined(quietly(), input, video_codec(coding.container), encoding(),
-                          time_scale(coding.frames_per_second), std::vector<std::string>{file});
+    const auto input =
+        words_of(fmt::format("-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i - -progress pipe:1 "
+                             "-stats_period 3600 -vf",
+                             width, height, coding.frames_per_second));
+    const std::string filters = (filter.empty() ? "" : filter + ",") + std::string(conversion);
+    auto command = joined(quietly(), input, std::vector{filters}, video_codec(coding.container), encoding(),
+                          time_scale(coding.frames_per_second), std::vector{file});
     std::erase(command, "-nostdin");
     pipe_.reset(new Pipe{.process = {command, folder, ffmpeg_timeout(encoding_seconds)}});
 }
@@ -167,8 +146,8 @@ void Encoder::wait()
     if (writer_.joinable()) writer_.join();
     if (!broken_) return;
     const auto result = pipe_->process.finish();
-    throw Error(
-        fmt::format("{}: the encoder failed: {}", file_, result.ok ? "it stopped reading frames" : result.cause));
+    throw Error(fmt::format("{}: the encoder failed: {}", file_,
+                            result.cause.empty() ? "it stopped reading frames" : result.cause));
 }
 
 void Encoder::add(std::vector<std::uint8_t> frame)
@@ -183,7 +162,7 @@ void Encoder::finish()
 {
     wait();
     const auto result = pipe_->process.finish();
-    if (!result.ok) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
+    if (!result.cause.empty()) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
     if (frames_in(result.output) != frames_) {
         throw Error(fmt::format("{}: the encoder wrote {} frames of {}", file_, frames_in(result.output), frames_));
     }

@@ -14,6 +14,9 @@
 
 namespace mandelmarch {
 
+// Splits options at blanks.
+std::vector<std::string> words_of(const std::string& text);
+
 // Returns the program to run: the environment variable MANDELMARCH_FFMPEG, or "ffmpeg". A path is made absolute,
 // because ffmpeg runs in other folders.
 std::string ffmpeg();

@@ -48,11 +48,6 @@ SegmentStore::SegmentStore(const std::string& film, const std::string& parts, co
 {
 }
 
-SegmentStore::~SegmentStore()
-{
-    if (lock_ >= 0) ::close(lock_);
-}
-
 std::size_t SegmentStore::segments() const { return (frames_ + segment_frames - 1) / segment_frames; }
 
 std::size_t SegmentStore::last(std::size_t segment) const { return std::min(frames_, (segment + 1) * segment_frames); }
@@ -64,15 +59,15 @@ void SegmentStore::lock(bool shared)
         std::error_code error;
         fs::create_directories(parts_, error);
         if (error) throw Error(fmt::format("{}: cannot make the folder: {}", parts_, error.message()));
-        lock_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (lock_ < 0 && errno == ENOENT && tries < most_tries) continue;  // another run has just removed the folder
-        if (lock_ < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
-        if (flock(lock_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
+        lock_ = Descriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+        // Another run may have just removed the folder.
+        if (lock_.number() < 0 && errno == ENOENT && tries < most_tries) continue;
+        if (lock_.number() < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+        if (flock(lock_.number(), (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
             if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
             throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
         }
-        if (still_there(lock_, name)) return;
-        ::close(lock_);
+        if (still_there(lock_.number(), name)) return;
     }
 }
 
@@ -115,11 +110,10 @@ void SegmentStore::finish(const std::string& part, const std::string& file) cons
     const std::string path = folder_ + "/" + part;
     const std::string finished = folder_ + "/" + file;
     // Flushed to disk before the renaming, so that a file with the final name is complete even after a power cut.
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
-    const int why = errno;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!synced) throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(why)));
+    const Descriptor written(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (written.number() < 0 || fsync(written.number()) != 0) {
+        throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+    }
     write_note(finished, piece(file), digest_of_file(path));
     std::error_code error;
     fs::rename(path, finished, error);

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "core/base/descriptor.h"
 #include "flight/film/stamp.h"
 
 namespace mandelmarch {
@@ -17,9 +18,6 @@ public:
     // Uses the folder PARTS/DIGEST, where DIGEST is that of the description. `film`: its name in messages. `frames`: in
     // the film. Writes nothing.
     SegmentStore(const std::string& film, const std::string& parts, const std::string& description, std::size_t frames);
-    ~SegmentStore();
-    SegmentStore(const SegmentStore&) = delete;
-    SegmentStore& operator=(const SegmentStore&) = delete;
 
     const std::string& folder() const { return folder_; }
     // The description's digest, which stamps contain.
@@ -57,7 +55,7 @@ private:
 
     std::string film_, parts_, description_, digest_, folder_;
     std::size_t frames_;
-    int lock_ = -1;
+    Descriptor lock_;
 };
 
 }  // namespace mandelmarch

@@ -36,35 +36,15 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
 
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
 {
-    FfmpegProcess process({ffmpeg(),
-                          "-hide_banner",
-                          "-loglevel",
-                          "error",
-                          "-f",
-                          "rawvideo",
-                          "-pix_fmt",
-                          "rgb24",
-                          "-video_size",
-                          fmt::format("{}x{}", picture.width, picture.height),
-                          "-i",
-                          "-",
-                          "-c:v",
-                          "mjpeg",
-                          "-q:v",
-                          "2",
-                          "-pix_fmt",
-                          "yuvj444p",
-                          "-fflags",
-                          "+bitexact",
-                          "-flags:v",
-                          "+bitexact",
-                          "-f",
-                          "image2pipe",
-                          "-"},
-                         "", ffmpeg_timeout(encoding_seconds));
+    auto command = words_of(
+        fmt::format("-hide_banner -loglevel error -f rawvideo -pix_fmt rgb24 -video_size {}x{} -i - -c:v mjpeg -q:v 2 "
+                    "-pix_fmt yuvj444p -fflags +bitexact -flags:v +bitexact -f image2pipe -",
+                    picture.width, picture.height));
+    command.insert(command.begin(), ffmpeg());
+    FfmpegProcess process(command, "", ffmpeg_timeout(encoding_seconds));
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();
-    if (!result.ok) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
+    if (!result.cause.empty()) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
     OutputFile output(file);
     output.write(result.output.data(), result.output.size());
     output.commit();

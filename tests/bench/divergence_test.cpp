@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -39,9 +40,8 @@ TEST(Divergence, IsTheMeanOfJaccardsDistances)
 // A source tree of two backends, and a reference that does not use the kernel.
 class MadeTree : public testing::Test {
 protected:
-    MadeTree() : root_(fs::path(testing::TempDir()) / "divergence_tree")
+    MadeTree()
     {
-        fs::remove_all(root_);
         put("core/kernel/text.h", "#include MM_FRACTAL_FILE\nint text;\n");
         put("core/kernel/fractals/one.h", "int fractal;\n");
         put("core/kernel/prelude/left.h", "int left;\n");
@@ -53,7 +53,6 @@ protected:
         put("backends/right/r.cpp", "#include \"core/job/job.h\"\n#include \"core/kernel/text.h\"\n");
         put("backends/right/loops.cpp.in", "int loops;\nint more;\n");
     }
-    ~MadeTree() override { fs::remove_all(root_); }
 
     void put(const std::string& file, const std::string& text) const
     {
@@ -61,7 +60,8 @@ protected:
         std::ofstream(root_ / file) << text;
     }
 
-    fs::path root_;
+    const TemporaryFolder made_;
+    const fs::path& root_ = made_.path();
 };
 
 TEST_F(MadeTree, ABackendNeedsItsFolderAndWhatThatNames)

@@ -10,11 +10,16 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-std::string path_of(const std::string& name) { return testing::TempDir() + "outputs_test_" + name; }
+std::string path_of(const std::string& name)
+{
+    static const TemporaryFolder folder;
+    return (folder.path() / name).string();
+}
 
 std::string text_in(const std::string& path)
 {
@@ -53,7 +58,6 @@ TEST(Outputs, KeptResultsAreOfCommittedSources)
     EXPECT_THROW(refuse_kept_result(kept + "/machine/../machine/a.json", kept, true), InputError);
     EXPECT_NO_THROW(refuse_kept_result(kept + "/a.json", kept, false)) << "nothing has changed";
     EXPECT_NO_THROW(refuse_kept_result(kept + "_elsewhere/a.json", kept, true)) << "a folder with a longer name";
-    fs::remove_all(kept);
 }
 
 TEST(Outputs, ALinkToAKeptResultIsOne)
@@ -62,17 +66,13 @@ TEST(Outputs, ALinkToAKeptResultIsOne)
     const std::string kept = path_of("kept");
     const std::string link = path_of("link.json");
     fs::create_directories(kept);
-    fs::remove(link);
     fs::create_symlink(kept + "/a.json", link);
     EXPECT_THROW(refuse_kept_result(link, kept, true), InputError);
-    fs::remove(link);
-    fs::remove_all(kept);
 }
 
 TEST(Outputs, OneThatFailsCostsTheOthersNothing)
 {
     const std::string csv = path_of("kept.csv");
-    std::filesystem::remove(csv);
     const Outputs outputs = outputs_of({{"--json", "/dev/full"}, {"--csv", csv}});
     testing::internal::CaptureStderr();
     EXPECT_FALSE(outputs.write_files());
@@ -81,7 +81,6 @@ TEST(Outputs, OneThatFailsCostsTheOthersNothing)
     EXPECT_NE(said.find("--json: /dev/full"), std::string::npos) << said;
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
     EXPECT_TRUE(outputs_of({{"--csv", csv}}).write_files());
-    std::filesystem::remove(csv);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/files.h"
+
 namespace mandelmarch::bench {
 namespace {
 
@@ -19,12 +21,10 @@ class MadeMachine : public testing::Test {
 protected:
     void SetUp() override
     {
-        fs::remove_all(folder_);
         domain("intel-rapl:0", "package-0", "1000000");
         domain("intel-rapl:0:0", "core", "500000");
         fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, without a counter
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void domain(const std::string& id, const std::string& name, const std::string& microjoules) const
     {
@@ -34,7 +34,8 @@ protected:
         write(folder_ / id / "max_energy_range_uj", "9000000");
     }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / "bench_telemetry_test";
+    const TemporaryFolder made_;
+    const fs::path& folder_ = made_.path();
 };
 
 TEST_F(MadeMachine, EnergyIsWhatWasUsedSinceTheStart)

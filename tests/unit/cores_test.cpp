@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include <thread>
 
 #include "core/base/control_group.h"
+#include "core/base/files.h"
 #include "core/base/memory.h"
 
 namespace mandelmarch {
@@ -26,9 +26,6 @@ constexpr std::uint64_t mebibyte = 1ULL << 20;
 class Tree {
 public:
     explicit Tree(const std::string& groups) { write("/proc/self/cgroup", groups); }
-    ~Tree() { std::filesystem::remove_all(root_); }
-    Tree(const Tree&) = delete;
-    Tree& operator=(const Tree&) = delete;
 
     Tree& write(const std::string& file, const std::string& text)
     {
@@ -40,12 +37,8 @@ public:
     const std::string& root() const { return root_; }
 
 private:
-    std::string root_ = testing::TempDir() + "cores-" + std::to_string(counter()++);
-    static int& counter()
-    {
-        static int count = static_cast<int>(getpid()) * 100;
-        return count;
-    }
+    const TemporaryFolder made_;
+    const std::string root_ = made_.path().string();
 };
 
 // Sets an environment variable to another value for the lifetime of the object.

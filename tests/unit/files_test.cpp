@@ -3,7 +3,6 @@
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -17,17 +16,17 @@ namespace fs = std::filesystem;
 
 class FileNames : public testing::Test {
 protected:
-    FileNames() : folder(fs::temp_directory_path() / ("mandelmarch-names-" + std::to_string(getpid())))
+    FileNames()
     {
         fs::create_directories(folder / "inner");
         std::ofstream(folder / "there") << "text";
         std::ofstream(folder / "other") << "text";
     }
-    ~FileNames() override { fs::remove_all(folder); }
 
     std::string path(const std::string& name) const { return (folder / name).string(); }
 
-    fs::path folder;
+    const TemporaryFolder made;
+    const fs::path folder = made.path();
 };
 
 TEST_F(FileNames, OneFileHasManyNames)

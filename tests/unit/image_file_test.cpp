@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 #include <jpeglib.h>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
 #include "core/image/averaged.h"
@@ -33,12 +33,6 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
 protected:
-    Files() : folder(fs::temp_directory_path() / ("mandelmarch-test-" + std::to_string(getpid())))
-    {
-        fs::create_directories(folder);
-    }
-    ~Files() override { fs::remove_all(folder); }
-
     std::string path(const std::string& name) const { return (folder / name).string(); }
 
     std::size_t entries() const
@@ -63,7 +57,8 @@ protected:
         return image;
     }
 
-    fs::path folder;
+    const TemporaryFolder made;
+    const fs::path folder = made.path();
 };
 
 TEST_F(Files, EveryFormatComesBack)

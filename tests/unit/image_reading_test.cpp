@@ -8,7 +8,6 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
 
@@ -174,7 +174,8 @@ TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
         value.depth = i == 1 ? INFINITY : 7;
         for (std::size_t c = 0; c < 3; ++c) image.bytes()[3 * i + c] = static_cast<std::uint8_t>(255 * shown[i]);
     }
-    const std::string name = std::filesystem::temp_directory_path() / ("light-" + std::to_string(getpid()) + ".exr");
+    const TemporaryFolder folder;
+    const std::string name = folder.path() / "light.exr";
     write_image(name, ImageFormat::exr, image);
     const Image back = read_image(name);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -192,7 +193,6 @@ TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
     buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(depth.data()), 4, 0));
     file.setFrameBuffer(buffer);
     file.readPixels(0);
-    std::filesystem::remove(name);
     EXPECT_NEAR(red[0], 0.02 / 12.92, 1e-8);
     EXPECT_NEAR(red[1], 0.21404114, 1e-7);
     EXPECT_EQ(red[2], 1);
@@ -242,11 +242,11 @@ TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
 
 TEST(Reading, NothingIsDecodedThatMemoryCannotHold)
 {
-    const std::string path = std::filesystem::temp_directory_path() / ("large-" + std::to_string(getpid()) + ".bmp");
+    const TemporaryFolder folder;
+    const std::string path = folder.path() / "large.bmp";
     std::ofstream(path) << "BM";
     std::filesystem::resize_file(path, std::uintmax_t{1} << 43);  // a sparse file
     EXPECT_THROW(read_image(path), InputError);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 
 namespace mandelmarch {
 namespace {
@@ -61,15 +62,10 @@ int end_of(const std::function<void()>& child, int signal)
 
 class OutputFiles : public testing::Test {
 protected:
-    OutputFiles() : folder(fs::temp_directory_path() / ("mandelmarch-output-" + std::to_string(getpid())))
-    {
-        fs::create_directories(folder);
-    }
-    ~OutputFiles() override { fs::remove_all(folder); }
-
     std::string path(const std::string& name) const { return (folder / name).string(); }
 
-    fs::path folder;
+    const TemporaryFolder made;
+    const fs::path folder = made.path();
 };
 
 TEST_F(OutputFiles, SharedMemoryIsAFolderAsOthers)

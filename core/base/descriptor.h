@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace mandelmarch::isolation {
+namespace mandelmarch {
 
 class Descriptor {
 public:
@@ -29,4 +29,4 @@ private:
     int number_ = -1;
 };
 
-}  // namespace mandelmarch::isolation
+}  // namespace mandelmarch
