@@ -8,8 +8,9 @@
 
 namespace mandelmarch::openmp {
 
-// A peak kernel for one instruction set. `run` executes `rounds` iterations of multiply_add_chains on one thread and
-// returns their result, so that no compiler removes them. Plain data, as in variant.h.
+// A function that measures the peak, for one instruction set. `run` executes `rounds` iterations of
+// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them. Plain data, as
+// in variant.h.
 struct PeakKernel {
     int lanes;
     double (*run)(int rounds);

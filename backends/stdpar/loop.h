@@ -8,8 +8,8 @@
 
 namespace mandelmarch::stdpar {
 
-// Calls body(0) to body(count - 1). Iterates over an index array in memory, because libstdc++ treats iterators of
-// std::views::iota as input iterators and runs over those on one thread.
+// Calls body(0) to body(count - 1) in parallel. Iterates over an array of indices in memory, because libstdc++ treats
+// iterators of std::views::iota as input iterators and runs over those on one thread.
 template <class Body>
 void loop(int count, Body body)
 {
