@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;  // as in Linux
+constexpr int most_links = 40;  // max length of a chain of links, as in Linux
 
 // Returns the status of the file, following links; nullopt if it does not exist.
 std::optional<struct stat> status_of(const std::string& path)

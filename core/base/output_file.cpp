@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns N if the path refers to this process's own descriptor N, as do /dev/stdout and /dev/fd/N.
+// Returns N if the path refers to this process's descriptor N, such as /dev/stdout and /dev/fd/N; otherwise nullopt.
 std::optional<int> own_descriptor(const std::string& path)
 {
     const std::string end = end_of_links(path);
@@ -39,14 +39,15 @@ bool writable(int descriptor)
     return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
-// Programs do not create devices, so a new name in /dev is a mistake.
+// Returns true for a new name in /dev. It is a mistake of the user, because programs do not create devices.
 bool new_in_dev(const std::string& target)
 {
     std::error_code ignored;
     return same_file(folder_of(target), "/dev") && !fs::exists(target, ignored);
 }
 
-// True for a relative path in a deleted current folder. No file can be created there, even if access() succeeds.
+// Returns true if the folder is relative to a current folder that has been deleted. No file can be created there, even
+// if access() succeeds.
 bool is_deleted(const std::string& folder)
 {
     std::error_code error;
@@ -136,7 +137,7 @@ void OutputFile::seek(std::uint64_t offset)
 void OutputFile::commit()
 {
     if (temporary_) {
-        // A new file has the default permissions of the user's mask; a replaced one keeps its permissions.
+        // A new file has the default permissions of the user's mask; a file that replaces another has that one's.
         struct stat old {};
         const mode_t mask = umask(0);
         umask(mask);

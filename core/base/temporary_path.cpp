@@ -27,12 +27,12 @@ constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
 
 struct Name {
     std::string path;
-    pid_t owner;  // a forked process has the name, but does not own the file
+    pid_t owner;  // the process that removes the file; a forked process inherits the name, but does not own the file
 
     bool operator==(const Name&) const = default;
 };
 
-// The names in use; global, as a signal handler needs.
+// The names in use. They are global, because a signal handler needs them.
 struct Names {
     std::vector<Name> all;
     std::mutex mutex;
@@ -47,13 +47,13 @@ void wait_a_millisecond()
     nanosleep(&millisecond, nullptr);
 }
 
-// Removes the files, then raises the signal with its default action.
+// The signal handler. Removes the files, then raises the signal again with its default action.
 void remove_files(int signal)
 {
     Names& known = *names.load();
     known.ending = true;
-    // A thread inside a Change finishes soon, and no other begins. Waits at most a second, in case it is blocked in a
-    // file system.
+    // Waits until a thread inside a Change has left it; no other thread can enter one now. Waits at most one second, in
+    // case that thread is blocked in a file system.
     for (int waits = 0; known.changing > 0 && waits < 1000; ++waits) wait_a_millisecond();
     if (known.changing == 0) {
         for (const Name& name : known.all) {
@@ -70,7 +70,7 @@ Names& installed()
 {
     static std::once_flag once;
     std::call_once(once, [] {
-        names = new Names;  // never deleted, as signals may arrive until the end of the process
+        names = new Names;  // never deleted, because signals may arrive until the process ends
         struct sigaction action {};
         action.sa_handler = remove_files;
         sigfillset(&action.sa_mask);
@@ -83,7 +83,8 @@ Names& installed()
     return *names.load();
 }
 
-// Files and names may change only while a Change exists. It blocks signals in this thread; handlers in others wait.
+// While a Change exists, its thread may change the list of names and create, rename or remove the files. It blocks the
+// signals in its thread; the handler waits if it runs in another thread.
 class Change {
 public:
     Change() : names_(installed())
@@ -108,7 +109,7 @@ public:
     Change& operator=(const Change&) = delete;
 
     void add(const std::string& path) { names_.all.push_back({path, getpid()}); }
-    // Returns false if another process created the file.
+    // Removes a name from the list. Returns false if another process created the file.
     bool forget(const std::string& path) { return std::erase(names_.all, Name{path, getpid()}) > 0; }
 
 private:

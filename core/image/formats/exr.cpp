@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR, 32 bits per channel. R, G, B are linear light, as compositing programs expect; the layer `displayed`
-// contains the displayed colours, bit for bit; Z is the depth. The channels `steps` and `iterations` contain the
-// counts.
+// OpenEXR pictures with 32 bits per channel. R, G and B are linear light, as compositing programs expect. The layer
+// `displayed` contains the displayed colours, as floats. Z is the depth. The channels `steps` and `iterations` contain
+// these counts.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -34,9 +34,9 @@ constexpr std::array exr_colours{"R", "G", "B"};
 constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
 constexpr std::array exr_counts{"steps", "iterations"};
 constexpr const char* depth_name = "Z";
-constexpr const char* old_depth_name = "depth";  // in old files, whose R, G and B are displayed values
+constexpr const char* old_depth_name = "depth";  // used by old files, in which R, G and B are displayed values
 
-// The sRGB curve (IEC 61966-2-1), from a displayed value to linear light, and back.
+// Converts a displayed value to linear light by the sRGB curve (IEC 61966-2-1). displayed_of() converts it back.
 float light_of(float displayed)
 {
     const double c = displayed;
@@ -49,7 +49,7 @@ float displayed_of(float light)
     return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
 }
 
-// A row of the file.
+// The values of one row of the file.
 struct Row {
     explicit Row(int width) : depth(width), steps(width), iterations(width)
     {
@@ -61,7 +61,7 @@ struct Row {
     std::vector<float> depth;
     std::vector<std::uint32_t> steps, iterations;
 
-    // Returns a frame buffer that maps every row of the file to this object.
+    // Returns a frame buffer that maps every row of the file to the memory of this object.
     Imf::FrameBuffer frame(const char* depth_channel)
     {
         Imf::FrameBuffer buffer;
@@ -88,7 +88,7 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// Output stream of OpenEXR, to an OutputFile that can seek.
+// OpenEXR's output stream to an OutputFile that can seek.
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -137,12 +137,12 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
-// Input stream of OpenEXR, from memory.
+// OpenEXR's input stream from memory.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
 
-    // Returns true if data remains.
+    // Returns true if more data follows. Throws if `size` bytes are not available.
     bool read(char to[], int size) override
     {
         if (size < 0 || at_ > data_.size() || data_.size() - at_ < static_cast<std::size_t>(size)) {
@@ -160,8 +160,8 @@ private:
     std::uint64_t at_ = 0;
 };
 
-// Returns the max ratio of decoded to encoded size. ZIP, PIZ, PXR24 and B44 stay below twice deflate's ratio (PXR24
-// first drops a quarter of a float); DWA may store one number per block of 8 x 8.
+// Returns the max ratio of decoded to encoded size. For ZIP, PIZ, PXR24 and B44 it is below twice deflate's ratio
+// (PXR24 first drops a quarter of a float); DWA can encode a block of 8 x 8 values as one number.
 std::uint64_t ratio_of(Imf::Compression compression)
 {
     switch (compression) {
@@ -186,9 +186,9 @@ int lines_of_block(Imf::Compression compression)
     }
 }
 
-constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after magic number and version
+constexpr std::size_t first_attribute = 8;  // its position in bytes, after the magic number and the version
 
-// Throws if an attribute of the header claims more bytes than the file has, because OpenEXR would allocate them.
+// Throws Error if an attribute of the header claims more bytes than the file has. OpenEXR would allocate them.
 void check_attributes(std::span<const std::byte> data)
 {
     std::size_t at = first_attribute;
@@ -203,8 +203,8 @@ void check_attributes(std::span<const std::byte> data)
         }
         return at - start > 1;
     };
-    while (skip_text()) {  // the attribute's name; an empty one ends the header
-        skip_text();       // its type
+    while (skip_text()) {  // skips the attribute's name; an empty name ends the header
+        skip_text();       // skips the attribute's type
         std::size_t size = 0;
         const auto bytes = take(4);
         for (std::size_t i = bytes.size(); i > 0; --i) size = size << 8 | std::to_integer<std::size_t>(bytes[i - 1]);
@@ -212,21 +212,21 @@ void check_attributes(std::span<const std::byte> data)
     }
 }
 
-// Channels of a file, other than R, G and B.
+// Channels of a file. R, G and B always exist.
 struct ExrChannels {
     const char* depth = nullptr;  // name of the depth channel; nullptr: none
     bool displayed = false;       // the layer of displayed colours exists
     bool light = true;            // R, G and B are linear light; false for old files of this program
 };
 
-// Checks the header before OpenEXR allocates memory for what it claims.
+// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if it is not acceptable.
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
     constexpr int largest_tile = 4096;  // pixels, both sides
     Imf::Header::setMaxImageSize(max_side, max_side);
     Imf::Header::setMaxTileSize(largest_tile, largest_tile);
-    std::array<char, first_attribute> first{};  // magic number; version and flags, lowest byte first
+    std::array<char, first_attribute> first{};  // magic number, then version with flags, lowest byte first
     stream.read(first.data(), first.size());
     int version = 0;
     for (std::size_t i = first.size(); i > 4; --i) version = version << 8 | static_cast<unsigned char>(first.at(i - 1));
@@ -240,7 +240,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
             throw Error(fmt::format("it has no channel {}", channel));
     }
     std::uint64_t bits = 0;
-    std::uint64_t bytes = 0;  // per pixel, if channels are not subsampled
+    std::uint64_t bytes = 0;  // per pixel, as if no channel were subsampled
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
         const std::uint64_t size = channel.channel().type == Imf::HALF ? 2 : 4;
         bytes += size;
@@ -253,7 +253,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
         Imf::isTiled(version)
             ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
             : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(lines_of_block(header.compression()));
-    constexpr std::uint64_t usual_block = 64 << 20;  // bytes; a small picture may have a large block
+    constexpr std::uint64_t usual_block = 64 << 20;  // bytes that are always allowed for a block
     const std::uint64_t most = data.size() * ratio_of(header.compression());
     const auto has = [&](const char* channel) { return header.channels().findChannel(channel) != nullptr; };
     const ExrChannels found{.depth = has(depth_name)       ? depth_name
@@ -265,7 +265,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
                        .height = height,
                        .pixel_bits = bits,
                        .most_bytes = most,
-                       .decoder = 3 * block * bytes,  // encoded, decoded and an intermediate copy
+                       .decoder = 3 * block * bytes,  // the encoded block, the decoded block, and an intermediate copy
                        .layers = found.depth != nullptr ? Image::Layers::all : Image::Layers::colours});
     if (block * bytes > usual_block + most) throw Error("its lines or tiles are too large for the file");
     return found;
@@ -305,7 +305,7 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
             encode(stream, image);
             return;
         }
-        // OpenEXR seeks back to write its table of rows, which is impossible in a pipe, so the file is built in memory.
+        // OpenEXR seeks back to write its table of rows. A pipe cannot seek, so the file is built in memory.
         Imf::StdOSStream memory;
         encode(memory, image);
         const std::string data = memory.str();

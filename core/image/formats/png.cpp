@@ -23,7 +23,7 @@ struct Sink {
     std::exception_ptr error;
 };
 
-// Writes to the OutputFile behind a C stream; stores the first error, because the caller is C code.
+// Writes data from a C stream to the OutputFile. Exceptions must not pass through C code, so the first error is stored.
 ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
 {
     auto& sink = *static_cast<Sink*>(cookie);
@@ -36,7 +36,7 @@ ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
     }
 }
 
-std::uint32_t number(std::span<const std::byte> data, std::size_t at)  // big-endian
+std::uint32_t number(std::span<const std::byte> data, std::size_t at)  // reads a big-endian integer
 {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(data[at + i]);
@@ -47,7 +47,7 @@ constexpr std::size_t signature_size = 8;
 constexpr std::size_t chunk_frame = 12;  // bytes of a chunk in addition to its data: length, type and checksum
 constexpr std::uint32_t type_ihdr = 0x49484452, type_idat = 0x49444154, type_iend = 0x49454e44;
 
-// Returns the bytes of compressed pixels; nullopt if the chain of chunks does not reach the end chunk.
+// Returns the number of bytes of compressed pixels; nullopt if the file ends before its end chunk.
 std::optional<std::uint64_t> compressed_size(std::span<const std::byte> data)
 {
     std::uint64_t size = 0;
@@ -62,8 +62,8 @@ std::optional<std::uint64_t> compressed_size(std::span<const std::byte> data)
     return std::nullopt;
 }
 
-// Returns the bits of a pixel, from bits per channel and colour type of the header; the types have 1, 3, 1 (palette), 2
-// and 4 channels.
+// Returns the bits of a pixel, from the header's bits per channel and colour type. Types 0, 2, 3, 4 and 6 have 1, 3, 1
+// (an index into the palette), 2 and 4 channels.
 std::uint64_t pixel_bits(std::byte depth, std::byte colour)
 {
     constexpr std::array<std::uint64_t, 7> channels{1, 0, 3, 1, 2, 0, 4};
@@ -71,7 +71,8 @@ std::uint64_t pixel_bits(std::byte depth, std::byte colour)
     return std::to_integer<std::uint64_t>(depth) * (kind < channels.size() ? channels.at(kind) : 0);
 }
 
-// Row stride for libpng, which begins with the top row; therefore negative.
+// Returns the distance between rows that libpng uses. It is negative, because libpng begins with the top row, which is
+// the last in memory.
 png_int_32 row_stride(const Image& image) { return -3 * image.width(); }
 
 }  // namespace
@@ -116,7 +117,7 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     const std::unique_ptr<png_image, void (*)(png_image*)> guard(&header, &png_image_free);
     if (png_image_begin_read_from_memory(&header, data.data(), data.size()) == 0) refuse(header.message);
     header.format = PNG_FORMAT_RGB;
-    // Otherwise libpng interprets 16 bits as linear light.
+    // Without this flag, libpng would interpret 16-bit values as linear light.
     header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
     Image image(static_cast<int>(header.width), static_cast<int>(header.height), Image::Layers::bytes);
     const png_color black{};
