@@ -24,7 +24,7 @@ namespace {
 
 using Task = std::function<void(Channel)>;
 
-constexpr auto patience = std::chrono::seconds(1);  // for a process that has closed its channel
+constexpr auto patience = std::chrono::seconds(1);  // how long a process may take to exit by itself
 constexpr auto nap = std::chrono::milliseconds(2);
 
 [[noreturn]] void fail(const char* what)
@@ -32,7 +32,7 @@ constexpr auto nap = std::chrono::milliseconds(2);
     throw Error(fmt::format("{} for a device: {}", what, std::strerror(errno)));
 }
 
-// Forks; the child ends with its parent, and discards the parent's unwritten output.
+// Forks the process. The child is killed when its parent ends, and discards the parent's unwritten output.
 pid_t fork_tied()
 {
     const pid_t parent = getpid();
@@ -45,7 +45,8 @@ pid_t fork_tied()
     return 0;
 }
 
-// Runs a new process: output of drivers goes to `said`, so that it does not mix with results on stdout.
+// Runs `work` in a new process. Output of drivers goes to the pipe `said`, so that it does not mix with the program's
+// results on stdout.
 [[noreturn]] void run(const Task& work, Descriptor socket, Descriptor said)
 {
     const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -61,7 +62,8 @@ pid_t fork_tied()
     _exit(exit_success);
 }
 
-// Returns the status of waitpid(); unless `now`, gives the process some time to exit by itself.
+// Waits for a child process and returns its status as waitpid() does. Kills the child at once if `now` is true, and
+// otherwise if it does not exit by itself soon.
 int status_of(pid_t child, bool now)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -77,8 +79,9 @@ int status_of(pid_t child, bool now)
     return status;
 }
 
-// Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
-// output; any other message contains the process to end.
+// Runs the fork server: serves the program's requests until the channel closes. To start a process, the program sends
+// two messages, one with the socket for the process and one with the pipe for its output. A message without a
+// descriptor names a process to end.
 [[noreturn]] void tend(const Task& work, const Channel& channel)
 {
     while (auto asked = channel.receive()) {
@@ -112,7 +115,7 @@ ForkServer::ForkServer(const Task& work) : channel_(Descriptor())
 
 ForkServer::~ForkServer()
 {
-    // Its processes end with it.
+    // The device processes are killed with the fork server, which is their parent.
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
 }
