@@ -18,7 +18,7 @@ FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // square
 FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // squared radius at which a tail begins
 FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1|
 FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), as a length, not in units
-FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // from this iteration on, no tail begins; 0: none
+FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // no tail begins from this iteration on; 0: none
 
 // Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c.
 FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
