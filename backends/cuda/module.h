@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels as PTX embedded in the program.
+// Loads and launches kernels whose PTX is embedded in the program.
 #pragma once
 
 #include <functional>

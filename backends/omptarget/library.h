@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels, in a shared library embedded in the program.
+// The shared library of kernels, which is embedded in the program.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Division of a loop among a device's threads.
+// Divides a loop among a device's threads.
 #pragma once
 
 #include <omp.h>

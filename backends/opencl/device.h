@@ -16,7 +16,7 @@ std::vector<cl::Device> all_devices();
 
 Device description(const cl::Device& device);
 
-// Compilation of the kernel source for a device.
+// How the kernel source is compiled for a device.
 struct Build {
     int lanes = 1;           // pixels at once: vector length of the kernel's `real`
     bool in_double = false;  // compute divisions and square roots of floats in double, rounded once

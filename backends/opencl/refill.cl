@@ -27,11 +27,11 @@ struct Queue {
     union Reals reals[5];  // direction, end, t
 };
 
-// The fields of a Ray per lane.
+// The rays in the lanes: one vector for each field of a Ray.
 struct Lanes {
     union Reals reals[9];
     union Wholes wholes[3];
-    int at[MM_LANES];  // index of its pixel in a plane
+    int at[MM_LANES];  // indices of the rays' pixels in a plane
     uint taken;        // lanes that have a ray
 };
 

@@ -50,7 +50,7 @@ private:
         const Clock::time_point start = Clock::now();
         const bool first = !session_->programs.contains(scene.fractal->name);
         cl::Program& program = compiled(scene.fractal->name);
-        // All planes of a band are in one buffer.
+        // All planes of reals of a band are in one buffer, whose size the device limits.
         const std::int64_t most = session_->largest_buffer / static_cast<std::int64_t>(real_planes * sizeof(Real));
         const Limits limits =
             with_band({.pixels_per_band = std::min(most, largest_band),

@@ -65,7 +65,6 @@ private:
     void* mapped_ = nullptr;
 };
 
-// An opened device, with its compiled programs and its buffers.
 struct Session {
     cl::Device device;
     cl::Context context;
@@ -102,7 +101,7 @@ inline void wait_for(cl::Event& event, const char* doing)
         std::condition_variable changed;
         cl_int status = CL_QUEUED;
     };
-    // Shared with a callback that may run after this function has returned.
+    // The signal is shared with a callback, which may run after this function has returned.
     auto* signal = new std::shared_ptr<Signal>(std::make_shared<Signal>());
     const std::shared_ptr<Signal> mine = *signal;
     event.setCallback(

@@ -103,7 +103,7 @@ HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square
     return all_gone;
 }
 
-// Begins the rays of a tile's pixels that are in the canvas's lattice.
+// Begins the rays of those pixels of a tile that belong to the canvas's lattice.
 HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
 {
     const Lattice lattice = d.canvas.lattice;

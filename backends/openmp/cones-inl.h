@@ -58,7 +58,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
     }
 }
 
-// Marches the cones until all have ended.
+// Marches the cones of the pool until all have ended.
 HWY_NOINLINE void march_cone_pool(Drawing& d)
 {
     while (d.pools.cones.size > 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instruction sets for packs.
+// Selects the instruction sets for packs.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace mandelmarch::openmp {
 // Highway. Throws InputError if this machine has no instruction set of that name.
 std::int64_t instructions();
 
-// Returns the maker's name of an instruction set; Highway calls AVX-512 AVX3.
+// Returns the usual name of an instruction set for Highway's name: for example, AVX-512 for AVX3.
 std::string usual_name(std::string_view highway);
 
 }  // namespace mandelmarch::openmp

@@ -91,7 +91,7 @@ namespace best_samples = best::wide;
 namespace best_shading = best::pair;
 #endif
 
-// The best variant is last.
+// Returns the variants for this instruction set. The best one is last.
 HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);

@@ -64,7 +64,7 @@ public:
     }
 
     const KernelScene<Real>& kernel_scene() const { return scene_; }
-    // In rendering order.
+    // Returns the lattices of the picture, in rendering order.
     const Lattices& lattices() const { return lattices_; }
 
     // Returns the canvas of one lattice of a band. Finish all lattices of a band before the next band begins.

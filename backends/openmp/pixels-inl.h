@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Stores the active lanes without gaps.
+// Stores the values of the active lanes, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
     EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Wholes(), to); to += hn::CountTrue(Reals(), on.of[u]);)
@@ -94,7 +94,7 @@ HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const ma
 }
 #endif
 
-// Stores the bytes of one register's pixels.
+// Stores the bytes of the active lanes' pixels, for one register.
 HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn::Mask<Reals> on, unsigned char* canvas)
 {
     Int at[register_lanes];

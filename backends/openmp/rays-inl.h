@@ -63,7 +63,7 @@ constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
                           every_whole};                                          // for rays that leave no depth
 constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for a HitPack
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
-constexpr Fields probed{direction_bits | t_bit, 0};  // for a DE evaluation
+constexpr Fields probed{direction_bits | t_bit, 0};  // fields that a DE evaluation needs
 constexpr Fields room_alone{room_bit, 0};
 // Fields that a marching step changes (except `room`), and fields that a refinement changes.
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop of C++ standard parallelism.
+// A parallel loop with C++ standard parallelism.
 #pragma once
 
 #include <algorithm>

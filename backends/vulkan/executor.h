@@ -36,7 +36,8 @@ inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize flags_size = 2 * flag_size;
 inline constexpr vk::DeviceSize reals_at = aligned(flags_size);
 
-// Size of a Ray and of a Hit in std430: a vec3, six reals and three ints, padded to a multiple of four reals.
+// Returns the size of a Ray in std430, which is also that of a Hit: a vec3, six reals and three ints, padded to a
+// multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
 static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the padding

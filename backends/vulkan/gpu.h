@@ -21,7 +21,7 @@ struct Buffer {
 
 enum class Place { device, host };
 
-// Seconds of finished work.
+// How long finished work took, in seconds.
 struct Took {
     double host = 0;                    // from the submission until the host learns of the end
     std::optional<double> device = {};  // by the device's clock; nullopt if it has none
@@ -29,7 +29,7 @@ struct Took {
 
 class Gpu {
 public:
-    // Throws Unavailable if the device lacks a feature required for `precision`.
+    // Opens the device. Throws Unavailable if it lacks a feature that `precision` requires.
     Gpu(const vk::raii::PhysicalDevice& physical, Precision precision);
 
     const DeviceInfo& info() const { return info_; }

@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-// Vulkan objects of a renderer; destroyed in reverse order.
+// The Vulkan objects of a renderer. They are destroyed in reverse order of their declaration.
 struct Session {
     Instance instance;
     Gpu gpu;

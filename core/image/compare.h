@@ -28,7 +28,7 @@ struct Comparison {
     bool same() const { return first < 0; }
 };
 
-// Throws InputError if the sizes differ.
+// Compares two pictures. Throws InputError if their sizes differ.
 Comparison compare(const Image& a, const Image& b);
 
 // Returns the values of both pictures at the pixel with this index, as text for a message.

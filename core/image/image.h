@@ -67,7 +67,7 @@ public:
     bool has_values() const { return layers_ != Layers::bytes; }
     bool has_depths() const { return layers_ == Layers::all; }
 
-    // Three bytes per pixel: red, green, blue.
+    // Returns three bytes per pixel: red, green and blue.
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 

@@ -23,7 +23,8 @@ public:
     static std::pair<Channel, Channel> pair();  // throws Error
     explicit Channel(Descriptor socket) : socket_(std::move(socket)) {}
 
-    // Returns false if the other side has closed. Throws Error if the message is larger than `largest`.
+    // Sends a message, with the descriptor unless it is -1. Returns false if the other side has closed. Throws Error if
+    // the message is larger than `largest`.
     bool send(const std::string& bytes, int descriptor = -1) const;
     // Waits for a message and returns it; returns nullopt if the other side has closed.
     std::optional<Packet> receive() const;

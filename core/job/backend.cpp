@@ -186,7 +186,7 @@ private:
         return opened(options.device);
     }
 
-    // Returns a device, which is opened on the first call. The time that this takes becomes Timings::context of the
+    // Returns a device; opens it on the first call. The time that this takes becomes Timings::context of the
     // device's renderers.
     OpenedInTime opened(int index) const
     {

@@ -40,7 +40,7 @@ constexpr int blocks_of(int width, int rows)
     return (warps + warps_per_block - 1) / warps_per_block;
 }
 
-// Returns the number of threads of a job, a multiple of the block size.
+// Returns the number of threads of a job, a multiple of block_threads.
 constexpr int threads_of(int width, int rows) { return blocks_of(width, rows) * block_threads; }
 
 }  // namespace mandelmarch::job

@@ -65,7 +65,7 @@ public:
     Event(const Event&) = delete;
     Event& operator=(const Event&) = delete;
 
-    // Returns false if the event could not be created.
+    // Records the event. Returns false if the event could not be created or recorded.
     bool record() const { return made_ && driver().cuEventRecord(event_, nullptr) == CUDA_SUCCESS; }
     bool wait() const { return made_ && driver().cuEventSynchronize(event_) == CUDA_SUCCESS; }
     // Sets `milliseconds` to the time between both events. Returns false unless both have occurred.

@@ -30,8 +30,8 @@ struct Scene {
 
     triple eye;      // position of the camera
     triple forward;  // to the centre of the pixels, of length 1 or slightly more; equirectangular: exactly ahead
-    triple across;   // from the centre to the right edge, at distance 1; equirectangular: has the length of that arc
-    triple upward;   // from the centre to the top edge, at distance 1; equirectangular: as for across
+    triple across;   // from the centre to the right edge, at distance 1; equirectangular: length of that arc
+    triple upward;   // from the centre to the top edge, at distance 1; equirectangular: length of that arc
     triple sun;      // unit vector towards the sun, used by looks
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 11: from a hit to the colour of a pixel.
+// Kernel source, part 11: computes the colour of a pixel from its hit.
 
 struct Normal {
     vec3 direction;  // unit vector

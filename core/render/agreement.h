@@ -26,7 +26,7 @@ struct Agreement {
     double largest_ulps = 0;  // max difference of a colour or depth, in ulp of the precision; +infinity if one is NaN
 };
 
-// Limits of the levels.
+// Max differences for the levels `ulps` and `perceptual`.
 inline constexpr double most_ulps = 4;
 inline constexpr double most_visible_percent = 2;  // of the pixels; visible: a byte differs by more than 2 of 255
 

@@ -83,7 +83,7 @@ double no_hull(const Scene& scene, const ViewLimits& view);  // 0
 std::optional<Bounds> unknown_body(const Scene& scene);      // nullopt
 template <class Number>
 Number step_factor(const FractalInputs<Number>& of);                     // plain_step_factor
-double growth(const Scene& scene);                                       // 1: no iteration is known to be invisible
+double growth(const Scene& scene);                                       // 1
 Vector representative(const Scene& scene, Vector p);                     // p
 bool worth_searching(const Scene& scene, const Bounds& body, Vector p);  // true
 Vector upward(Vector place, Vector up);                                  // away from the origin; at the origin `up`
@@ -120,7 +120,7 @@ struct FractalFast {
 // Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is a distance
 // from the surface.
 struct FlightMeasures {
-    double roads = 0.012;        // min radius of the balls of free space that a tour is planned through
+    double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
     double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
     double gate_most = 0.02;     // max clearance of a gate
     double pace = 0.19;          // speed, in clearances per frame
@@ -129,7 +129,7 @@ struct FlightMeasures {
 // Limits that the audit of a flight checks.
 struct FlightBars {
     double step = 0.2;     // max step of the camera, in clearances per frame
-    double aside = 10;     // max percentage of frames in which the camera looks aside
+    double aside = 10;     // max percentage of frames that look more than 60 degrees away from the motion
     double passages = 12;  // min number of passages per 7200 frames
     double planning = 20;  // max seconds of planning
 };
@@ -162,8 +162,8 @@ struct FractalFlight {
     FlightBars bars{};
 };
 
-// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions begin with the shape of
-// another scene and change it.
+// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions
+// change the shape that the scene already has.
 struct FractalRandom {
     double extent;             // approximate max distance of the fractal from the origin
     double nearest, farthest;  // range of the camera's distance from the origin

@@ -84,7 +84,7 @@ struct BmpMask {
     }
 };
 
-// Layout of a file's pixels, from its headers.
+// The layout of a file's pixels, as its headers describe it.
 struct BmpPixels {
     int width = 0, height = 0;
     bool top_down = false;

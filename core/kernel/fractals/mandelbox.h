@@ -20,7 +20,7 @@ FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1
 FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), as a length, not in units
 FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // no tail begins from this iteration on; 0: none
 
-// Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c.
+// Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c. `one` is the length 1 in the units of c.
 FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
 
 FN vec3 box_fold(Scene scene, vec3 z)
@@ -253,7 +253,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     end.k = k;
     end.growth = 1;
     if (box_tail_end(scene) > 0) {
-        // The same iterations as in box_tail().
+        // These are the same iterations as in box_tail().
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
