@@ -59,9 +59,8 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
-constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
-                          every_whole};                                          // for rays that leave no depth
-constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for a HitPack
+constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits, every_whole};  // for rays that leave no depth
+constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};          // for a HitPack
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
 constexpr Fields probed{direction_bits | t_bit, 0};  // fields that a DE evaluation needs
 constexpr Fields room_alone{room_bit, 0};

@@ -21,9 +21,9 @@ struct Canvas {
     std::ptrdiff_t pixels;  // per plane
     Real spacing;           // distance of diagonally adjacent rays at distance 1 from the camera
     bool cones;             // subtiles begin with cones
-    Real block_hull;    // size of the enlarged hull for subtiles (spacing.h); 0: none
-    Lattice lattice;    // pixels to render, counted from first_row
-    Real* block_start;  // for each subtile: none of its rays hits before this t
+    Real block_hull;        // size of the enlarged hull for subtiles (spacing.h); 0: none
+    Lattice lattice;        // pixels to render, counted from first_row
+    Real* block_start;      // for each subtile: none of its rays hits before this t
     Real* neighbour_depth;  // of pixels in even columns and rows, at half their index (core/kernel/march.h)
     // Occlusion of the same pixels, at the same places, which the pixels between them share; null: not shared.
     Real* along_normal;

@@ -23,10 +23,10 @@ constexpr double most_growth = 4;
 
 // How much of a pixel an invocation may compute.
 struct Plan {
-    bool whole = true;  // an invocation may compute a whole pixel; if false, the limits below apply
+    bool whole = true;      // an invocation may compute a whole pixel; if false, the limits below apply
     int steps = max_steps;  // max marching steps per pass
-    int tries = 0;      // max refinements per pass
-    int all_tries = 0;  // max refinements of a hit, over all passes
+    int tries = 0;          // max refinements per pass
+    int all_tries = 0;      // max refinements of a hit, over all passes
 };
 
 Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)

@@ -15,7 +15,7 @@ namespace mandelmarch {
 struct Trial {
     double step_factor = 0;  // the step factor to use for the picture
     double off = 0;          // fraction of the trial's pixels that shorter steps change visibly; 0: none were tested
-    bool settled() const;  // true if shorter steps would change few pixels
+    bool settled() const;    // true if shorter steps would change few pixels
 };
 
 // Returns the scene, reduced to about a thousand pixels.

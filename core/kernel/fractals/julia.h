@@ -43,8 +43,8 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
 
-// Returns the part of a ray that can meet the surface. The hull is a sphere; core/scene/fractals/julia.cpp explains why
-// it contains the set.
+// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
+// set.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)

@@ -37,8 +37,8 @@ FN real box_growth(Scene scene, real r2)
     return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
 
-// Returns the part of a ray that can meet the surface. The hull is a cube; core/scene/fractals/mandelbox.cpp explains
-// why it contains the surface.
+// Returns the part of a ray that can meet the surface. The hull is a cube; docs/hulls.md explains why it contains the
+// surface.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
 struct BoxOrbit {

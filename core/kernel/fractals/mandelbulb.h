@@ -78,8 +78,8 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
     return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
 
-// Returns the part of a ray that can meet the surface. The hull is a sphere; core/scene/fractals/mandelbulb.cpp
-// explains why it contains the surface.
+// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
+// surface.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 // For the eighth power, lengths are in units of 2^(-1/7). In these units the next point is z^8 / 2 + p, and the factor
