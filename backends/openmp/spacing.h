@@ -51,8 +51,8 @@ bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Te
     return techniques.occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
-// Returns true if subtiles begin with cones. A cone ends at a distance from the surface of some times its own width.
-// If a pixel is many tolerances wide, the cone can end at once, and is not worth its time.
+// Returns true if subtiles begin with cones. A cone ends at a distance of several of its widths from the
+// surface. If a pixel is many tolerances wide, the cone can end at once, and is not worth its time.
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {

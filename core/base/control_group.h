@@ -26,7 +26,7 @@ struct Throttling {
     std::uint64_t throttled = 0;  // periods in which it was stopped
 };
 
-// Returns the counts of that group, among the process's group and its parent groups, which was stopped most often.
+// Returns the counts of the group that was stopped most often, among the process's group and its parent groups.
 Throttling throttling(const std::string& root = {});
 
 }  // namespace mandelmarch

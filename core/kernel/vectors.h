@@ -94,8 +94,8 @@ FN Complex squared_within(Complex a, real length2)
 }
 
 // raised() computes a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), for
-// 1 <= n < 512. It is unrolled, with one call per bit of n. If n is a compile-time constant, only the calls of its set
-// bits remain. Drivers that limit the loop iterations of an invocation see no loop.
+// 1 <= n < 1024. It is unrolled, with one call per bit of n. If n is a compile-time constant, only the necessary
+// multiplications remain. Drivers that limit the loop iterations of an invocation see no loop.
 FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 {
     if (n / bit > 1) {

@@ -8,7 +8,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int pixels_of_strip = 1 << 22;  // max pixels of a strip that will be cropped, if a row of tiles has fewer
+constexpr int pixels_of_strip = 1 << 22;  // max pixels of a strip that is cropped; a row of tiles is always allowed
 
 // Returns the number of rows that are rendered at a time.
 int rows_of_strip(const Scene& scene, const Region& region)

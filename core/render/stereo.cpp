@@ -33,7 +33,7 @@ Scene of_eye(const Scene& scene, double eyes, int side)
     const Vector moved = (side * eyes / 2) * unit(camera.across);
     eye.eye = scene.eye + moved;
     eye.target = scene.target + moved;
-    // The parallax of the screen is divided equally between the eyes. Each eye's crop window moves against the eye.
+    // Half of the screen's parallax, in pixels. The crop window of an eye moves in the direction opposite to the eye.
     const double half_width = std::sqrt(dot(camera.across, camera.across));
     const auto shift = static_cast<int>(std::lround(eye.width / (4 * screen_distance * half_width)));
     eye.crop_window = {

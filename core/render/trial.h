@@ -22,10 +22,10 @@ struct Trial {
 Scene trial_scene(const Scene& scene);
 
 // Returns the step factor that fast mode should use for the scene. `draw` renders a small picture. Begins with the
-// usual step factor, and compares its picture with that of the next one of shorter_step_factors
-// (core/render/stepping.h): 1. If few pixels differ, the longer steps are used. 2. If more differ, the shorter steps
-// become the longer ones of the next comparison. 3. If the number of differing pixels does not decrease, the
-// precision is the cause, and the usual factor is used.
+// usual step factor, and compares its picture with that of the next one of shorter_step_factors (stepping.h):
+// 1. If few pixels differ, the longer steps are used.
+// 2. If more differ, the shorter steps become the longer ones of the next comparison.
+// 3. If the number of differing pixels does not decrease, the precision is the cause, and the usual factor is used.
 Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
 
 // Returns true if a picture with these options is preceded by a trial.

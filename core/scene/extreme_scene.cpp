@@ -59,7 +59,7 @@ void set_plain_shape(const Fractal& fractal, Scene& scene)
 Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
 {
     constexpr std::array sizes{Size{48, 32}, Size{32, 24}, Size{33, 31}, Size{17, 40}, Size{61, 1}, Size{1, 29}};
-    // All scenes have about the same product of pixels and iterations.
+    // Approximate max of the number of pixels times the number of iterations.
     constexpr double pixel_iterations = 64.0 * 48 * 32;
     Scene scene;
     scene.fractal = &fractal;
@@ -67,7 +67,7 @@ Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
     set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
     scene.brightness = SceneRandom::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
-    // Each two successive scenes have the same size, so that a backend that leaves remains of the previous picture in
+    // Scenes 2n and 2n + 1 have the same size, so that a backend that leaves remains of the previous picture in
     // its buffers is detected.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;

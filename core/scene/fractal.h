@@ -117,8 +117,8 @@ struct FractalFast {
     double neighbour_pitch = 0;
 };
 
-// Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is a distance
-// from the surface.
+// Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is the
+// estimated distance from the surface.
 struct FlightMeasures {
     double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
     double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
@@ -162,8 +162,8 @@ struct FractalFlight {
     FlightBars bars{};
 };
 
-// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions
-// change the shape that the scene already has.
+// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions change the shape that the
+// scene already has.
 struct FractalRandom {
     double extent;             // approximate max distance of the fractal from the origin
     double nearest, farthest;  // range of the camera's distance from the origin

@@ -10,7 +10,7 @@
 // quotient or square root lies midway between two floats. If an operand is subnormal, 0 or not finite, or the result is
 // not normal, the device's result is returned.
 
-// Returns the mantissa of a normal number, as a float in [1, 2).
+// Returns the mantissa of a normal number, as a float from 1 to below 2.
 float mantissa_of(int bits) { return intBitsToFloat((bits & 0x7fffff) | 0x3f800000); }
 
 // Returns the rounding error of a product: a * b = product + result. The factors must be in [0.25, 4].
