@@ -64,7 +64,7 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string_view>&
             backends.push_back(without_backend(backend->name(), "left out by MANDELMARCH_BACKENDS"));
             return;
         }
-        // The reference backend needs no trials: its steps are short enough.
+        // The reference backend needs no trial renders (core/render/trial.h), because its steps are short enough.
         if (info.role != Role::reference) backend = with_trials(std::move(backend));
         if (info.has_driver && isolates_drivers) backend = isolated(std::move(backend));
         backends.push_back(std::move(backend));

@@ -9,11 +9,11 @@ namespace mandelmarch {
 // Returns all backends, with their drivers in this process.
 Registry all_backends();
 
-// Returns the backends of a program with these arguments. Call it before the program has threads. Each device's driver
-// runs in a separate process (core/isolation/isolated.h), unless the argument --no-isolation or
-// MANDELMARCH_ISOLATION=off is given; profilers and debuggers can then see a device's kernels in the program.
-// MANDELMARCH_BACKENDS lists the backends whose drivers may be opened, separated by commas. Throws InputError for
-// invalid values of these variables.
+// Returns the backends of a program with these arguments. Must be called before the program starts threads. By default
+// each device's driver runs in a separate process (core/isolation/isolated.h). With the argument --no-isolation or the
+// environment variable MANDELMARCH_ISOLATION=off, drivers run in the program's own process, where profilers and
+// debuggers can observe them. MANDELMARCH_BACKENDS lists the backends whose drivers may be opened, separated by commas.
+// Throws InputError if one of these variables has an invalid value.
 Registry program_backends(int argc, char** argv);
 
 }  // namespace mandelmarch

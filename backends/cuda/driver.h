@@ -32,7 +32,8 @@ namespace mandelmarch::cuda {
     NAME(cuMemcpyDtoH)             \
     NAME(cuGetErrorString)
 
-// Macros of cuda.h add a version to some names: cuMemAlloc is cuMemAlloc_v2 here, too.
+// Pointers to the driver's functions. Each member is named like its function after macro expansion: cuda.h defines
+// cuMemAlloc as cuMemAlloc_v2, so that member and the loaded function are named cuMemAlloc_v2.
 struct Driver {
 #define MM_MEMBER(name) decltype(&::name) name = nullptr;
     MM_DRIVER_FUNCTIONS(MM_MEMBER)

@@ -10,7 +10,7 @@ namespace {
 
 // Settings of the calling thread.
 struct OfThread {
-    std::vector<KernelResources>* told = nullptr;  // result of loaded_by()
+    std::vector<KernelResources>* told = nullptr;  // collects the result of loaded_by(); null outside it
     int block = job::block_threads;
 };
 

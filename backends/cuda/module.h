@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels as PTX embedded in the program.
+// Loads and launches kernels whose PTX is embedded in the program.
 #pragma once
 
 #include <functional>
@@ -28,7 +28,7 @@ class Module {
 public:
     Module(const char* ptx, const char* name) : ptx_(ptx), name_(name) {}
 
-    // Loads it on the calling thread's device, whose driver translates the PTX.
+    // Loads the kernel on the calling thread's device. The driver translates the PTX for that device.
     void load() { static_cast<void>(loaded()); }
     // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's
     // arguments. Throws Unavailable if the kernel's registers do not allow blocks of this size on the device.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Additions of CUDA to the scalar prelude: functions run on the device.
+// Additions for CUDA to the scalar prelude: FN declares functions that run on the device; hide() makes the compiler
+// assume that a value has changed.
 #pragma once
 
 #define FN static __device__ __forceinline__

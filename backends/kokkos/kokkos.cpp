@@ -29,7 +29,8 @@ auto settings()
 #endif
 }
 
-// Initialises Kokkos on first use and finalises it at the program's end, unless the program does so itself.
+// Initialises Kokkos on the first call, and finalises it when the program exits. If the program has initialised Kokkos
+// itself, this function does neither.
 void initialize()
 {
     struct Runtime {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop of Kokkos, on the host.
+// loop() calls body(0) to body(count - 1) in parallel, with Kokkos on the host.
 #pragma once
 
 #include <Kokkos_Core.hpp>

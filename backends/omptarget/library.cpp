@@ -17,7 +17,7 @@ std::string failed(const char* what)
     return fmt::format("its kernels cannot be loaded: {}: {}", what, strerror(errno));
 }
 
-// Loads the library from an anonymous memory file, because the loader accepts only files.
+// Loads the library from an anonymous file in memory, because dlopen() accepts only files.
 Library loaded()
 {
     const int file = memfd_create("omptarget_kernels", MFD_CLOEXEC);

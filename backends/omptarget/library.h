@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels, in a shared library embedded in the program.
+// The shared library of kernels, which is embedded in the program.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ extern const char mandelmarch_omptarget_library_end[];
 
 namespace mandelmarch::omptarget {
 
-// Loaded on first use.
+// The loaded shared library. library() loads it on the first call.
 struct Library {
     void* handle = nullptr;
     std::string failure;  // why the handle is null
 };
 const Library& library();
 
-// Returns the address of a function, or nullptr if the library has none.
+// Returns the address of a function of the library; nullptr if the library is not loaded or has no such function.
 void* symbol(const std::string& name);
 
 }  // namespace mandelmarch::omptarget

@@ -37,7 +37,7 @@ job::Chains chains(Precision precision)
         omptarget::symbol(fmt::format("mandelmarch_omptarget_chains_{}", name_of(precision))));
 }
 
-// GPUs come first, then the host, whose number in OpenMP is the number of GPUs.
+// Device numbers are OpenMP's: the GPUs come first, and the host's number is the number of GPUs.
 class Omptarget : public job::Model {
 public:
     std::string_view name() const override { return "omptarget"; }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs, or on the host's cores if none is
-// present.
+// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs or on the host's cores.
 #pragma once
 
 #include <memory>

@@ -26,9 +26,10 @@ constexpr const char* gpu_code = "PTX for sm_35";
 constexpr const char* gpu_maker = "NVIDIA";
 #endif
 
-// On the host, bands serve only to show progress.
-constexpr std::int64_t host_band = 1 << 13;  // pixels
-// For the peak: several threads for each lane of the largest GPUs; the host executes them one after the other.
+// Pixels per band on the host, where bands serve only to report progress.
+constexpr std::int64_t host_band = 1 << 13;
+// Threads that measure the multiply-add peak. On a GPU they are several for each lane of the largest GPUs; the host
+// executes its threads one after the other.
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 
@@ -38,7 +39,7 @@ std::string text_of(int device, acc_device_property_t property)
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-// GPUs come first, then the host.
+// Devices 0 to n - 1 are the n GPUs; device n is the host.
 class Openacc : public job::Model {
 public:
     std::string_view name() const override { return "openacc"; }
@@ -74,7 +75,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .refill_lanes = true,  // no gain with one thread, but the same code as on a GPU
+                .refill_lanes = true,  // does not help a single thread, but runs the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }
@@ -84,8 +85,8 @@ public:
         if (options.device < acc_get_num_devices(gpu)) {
             acc_set_device_num(options.device, gpu);
         } else {
-            // Not acc_set_device_type(), which applies ACC_DEVICE_NUM to the host, too; libgomp 14 then hangs if the
-            // host has no such device.
+            // acc_set_device_type() must not be used here: it applies ACC_DEVICE_NUM to the host, too, and libgomp 14
+            // hangs if the host has no device of that number.
             acc_set_device_num(0, acc_device_host);
         }
         draw();
@@ -106,7 +107,7 @@ public:
     void release(void* address) const override { acc_free(address); }
     void upload(void* to, const void* from, std::size_t bytes) const override
     {
-        // The library's declaration lacks const.
+        // acc_memcpy_to_device() declares its source without const.
         acc_memcpy_to_device(to, const_cast<void*>(from), bytes);
     }
     void read_back(void* to, const void* from, std::size_t bytes) const override

@@ -87,12 +87,13 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     }
 
     Build build;
-    // Vectors help on hardware with vector units; a GPU's vectors consist of adjacent work items.
+    // CPUs render one pixel per vector lane, in OpenCL vectors. GPUs use scalars, because the hardware combines
+    // adjacent work items into its vectors.
     const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     const cl_uint native = is_float ? device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>()
                                     : device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
-    // PoCL's compiler, clang, supports longer vectors than OpenCL; two to four registers per vector hide some of each
-    // other's latency.
+    // A vector of two to four machine registers hides part of the arithmetic's latency. OpenCL's vectors have at most
+    // 16 elements, but PoCL's compiler, clang, supports longer ones.
     constexpr std::array lengths{1, 2, 4, 8, 16, 32};
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
     const bool is_pocl = trimmed(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
@@ -108,8 +109,8 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
                                 exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
-    // OpenCL allows errors of 2.5 ulp in a float division and 3 in a square root; computed in double and rounded once,
-    // they are exact.
+    // OpenCL allows errors of 2.5 ulp in a float division and 3 ulp in a float square root. Computed in double and
+    // rounded once to float, both are exact.
     if (is_float && exact && exact_float) {
         build.options += " " MANDELMARCH_OPENCL_DIVISION;
     } else if (is_float && exact && has_double) {

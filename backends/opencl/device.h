@@ -11,20 +11,20 @@
 
 namespace mandelmarch::opencl {
 
-// Empty if no platform is installed.
+// Returns the devices of all platforms; empty if no platform is installed.
 std::vector<cl::Device> all_devices();
 
 Device description(const cl::Device& device);
 
-// Compilation of the kernel source for a device.
+// How the kernel source is compiled for a device.
 struct Build {
     int lanes = 1;           // pixels at once: vector length of the kernel's `real`
     bool in_double = false;  // compute divisions and square roots of floats in double, rounded once
-    std::string options;     // for the compiler
+    std::string options;     // of the OpenCL compiler
 };
 
-// `pack`: requested lanes; 0: the device's preference. Throws Unavailable if the device does not support the options,
-// InputError if OpenCL has no vector of that length.
+// Returns how to compile the kernel for this device. options.pack is the number of lanes; 0 selects it by the device.
+// Throws Unavailable if the device does not support the options, InputError if OpenCL has no vector of that length.
 Build build_for(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

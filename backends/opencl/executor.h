@@ -14,7 +14,7 @@
 
 namespace mandelmarch::opencl {
 
-// Pixels; the same as MM_STRIP in strip.cl.
+// Height of a strip in pixels; must equal MM_STRIP in strip.cl.
 inline constexpr int strip_height = 16;
 
 // Renders bands with the session's buffers.
@@ -35,7 +35,7 @@ public:
         const Clock::time_point start = Clock::now();
         const cl_mem_flags flags = CL_MEM_READ_WRITE | (session.is_cpu ? CL_MEM_ALLOC_HOST_PTR : 0);
         constants_ = session.constants.of_size(session.context, CL_MEM_READ_ONLY, sizeof(scene_));
-        // Unneeded buffers hold one number, because every kernel argument must be set.
+        // Every kernel argument must be set, so buffers that this picture does not need hold one value.
         const std::size_t planes = bytes_alone ? 1 : pixels_;
         reals_ = session.reals.of_size(session.context, flags, reals_size(planes));
         wholes_ = session.wholes.of_size(session.context, flags, wholes_size(planes));
@@ -44,8 +44,8 @@ public:
         timings.upload = seconds_since(start);
     }
 
-    // Launches the kernel on the largest band with no pixels to render, because some drivers compile at the first
-    // launch.
+    // Launches the kernel on the largest band but with no rows to render, because some drivers compile a kernel at its
+    // first launch.
     void warm_up() { launch({0, 0}, static_cast<int>(pixels_) / width_, "compiling"); }
 
     void run(Entry, const Band& band, int) override
@@ -97,8 +97,9 @@ private:
     // Launches the kernel and waits for its end.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // With vectors a work item renders a strip (strip.cl). On a CPU it is its own group, since cores take groups in
-        // turn. Without vectors a group renders a square.
+        // With vectors, a work item renders a strip of pixels (strip.cl); on a CPU each such item is its own work
+        // group, because cores take one group after another. Without vectors, a work group renders a square of
+        // pixels.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
         const int group_width = block_ > 0 ? 8 : side_of_group;
         const int group_height = block_ > 0 ? block_ / group_width : side_of_group;
@@ -127,8 +128,9 @@ private:
         return done;
     }
 
-    // Returns the width of a strip, in pixels. In a long strip few lanes wait for its last rays; enough strips remain
-    // that few cores wait for the last one.
+    // Returns the width of a strip in pixels. While the last rays of a strip march, most lanes are idle, which costs
+    // less per pixel in a wide strip. About 32 strips per compute unit are made, so that few cores are idle while the
+    // last strips are rendered.
     int strip_width() const
     {
         constexpr std::int64_t strips_of_unit = 32;
@@ -139,7 +141,7 @@ private:
         return static_cast<int>(std::clamp(pixels / least * least, least, most));
     }
 
-    // Maps a buffer of a CPU device, which lies in host memory: no copy.
+    // Maps a buffer of a CPU device without a copy, because the buffer lies in host memory.
     void* mapped(const cl::Buffer& buffer, std::size_t bytes)
     {
         return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
@@ -157,7 +159,7 @@ private:
     int lanes_;
     int block_;  // as in RendererOptions
     int width_;
-    std::size_t pixels_;  // of a plane
+    std::size_t pixels_;  // per plane of the buffers
     bool bytes_alone_;
     KernelScene<Real> scene_;
     cl::Buffer constants_;

@@ -5,8 +5,8 @@
 #define MM_TRUNCATED(x) ((int)(x))
 #include "core/kernel/bytes.h"
 
-// Destination of finished pixels: three bytes per pixel if `bytes_alone`, otherwise the planes of core/image/image.h,
-// `pixels` values each.
+// Destination of finished pixels. If `bytes_alone` is set, a pixel is three bytes; otherwise it is one value in each of
+// the planes of core/image/image.h, which have `pixels` values each.
 struct Target {
     __global scalar* reals;
     __global int* wholes;
@@ -39,8 +39,8 @@ FN void put(Target target, long at, scalar red, scalar green, scalar blue, scala
 #endif
 #endif
 
-// Renders rows [first_row, first_row + rows) of the picture. With vectors an item's strip is `width` pixels wide, a
-// multiple of MM_WIDTH, and MM_STRIP high.
+// Renders rows [first_row, first_row + rows) of the picture. With vectors, a work item renders a strip of
+// `width` x MM_STRIP pixels; `width` is a multiple of MM_WIDTH.
 __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
                         __global int* wholes, __global uchar* bytes, int bytes_alone, int width)
 {

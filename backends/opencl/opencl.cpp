@@ -25,7 +25,7 @@ public:
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
-    // A vendor's file contains the name of its library.
+    // Each file in the vendors folder contains the name of a driver's library.
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;

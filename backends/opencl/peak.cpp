@@ -8,7 +8,7 @@
 namespace mandelmarch::opencl {
 namespace {
 
-// Work items per compute unit: enough to fill a GPU's unit with threads, and to balance a CPU's cores.
+// Work items per compute unit: on a GPU enough to fill it with threads, on a CPU enough to keep all cores busy.
 constexpr std::size_t items_per_gpu_unit = 2048;
 constexpr std::size_t items_per_cpu_unit = 16;
 
@@ -41,7 +41,7 @@ double measured(const cl::Device& device, const Build& build)
 
 double multiply_add_peak(const cl::Device& device, const RendererOptions& options)
 {
-    // In fast mode a device uses its multiply-add instruction.
+    // Fast mode allows the compiler to use the device's multiply-add instruction.
     RendererOptions fast = options;
     fast.mode = Mode::fast;
     fast.pack = 0;

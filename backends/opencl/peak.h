@@ -6,7 +6,8 @@
 
 namespace mandelmarch::opencl {
 
-// Returns operations per second. Throws Unavailable if the device does not support the precision, Error if it fails.
+// Returns operations per second. Throws Unavailable if the device does not support the precision, Error if the
+// device fails.
 double multiply_add_peak(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

@@ -20,7 +20,8 @@ std::string variable(const char* name)
     return value == nullptr ? std::string() : value;
 }
 
-// Returns the default cache folder of PoCL 3.1: pocl/kcache in XDG_CACHE_HOME, or in .cache of the home.
+// Returns the default cache folder of PoCL 3.1: pocl/kcache in $XDG_CACHE_HOME, or else in ~/.cache; empty if neither
+// variable is set.
 std::string usual_folder()
 {
     if (const std::string caches = variable("XDG_CACHE_HOME"); !caches.empty()) return caches + "/pocl/kcache";
@@ -35,7 +36,8 @@ bool can_be_made(const std::string& folder)
     return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-// True if only the user can access the folder. In a shared temporary folder it may belong to another user.
+// Returns true if the folder belongs to this user and nobody else can access it. In a shared temporary folder, another
+// user may have created a folder of this name.
 bool is_private(const std::string& folder)
 {
     struct stat status {};

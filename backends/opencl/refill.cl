@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a strip of pixels with refill, for fractals whose lanes would wait long for the slowest: a lane whose ray has
-// ended takes the strip's next one (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal
-// on GPUs", HPG 2009). Hits wait until they fill a vector, which is then shaded. Results do not depend on the lane of a
-// ray.
+// Renders a strip of pixels with refill: a lane whose ray has ended takes the strip's next ray (persistent threads:
+// Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Used for fractals whose lanes
+// would otherwise wait long for the slowest ray of a vector. Ended rays are collected until they fill a vector, which
+// is then shaded. A pixel's result does not depend on the lane that computes it.
 
-// Lanes are refilled if fewer than this march and the strip has rays left.
+// When fewer lanes than this march and the strip has rays left, idle lanes are refilled.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
 
-// Bit n is that of lane n.
+// Returns the mask as bits: bit n is set if lane n is active.
 FN uint bits_of(mask on)
 {
     union Wholes lanes = {on};
@@ -27,15 +27,15 @@ struct Queue {
     union Reals reals[5];  // direction, end, t
 };
 
-// The fields of a Ray per lane.
+// The rays in the lanes: one vector for each field of a Ray.
 struct Lanes {
     union Reals reals[9];
     union Wholes wholes[3];
-    int at[MM_LANES];  // index of its pixel in a plane
+    int at[MM_LANES];  // indices of the rays' pixels in a plane
     uint taken;        // lanes that have a ray
 };
 
-// The fields of Hits that wait for shading.
+// The fields of ended rays (Hit) that wait for shading.
 struct Ended {
     scalar reals[9][2 * MM_LANES];
     scalar_whole wholes[3][2 * MM_LANES];
@@ -66,7 +66,7 @@ FN void begin_block(__constant Scene* scene, Strip strip, Queue* queue)
 
 FN bool rays_wait(Strip strip, const Queue* queue) { return queue->waiting != 0 || queue->x < strip.right; }
 
-// Starts rays in the free lanes, as begin_along() does, while the strip has any left.
+// Starts rays of the strip in the free lanes, until the strip has none left. Sets the same values as begin_along().
 FN void take(__constant Scene* scene, Strip strip, Queue* queue, Lanes* lanes, uint free)
 {
     for (; free != 0 && rays_wait(strip, queue); free &= free - 1) {
@@ -136,7 +136,7 @@ FN real reals_at(const scalar* from) { return MM_PASTE(vload, MM_LANES)(0, from)
 FN whole wholes_at(const scalar_whole* from) { return MM_PASTE(vload, MM_LANES)(0, from); }
 #endif
 
-// Shades up to one vector from the end of a list.
+// Removes up to one vector of rays from the end of a list and shades them.
 FN void shade_last(__constant Scene* scene, Ended* ended, Target target)
 {
     int size = min(ended->size, MM_LANES);
@@ -171,7 +171,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
     ended[1].size = 0;
     Lanes lanes;
     lanes.taken = 0;
-    // Zero for lanes that never get a ray, so that they do not march.
+    // Lanes that never receive a ray hold zeros, with which they do not march.
     for (int field = 0; field < 9; ++field) lanes.reals[field].all = 0;
     for (int field = 0; field < 3; ++field) lanes.wholes[field].all = 0;
     const uint all = (uint)((1ul << MM_LANES) - 1);
@@ -191,7 +191,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
         free = all & ~marches;
         leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
         lanes.taken &= marches;
-        // One call for both lists and for the rest at the end, so that shading is compiled once.
+        // Both lists, and the rest at the strip's end, are shaded by one call, so that shading is compiled only once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
         for (int list = 0; list < 2; ++list) {
             while (ended[list].size >= enough) shade_last(scene, ended + list, target);

@@ -37,7 +37,7 @@ public:
                                                             : render_as<double>(scene, image, progress);
             });
         } catch (const DeviceHung&) {
-            // Its objects cannot be released while it works, and are left to the end of the process.
+            // The device may still use the session's objects, so they are not released before the process ends.
             static_cast<void>(session_.release());
             throw;
         }
@@ -50,14 +50,14 @@ private:
         const Clock::time_point start = Clock::now();
         const bool first = !session_->programs.contains(scene.fractal->name);
         cl::Program& program = compiled(scene.fractal->name);
-        // All planes of a band are in one buffer.
+        // All planes of reals of a band are in one buffer, whose size the device limits.
         const std::int64_t most = session_->largest_buffer / static_cast<std::int64_t>(real_planes * sizeof(Real));
         const Limits limits =
             with_band({.pixels_per_band = std::min(most, largest_band),
                        .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
                       options_.band);
         const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
-        // On the heap, so that a hung device keeps the objects in use.
+        // Allocated separately, so that it can be left in use if the device hangs.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
                                                              bytes_alone(image, options_));
         double build_seconds = 0;
@@ -107,7 +107,7 @@ private:
     }
 
     static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
-    // OpenCL does not report the resident work items of a compute unit; this is NVIDIA's number.
+    // OpenCL does not report how many work items a compute unit holds; 2048 is the value of NVIDIA's GPUs.
     static constexpr std::int64_t items_of_unit = 2048;
 
     RendererOptions options_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened device: its programs, buffers, clock, and waiting for it.
+// An opened device with its programs and buffers; reads the device's clock, and waits for the device.
 #pragma once
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ struct GrowingBuffer {
     }
 };
 
-// Host memory that the device copies to at full speed, while it is mapped.
+// Host memory to which the device copies at full speed. It is the mapped memory of a buffer.
 class Staging {
 public:
     ~Staging() { give_back(); }
@@ -55,7 +55,7 @@ public:
 private:
     void give_back()
     {
-        // The C function, which does not throw.
+        // The C function does not throw.
         if (mapped_ != nullptr) clEnqueueUnmapMemObject(queue_(), pinned_.buffer(), mapped_, 0, nullptr, nullptr);
         mapped_ = nullptr;
     }
@@ -65,7 +65,6 @@ private:
     void* mapped_ = nullptr;
 };
 
-// An opened device, with its compiled programs and its buffers.
 struct Session {
     cl::Device device;
     cl::Context context;
@@ -81,12 +80,12 @@ struct Session {
     std::int64_t largest_buffer = 0;  // bytes
 };
 
-// Returns a kernel's seconds by the device's clock; nullopt without a clock.
+// Returns the run time of a kernel in seconds, by the device's clock; nullopt if the device has no clock.
 inline std::optional<double> device_seconds(const cl::Event& done)
 {
     cl_ulong begin = 0;
     cl_ulong end = 0;
-    // The C function: a missing clock is not an error.
+    // The C function does not throw: a missing clock is not an error.
     const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
         return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
     };
@@ -94,7 +93,7 @@ inline std::optional<double> device_seconds(const cl::Event& done)
     return 1e-9 * static_cast<double>(end - begin);
 }
 
-// Waits for an event, at most device_timeout().
+// Waits for an event. Throws DeviceHung if it does not end within device_timeout(), cl::Error if it fails.
 inline void wait_for(cl::Event& event, const char* doing)
 {
     struct Signal {
@@ -102,7 +101,7 @@ inline void wait_for(cl::Event& event, const char* doing)
         std::condition_variable changed;
         cl_int status = CL_QUEUED;
     };
-    // Shared with a callback that may run after this function has returned.
+    // The signal is shared with a callback, which may run after this function has returned.
     auto* signal = new std::shared_ptr<Signal>(std::make_shared<Signal>());
     const std::shared_ptr<Signal> mine = *signal;
     event.setCallback(

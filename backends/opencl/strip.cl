@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a strip of pixels in vectors, block by block.
 
-// Pixels: height of a strip, and width of a block, which is as square as possible.
+// In pixels: the height of a strip, and the width of a block of MM_LANES pixels, which is as square as possible.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8
@@ -12,7 +12,7 @@
 #endif
 #define MM_HEIGHT (MM_LANES / MM_WIDTH)
 
-// Pixel range in a band, whose lowest row is the picture's `first_row`.
+// A range of pixels in a band. Rows are counted from the band's lowest row, which is the picture's row `first_row`.
 struct Strip {
     int left;
     int right;
@@ -21,7 +21,7 @@ struct Strip {
     int first_row;
 };
 
-// A vector and its lanes.
+// Access to a vector as a whole and by lane.
 union Reals {
     real all;
     scalar of[MM_LANES];
@@ -32,7 +32,7 @@ union Wholes {
     scalar_whole of[MM_LANES];
 };
 
-// Stores the pixels of the first `size` lanes; `at`: index in a plane, -1: not stored.
+// Stores the pixels of the first `size` lanes. `at` contains each pixel's index in a plane; -1: not stored.
 FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
 {
     union Reals red = {pixel.colour.x};
@@ -49,8 +49,8 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     }
 }
 
-// The pixels of a block, at least one of which is in the strip: their positions for the camera, and their indices in a
-// plane. Pixels outside have index -1.
+// A block of pixels, at least one of which is in the strip: their positions for the camera, and their indices in a
+// plane. Pixels outside the strip have index -1.
 struct Block {
     union Reals i;
     union Reals j;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Begins the rays of tiles, after the cones of their subtiles.
+// Begins the rays of tiles. Before that, a cone around the rays of each subtile is marched (cones-inl.h).
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_BEGIN_INL_H
@@ -22,8 +22,8 @@ namespace MM_PACK {
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
-// Stores the ends of the subtiles' cones in Canvas::block_start, for a picture's first lattice, and paints subtiles
-// without a hit.
+// For a picture's first lattice: stores where the subtiles' cones end in Canvas::block_start, and paints the subtiles
+// that no ray hits with the background.
 HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
     const bool paints = paints_background(d);
@@ -41,8 +41,8 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
     }
 }
 
-// Depths of the neighbours at the corners of a square's cells, row by row; one more per side than cells. Those outside
-// the picture are unclear.
+// Depths of the pixels at the corners of a square's cells, row by row. They are rendered before the pixels inside the
+// cells. A side has one more corner than cells. Corners outside the picture have the depth unclear_miss().
 template <int across>
 struct Neighbours {
     MM_REAL at[across + 1][across + 1];
@@ -61,7 +61,7 @@ struct Neighbours {
     }
 };
 
-// Computes where the rays in the cells of a square begin, from their neighbours.
+// Computes the t at which the rays in a square's cells begin, from the depths of the pixels at the cells' corners.
 template <int across>
 HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, MM_REAL* start)
 {
@@ -83,7 +83,7 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
     }
 }
 
-// Copies the starts of a square's subtiles to its pixels; true if none of their rays hits.
+// Copies the starts of a square's subtiles to its pixels. Returns true if no ray of these subtiles can hit.
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
@@ -103,7 +103,7 @@ HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square
     return all_gone;
 }
 
-// Begins the rays of a tile's pixels that are in the canvas's lattice.
+// Begins the rays of those pixels of a tile that belong to the canvas's lattice.
 HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
 {
     const Lattice lattice = d.canvas.lattice;
@@ -119,7 +119,8 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
             if (find_block_starts(d, x, y, square) && painted) continue;
             if (lattice.before == 4) find_neighbour_starts<4>(d, x, y, square.neighbour_start);
             if (lattice.before == 2) find_neighbour_starts<8>(d, x, y, square.neighbour_start);
-            // The neighbours, at the corners of the cells, are already rendered.
+            // A later lattice consists of the three pixels of each cell that are not at its lower left corner, since
+            // the pixels at the corners are already rendered.
             for (int k = lattice.before > 0 ? 1 : 0; k < (lattice.before > 0 ? 4 : 1); ++k) {
                 square.left = x + k % 2 * lattice.apart;
                 square.bottom = y + k / 2 * lattice.apart;
@@ -129,7 +130,7 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     }
 }
 
-// Before a picture's first lattice: marks all neighbours as unclear, except those of painted subtiles.
+// Called before a picture's first lattice. Marks the depths of all pixels as unclear, except in painted subtiles.
 HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
 {
     for (int block = 0; block < blocks.count; ++block) {
@@ -144,7 +145,7 @@ HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
     }
 }
 
-// Begins tiles while the pool has room for them; false if none are left.
+// Begins tiles while the pool has room for their rays. Returns false if no tiles are left.
 HWY_NOINLINE bool begin_tiles(Drawing& d)
 {
     bool more = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subtiles: blocks of pixels whose rays begin together.
+// Subtiles: blocks of 8 x 8 pixels whose rays begin together.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_BLOCKS_INL_H
@@ -20,11 +20,11 @@ namespace MM_PACK {
 
 constexpr int block_pixels = block_side * block_side;
 constexpr int tile_blocks = tile_pixels / block_pixels;
-constexpr int most_blocks = 32;  // begun together, so that their cones fill packs
+constexpr int most_blocks = 32;  // number of subtiles begun together, so that their cones fill packs
 
 struct Blocks {
     int count = 0;
-    Int left[most_blocks + register_lanes] = {};  // padded for reads and writes of whole registers
+    Int left[most_blocks + register_lanes] = {};  // padded, because whole registers are read and written
     Int bottom[most_blocks + register_lanes] = {};
     Int number[most_blocks + register_lanes] = {};  // index in Canvas::block_start
     int tiles = 0;
@@ -38,7 +38,7 @@ HWY_INLINE std::ptrdiff_t block_number(const Drawing& d, int x, int y)
     return (y - d.canvas.first_row) / block_side * across + x / block_side;
 }
 
-// Adds the subtiles of tiles until another tile does not fit; false if no tiles are left.
+// Takes tiles from the queue and appends their subtiles while a whole tile fits. Returns false if the queue is empty.
 HWY_INLINE bool take_tiles(const Drawing& d, Blocks& blocks)
 {
     while (blocks.count + tile_blocks <= most_blocks) {
@@ -81,7 +81,8 @@ HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& 
     }
 }
 
-// True if a subtile of background needs no rays: it has one colour, and only bytes are needed.
+// Returns true if a subtile without hits can be painted without rays: the background has a single colour, and the
+// picture stores only bytes.
 HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
 
 }  // namespace MM_PACK

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cones before rays: how far the rays of a subtile can advance together.
+// Marches one cone around all rays of a subtile, to find how far these rays can advance together.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_CONES_INL_H
@@ -25,7 +25,7 @@ HWY_INLINE void count_cones(const counter& de_calls, const counter& iterations, 
 #endif
 }
 
-// Stores the ends of cones at their subtiles' indices.
+// Stores where the cones end, each at the index of its subtile.
 HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 {
     Int places[places_room] = {};
@@ -37,8 +37,9 @@ HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
     count_cones(a.ray.de_calls, a.ray.iterations, on, d.spent);
 }
 
-// Begins a cone for every subtile. Without cones (Canvas::cones), only the start at the hull is stored. The axis is in
-// the hull around subtiles wherever one of the subtile's rays is in the scene's hull.
+// Begins a cone for every subtile. If Canvas::cones is false, only stores where the cone's axis enters the hull. The
+// hull used here (Canvas::block_hull) is enlarged: if any ray of a subtile meets the scene's hull, the axis of its cone
+// meets the enlarged one.
 HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 {
     const real middle = MM_REAL(0.5) * (block_side - 1);
@@ -57,7 +58,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
     }
 }
 
-// Marches the cones until all have ended.
+// Marches the cones of the pool until all have ended.
 HWY_NOINLINE void march_cone_pool(Drawing& d)
 {
     while (d.pools.cones.size > 0) {

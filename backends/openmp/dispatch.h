@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MM_DISPATCH(name, targets): the function of HWY_EXPORT(name) for the best of a set of instruction sets.
-// HWY_DYNAMIC_DISPATCH would use the process-wide choice.
+// MM_DISPATCH(name, targets): the function of HWY_EXPORT(name) for the best instruction set in `targets`.
+// HWY_DYNAMIC_DISPATCH is not used, because its choice is the same for the whole process.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace mandelmarch::openmp {
 
-// Static: it depends on the instruction sets of the translation unit.
+// Declared static, because the result depends on the instruction sets for which the translation unit is compiled.
 static inline std::size_t dispatch_index(std::int64_t targets)
 {
     hwy::ChosenTarget chosen;

@@ -17,21 +17,21 @@ namespace MM_PACK {
 
 static_assert(MM_REGISTERS == 1);
 
-// Memory of a thread.
+// The ray pools of a thread.
 struct Pools {
     Pool marching;
     Pool cones;
-    Pool hits;     // to refine
-    Pool ended;    // to shade
-    Pool sharing;  // to shade with the occlusion of their neighbours
-    int refining;  // how many of `hits`, from the first, have begun their refinement
-    int alone;     // how many of `ended`, from the first, are known not to share occlusion
+    Pool hits;     // rays to refine
+    Pool ended;    // rays to shade
+    Pool sharing;  // rays to shade with the occlusion of neighbouring pixels
+    int refining;  // the first `refining` rays of `hits` have begun their refinement
+    int alone;     // the first `alone` rays of `ended` are known not to share occlusion
 };
 
 // Scene, canvas, pools and functions of a thread's rendering.
 struct Drawing {
     const Scene& scene;
-    Scene around_blocks;  // with the canvas's block_hull as hull
+    Scene around_blocks;  // copy of the scene whose hull is the canvas's block_hull
     const Canvas<MM_REAL>& canvas;
     const Tiles& tiles;
     Pools& pools;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends a pack: removes its macros and the guards of its sections, so that another pack can follow. No include guard.
+// Included at the end of a pack: removes the pack's macros and the include guards of its sections, so that another pack
+// can follow. Has no include guard.
 
 #undef MM_BEGIN_INL_H
 #undef MM_BLOCKS_INL_H

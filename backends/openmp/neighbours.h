@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbours: the order of a picture's pixels in fast mode. Pixels in columns and rows that are multiples of 4 are
-// rendered first, then multiples of 2, then all others; later rays begin near the hits of the earlier pixels around
-// them (core/kernel/march.h, neighbour_start()). Plain data, shared with translation units for one instruction set.
+// Neighbours: the order in which fast mode renders a picture's pixels. Pixels whose column and row are multiples of 4
+// are rendered first, then those of multiples of 2, then all others. A later ray begins near the hits of the pixels
+// around it that are already rendered (core/kernel/march.h, neighbour_start()). Contains plain data only, because
+// translation units for different instruction sets share it.
 #pragma once
 
 namespace mandelmarch::openmp {
 
-// The pixels in columns and rows that are multiples of `apart` (1, 2 or 4) but not of `before`, whose pixels are
-// already rendered; before 0: none are.
+// The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
+// multiples of `before`, which are already rendered. `before` is 0 in the first lattice.
 struct Lattice {
     int before;
     int apart;

@@ -80,7 +80,7 @@ public:
 
     bool marching(const Band&) override { return false; }
 
-    // Bytes are already in the image; planes are converted to its values.
+    // Bytes are already in the image; planes are converted to the image's values.
     void read_back(const Band& band, Image& image) override
     {
         if (!image.has_values()) return;
@@ -101,7 +101,7 @@ public:
     int team = 1;  // threads used; OMP_DYNAMIC and OMP_THREAD_LIMIT may allow fewer than requested
 
 private:
-    // Bytes go directly to the image.
+    // Returns the image's bytes as the destination, or buffers of planes if the image has values.
     openmp::Target<Real> target_of(const Band& band)
     {
         if (!image_.has_values()) {

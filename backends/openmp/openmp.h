@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenMP backend: the kernel on all cores of this machine, with one pixel or a pack of pixels at once on each.
+// The OpenMP backend: the kernel on all cores of this machine. A core processes one pixel or a pack of pixels at a
+// time.
 #pragma once
 
 #include <memory>

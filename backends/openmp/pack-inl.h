@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel in packs, used by the sections of the renderer (*-inl.h). A section is compiled once per instruction set
-// and kind of pack. It opens its own namespaces, includes what it uses, and can be included alone and in any order.
-// end_pack.h removes its guard at the end of a pack.
+// The kernel in packs, used by the renderer's sections (the files *-inl.h). Each section is compiled once for every
+// instruction set and kind of pack. It opens its own namespaces and includes what it uses, so sections can be included
+// in any order. At the end of a pack, end_pack.h removes the sections' include guards.
 //
-// Define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK (its namespace),
-// MM_REGISTERS (registers per pack) and MM_COUNTED (1 or 0: count work).
+// The including file defines MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK (its
+// namespace), MM_REGISTERS (registers per pack) and MM_COUNTED (1: counts work, 0: does not).
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PACK_INL_H
@@ -12,14 +12,14 @@
 
 #include "hwy/highway.h"
 
-// Defaults for a section that is included alone, as by an editor.
+// Defaults for a section that is opened alone, for example in an editor.
 #ifndef MM_PACK
 #define MM_PACK counted::narrow
 #define MM_REGISTERS 1
 #define MM_COUNTED 1
 #endif
 
-// A lambda that is not inlined costs more than its body.
+// Forces a lambda to be inlined; its call would cost more than its body.
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of every packs_*.cpp, included once per instruction set: its variants in packs. Each pack below defines its
-// parameters, includes its sections and ends: narrow packs of one register with the pools, pairs for shading hits, and
-// wide packs for steps.
+// The body of every packs_*.cpp, included once per instruction set; defines that set's variants. Each pack below
+// defines its parameters, includes its sections, and ends with end_pack.h. Narrow packs of one register hold the
+// pools, pairs of registers shade hits, and wide packs march.
 
 #include <cstddef>
 
@@ -29,7 +29,7 @@
 #include "backends/openmp/shading-inl.h"
 #include "backends/openmp/end_pack.h"
 
-// Four registers hide the arithmetic's latency, with some spilling; a fractal can select fewer.
+// Four registers hide the latency of the arithmetic, although some are spilled. A fractal can select fewer.
 #undef MM_WIDE_REGISTERS
 #if defined(MM_WIDE_REGISTERS_AVX3) && HWY_TARGET <= HWY_AVX3
 #define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_AVX3
@@ -43,7 +43,7 @@
 #include "backends/openmp/samples-inl.h"
 #include "backends/openmp/end_pack.h"
 
-// Counting takes some percent of a fast picture's time.
+// Packs that do not count their work. Counting takes a few percent of a fast picture's time.
 #if MM_FAST
 #define MM_PACK uncounted::narrow
 #define MM_REGISTERS 1
@@ -73,7 +73,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 #if MM_VECTORLESS
-// Without vectors only the scalar kernel is used.
+// For an instruction set without vectors there are no packs; the scalar kernel is used.
 HWY_MAYBE_UNUSED VariantList<MM_REAL> list() { return {}; }
 #else
 
@@ -91,7 +91,7 @@ namespace best_samples = best::wide;
 namespace best_shading = best::pair;
 #endif
 
-// The best variant is last.
+// Returns the variants for this instruction set. The best one is last.
 HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
 {
     const char* name = hwy::TargetName(HWY_TARGET);

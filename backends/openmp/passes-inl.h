@@ -23,8 +23,8 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// Steps every ray of a pool, pack by pack. Rays that continue are stored without gaps; the others are passed to
-// ended(rays, lanes).
+// Marches every ray of a pool by some steps, pack by pack. Stores the rays that continue without gaps, and passes the
+// others to ended(rays, lanes).
 template <class Kind, Fields held, class Ended>
 HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
 {
@@ -44,7 +44,7 @@ HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
     }
 }
 
-// Removes the first `done` rays of a pool, of which less than a pack remains.
+// Removes the first `done` rays of a pool, and moves the others to its front.
 template <Fields held>
 HWY_INLINE void keep_rest(Pool& pool, int done)
 {
@@ -56,7 +56,7 @@ HWY_INLINE void keep_rest(Pool& pool, int done)
     }
 }
 
-// Shades a pool's rays, except an incomplete last pack unless `all`.
+// Shades the rays of a pool. An incomplete last pack remains in the pool unless `all` is true.
 template <Fields held>
 HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
 {
@@ -65,7 +65,7 @@ HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
     keep_rest<held>(pool, count);
 }
 
-// Moves ended rays that share occlusion to their own pool.
+// Moves the ended rays that can use the occlusion of neighbouring pixels to their own pool.
 HWY_NOINLINE void split_sharing(Drawing& d)
 {
     Pool& ended = d.pools.ended;
@@ -82,7 +82,7 @@ HWY_NOINLINE void split_sharing(Drawing& d)
     d.pools.alone = ended.size;
 }
 
-// Shades ended rays: all if `all`, otherwise enough to make room for another pack.
+// Shades ended rays. If `all` is true, shades all of them; otherwise shades enough to make room for another pack.
 HWY_NOINLINE void shade_pool(Drawing& d, bool all)
 {
     if (shares(d)) {
@@ -100,7 +100,7 @@ HWY_INLINE void append_ended(Drawing& d, HitPack& a, const mask& on)
     if (d.pools.ended.size > pool_rays - pack_lanes) shade_pool(d, false);
 }
 
-// Begins the refinement of new hits; those that need none are shaded next.
+// Begins the refinement of new hits. Hits that need no refinement are passed on to be shaded.
 HWY_NOINLINE void begin_refining(Drawing& d)
 {
     Pool& hits = d.pools.hits;
@@ -115,7 +115,7 @@ HWY_NOINLINE void begin_refining(Drawing& d)
     }
 }
 
-// Refines every hit once; those that need no more are shaded next.
+// Refines every hit once. Hits that need no further refinement are passed on to be shaded.
 HWY_NOINLINE void refine_pool(Drawing& d)
 {
     begin_refining(d);
@@ -124,7 +124,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     d.pools.refining = d.pools.hits.size;
 }
 
-// Stores the depths of a lattice's rays for the pixels between them.
+// Stores the depths of a lattice's rays, from which the rays of the pixels between them will begin.
 HWY_INLINE void leave_depths(const Drawing& d, const RayPack& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};
@@ -135,7 +135,7 @@ HWY_INLINE void leave_depths(const Drawing& d, const RayPack& a, const real& t, 
     for (int i = 0; i < lanes; ++i) d.canvas.neighbour_depth[places[i] / 2] = ts[i];
 }
 
-// Processes rays that have stopped: hits are refined or shaded next, misses are stored.
+// Processes rays that have stopped: hits are passed on to be refined or shaded, misses are stored as finished pixels.
 HWY_INLINE void stop_marching(Drawing& d, RayPack& a, const mask& on)
 {
     const Scene& scene = d.scene;
@@ -152,7 +152,7 @@ HWY_INLINE void stop_marching(Drawing& d, RayPack& a, const mask& on)
     while (d.pools.hits.size > pool_rays - pack_lanes) refine_pool(d);
 }
 
-// Marches every ray by some steps.
+// Marches every ray of the pool by some steps.
 HWY_NOINLINE void march_pool(Drawing& d)
 {
     const auto ended = [&](RayPack& a, const mask& on) MM_INLINED { stop_marching(d, a, on); };

@@ -27,7 +27,8 @@ double multiply_add_peak(Precision precision, int threads)
             team = omp_get_num_threads();
             sum += kernel.run(rounds);
         }
-        // A team smaller than requested (OMP_THREAD_LIMIT, OMP_DYNAMIC) did less work: scales its time to all the work.
+        // If OMP_THREAD_LIMIT or OMP_DYNAMIC makes the team smaller than requested, it does only a part of the work.
+        // The time is scaled to that of the whole work.
         const double seconds = seconds_since(start) * asked / team;
         if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
         return seconds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The multiply-add peak of this machine's cores, in SIMD registers.
+// Measures the multiply-add peak of this machine's cores, with SIMD instructions.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace mandelmarch::openmp {
 
-// A peak kernel for one instruction set. `run` executes `rounds` iterations of multiply_add_chains on one thread and
-// returns their result, so that no compiler removes them. Plain data, as in variant.h.
+// A function that measures the peak, for one instruction set. `run` executes `rounds` iterations of
+// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them. Plain data, as
+// in variant.h.
 struct PeakKernel {
     int lanes;
     double (*run)(int rounds);
@@ -18,7 +19,7 @@ struct PeakKernel {
 PeakKernel peak_kernel_float(std::int64_t targets);
 PeakKernel peak_kernel_double(std::int64_t targets);
 
-// Returns operations per second of `threads` threads (0: one per core).
+// Returns the operations per second of `threads` threads together; 0 threads: usable_threads().
 double multiply_add_peak(Precision precision, int threads);
 
 }  // namespace mandelmarch::openmp

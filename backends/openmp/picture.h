@@ -15,7 +15,7 @@
 
 namespace mandelmarch::openmp {
 
-// Buffers in which earlier rays leave values for later ones (see Canvas); reused between pictures.
+// Buffers in which the rays of one lattice leave values for those of later ones (see Canvas). Reused between pictures.
 template <class Real>
 struct LatticeBuffers {
     std::vector<Real> block_start;
@@ -36,11 +36,11 @@ struct LatticeBuffers {
     }
 };
 
-// Large bands, since at the end of each the threads run out of rays to fill their lanes. 28 bytes per pixel in float,
-// 44 in double.
+// Bands are large, because at the end of each one the threads run out of rays to fill their lanes. A pixel of a band
+// needs 28 bytes in float, 44 in double.
 inline constexpr Limits band_limits{.pixels_per_band = 1 << 21, .pixels_to_fill = 1 << 21};
 
-// Destination of a band's pixels: `bytes`, or the planes if that is null.
+// Destination of a band's pixels: `bytes`, or `reals` and `wholes` if `bytes` is null.
 template <class Real>
 struct Target {
     unsigned char* bytes = nullptr;
@@ -64,10 +64,10 @@ public:
     }
 
     const KernelScene<Real>& kernel_scene() const { return scene_; }
-    // In rendering order.
+    // Returns the lattices of the picture, in rendering order.
     const Lattices& lattices() const { return lattices_; }
 
-    // Returns the canvas of a band's lattice. All lattices of a band come before those of the next band.
+    // Returns the canvas of one lattice of a band. Finish all lattices of a band before the next band begins.
     Canvas<Real> canvas(const Lattice& lattice, const Band& band, const Target<Real>& target)
     {
         notes_.fit(scene_.width, band.rows, shares_);

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Stores the active lanes without gaps.
+// Stores the values of the active lanes, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
     EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Wholes(), to); to += hn::CountTrue(Reals(), on.of[u]);)
@@ -29,7 +29,7 @@ HWY_INLINE void store_compact(const real& from, const mask& on, MM_REAL* to)
     EACH_REGISTER(hn::StoreU(compressed(from.of[u], on.of[u]), Reals(), to); to += hn::CountTrue(Reals(), on.of[u]);)
 }
 
-// trunc(255 c), with c clamped to [0, 1]; 0 for NaN.
+// Returns trunc(255 c), with c clamped to [0, 1]; 0 for NaN.
 HWY_INLINE whole byte_of(const real& c)
 {
     const real scaled = 255 * smaller(larger(c, 0), 1);
@@ -38,7 +38,7 @@ HWY_INLINE whole byte_of(const real& c)
     return a;
 }
 
-// Packs a pixel's three bytes into one integer, red lowest.
+// Returns a pixel's three bytes in one integer, with red in the lowest byte.
 HWY_INLINE whole bytes_of(const vec3& colour)
 {
     const whole red = byte_of(colour.x);
@@ -49,7 +49,7 @@ HWY_INLINE whole bytes_of(const vec3& colour)
     return a;
 }
 
-constexpr int places_room = pack_lanes + register_lanes;  // padded for writes of whole registers
+constexpr int places_room = pack_lanes + register_lanes;  // padded, because whole registers are written
 
 #if MM_COUNTED
 HWY_INLINE std::uint64_t sum_of(const whole& a, const mask& on)
@@ -94,7 +94,7 @@ HWY_NOINLINE void store_values(const Pixel& pixel, const whole& places, const ma
 }
 #endif
 
-// Stores the bytes of one register's pixels.
+// Stores the bytes of the active lanes' pixels, for one register.
 HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn::Mask<Reals> on, unsigned char* canvas)
 {
     Int at[register_lanes];
@@ -104,14 +104,14 @@ HWY_INLINE void store_bytes(hn::Vec<Wholes> colours, hn::Vec<Wholes> places, hn:
     const int lanes = static_cast<int>(hn::CountTrue(Reals(), on));
     for (int i = 0; i < lanes; ++i) {
         unsigned char* to = canvas + 3 * static_cast<std::ptrdiff_t>(at[i]);
-        // Red and green together, on a little-endian machine.
+        // Stores red and green together; requires a little-endian machine.
         const auto low = static_cast<std::uint16_t>(bytes[i]);
         __builtin_memcpy(to, &low, sizeof(low));
         to[2] = static_cast<unsigned char>(bytes[i] >> 16);
     }
 }
 
-// Stores finished pixels on the canvas; uncounted packs store bytes only.
+// Stores finished pixels on the canvas. Packs that do not count work (MM_COUNTED 0) can store only bytes.
 HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const Canvas<MM_REAL>& canvas,
                                WorkCounts& spent)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binding of a team's first thread, if OpenMP binds threads (OMP_PROC_BIND).
+// Binds the first thread of a team to its cores, if OpenMP binds threads (OMP_PROC_BIND).
 #pragma once
 
 #include <omp.h>
@@ -9,14 +9,15 @@
 
 namespace mandelmarch::openmp {
 
-// Binds the calling thread to the cores of its OpenMP place, as the team's other threads are bound to theirs. The
-// destructor restores the affinity. At their start the programs undo the run-time library's binding of the first thread
-// (restore_affinity()), so that other work and child processes of this thread are not bound.
+// Binds the calling thread to the cores of its OpenMP place, as OpenMP binds the other threads of its team to theirs.
+// The destructor restores the thread's affinity. Needed because the programs undo OpenMP's binding of their first
+// thread when they start (restore_affinity()), so that this thread's other work and its child processes are not
+// bound.
 class OwnPlace {
 public:
     OwnPlace()
     {
-        if (omp_get_num_places() == 0) return;  // binding is disabled
+        if (omp_get_num_places() == 0) return;  // OpenMP does not bind threads
         bound_ = sched_getaffinity(0, sizeof before_, &before_) == 0;
         const int place = omp_get_place_num();
         if (place < 0 || !bound_) return;

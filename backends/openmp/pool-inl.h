@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ray scheduler around the kernel, which keeps lanes busy.
+// The ray scheduler around the kernel. It keeps the SIMD lanes busy.
 //
-// A pool of rays, a structure of arrays, is marched some steps at a time; rays that continue are stored without gaps.
-// Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool runs low, the
-// rays of another tile are added. Lanes wait for slower ones only inside one DE evaluation.
+// A pool of rays, stored as a structure of arrays, is marched by some steps at a time. Rays that continue are stored
+// without gaps. Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool
+// runs low, the rays of another tile are added. So a lane waits for slower ones only within one DE evaluation.
 //
-// The scheduler processes one register at a time, which keeps values in registers. DE evaluations and shading use wider
-// packs, whose registers hide each other's latency.
+// The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations
+// and shading use wider packs, in which the operations of one register hide the latency of another's.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_POOL_INL_H
@@ -23,13 +23,13 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// The clock of draw_tiles(): measures nothing.
+// Clock of draw_tiles(). It measures nothing.
 struct NoClock {
     HWY_INLINE void after(Drawing&, Stage) const {}
     HWY_INLINE void finish(Drawing& d) const { shade_pool(d, true); }
 };
 
-// Renders tiles until none are left; `clock` is called after each pass and shades the remaining rays.
+// Renders tiles until none are left. Calls clock.after() after each pass; clock.finish() shades the remaining rays.
 template <class Clock>
 HWY_INLINE void draw_with(Drawing& d, Clock clock)
 {
@@ -60,7 +60,7 @@ HWY_MAYBE_UNUSED WorkCounts draw_tiles(const void* data, const Canvas<MM_REAL>& 
     return d.spent;
 }
 
-// The same, as a function for given Sampling and Shading.
+// Calls draw_tiles() with Sampling and Shading as template parameters, so that its address can be stored in a Variant.
 template <const Sampling& sampling, const Shading& shading>
 WorkCounts draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {

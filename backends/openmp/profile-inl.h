@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Profile: renders tiles as pool-inl.h does, with a clock between the stages. Hits are shaded in three passes, so that
-// each can be timed.
+// Profile: renders tiles as pool-inl.h does, and times each stage. Shades hits in three separate passes (normals,
+// colours, output), so that each can be timed.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_PROFILE_INL_H
@@ -28,7 +28,7 @@ struct ProfileMemory {
     Pixel pixels[most_packs];
 };
 
-// Returns a pack of finished hits; lanes after the last one are not hits.
+// Returns a pack of finished hits. The lanes after the pool's last hit are marked as misses.
 HWY_INLINE Hit finished(const Drawing& d, int pack)
 {
     const Pool& ended = d.pools.ended;
@@ -37,7 +37,7 @@ HWY_INLINE Hit finished(const Drawing& d, int pack)
     return hit;
 }
 
-// The three passes of shading, not inlined: one call handles thousands of rays.
+// The three passes of shading. They need not be inlined, because one call handles thousands of rays.
 HWY_NOINLINE HWY_MAYBE_UNUSED void take_normals(const Drawing& d, int packs, Normal* normals)
 {
     for (int k = 0; k < packs; ++k) {
@@ -64,7 +64,8 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixe
     }
 }
 
-// Times the passes, and usually shades ended rays before a refinement pass has to.
+// Clock that times the passes. When the pool of ended rays is a quarter full, it shades them in the three passes, so
+// that other passes rarely have to shade.
 class StageClock {
 public:
     StageClock(ProfileMemory& memory, double (*now)(), double* seconds)
@@ -105,7 +106,8 @@ private:
     double last_;
 };
 
-// Renders tiles until none are left; Sampling and occasional Shading are given.
+// Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: a ProfileMemory. The given
+// Shading is used only when another pass must make room in the pool of ended rays.
 template <const Sampling& sampling, const Shading& shading>
 void profile(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*clock)(),
              double* seconds)

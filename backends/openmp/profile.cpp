@@ -34,7 +34,8 @@ public:
         each_lattice(image, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
             variant_.profile(&picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
         });
-        // Renders the picture again, into another image, which keeps the profiled one.
+        // Renders the picture a second time without a clock, into another image, so that `image` keeps the profiled
+        // one.
         Image whole(image.width(), image.height(), Image::Layers::bytes);
         void* const memory = memory_.of_size(variant_.memory);
         const double start = now();
@@ -46,7 +47,8 @@ public:
     }
 
 private:
-    // Uses the renderer's bands, because the start of rays near a band's edge depends on it.
+    // Calls draw() for each lattice of each band. The bands are the renderer's, because the start of rays near a band's
+    // edge depends on where the edge is.
     template <class Draw>
     void each_lattice(Image& image, Draw draw)
     {

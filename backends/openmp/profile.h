@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of each stage of openmp's pictures: its ray scheduler with a clock between the stages.
+// Measures the time of each stage of a picture rendered by openmp (profile-inl.h).
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@ namespace mandelmarch::openmp {
 
 struct StageSeconds {
     std::array<double, stages> of{};  // by Stage
-    double in_one_go = 0;             // the whole picture as openmp renders it, without a clock
+    double in_one_go = 0;             // time of the whole picture, rendered by openmp's renderer without stage clocks
 };
 
-// Renders pictures of one scene on one thread, with the variant that openmp uses without counting.
+// Renders pictures of one scene on one thread, with the variant that openmp uses if no work is counted.
 class Profiler {
 public:
     virtual ~Profiler() = default;
 
-    // Renders the picture stage by stage into `image`, which has bytes, and a second time without a clock.
+    // Renders the picture stage by stage into `image`, which must have bytes, and a second time without a clock.
     virtual StageSeconds draw(Image& image) = 0;
 };
 
-// Throws Unavailable if openmp has no packs on this machine, or none for the fractal.
+// Throws Unavailable if openmp has no packs on this machine or for this fractal.
 std::unique_ptr<Profiler> make_profiler(const Scene& scene, Precision precision, Mode mode);
 
 }  // namespace mandelmarch::openmp

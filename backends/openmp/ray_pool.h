@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pool of rays that wait for a step, as a structure of arrays. Plain data for code of several pack widths.
+// A pool of rays, as a structure of arrays. Plain data, shared by code of several pack widths.
 #pragma once
 
 #include <cstdint>

@@ -19,38 +19,38 @@ namespace MM_PACK {
 using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
 
-// A ray with its pixel's index in the canvas.
+// Rays with the indices of their pixels in the canvas.
 struct RayPack {
     Ray ray;
     whole pixel;
-    real room;  // min over the samples of the clearance beyond the rays between neighbours
+    real room;  // min, over the ray's samples, of the estimate minus half the distance between the lattice's rays there
 };
 
-// Occlusion shared by a hit's neighbours.
+// Occlusion that a hit takes from its neighbours.
 struct Shared {
     real along_normal;
     real sunwards;
 };
 
-// A stopped ray with its pixel's index.
+// Stopped rays with the indices of their pixels in the canvas.
 struct HitPack {
     Hit hit;
     whole pixel;
     Shared shared;
 };
 
-// Bit masks of fields of a RayPack or an HitPack, by their numbers in a pool. Reals:
+// Bit masks of the fields of a RayPack or a HitPack. Bit n stands for the pool's array number n. Fields of type `real`:
 constexpr unsigned direction_bits = 7 << 0;  // x, y, z
-constexpr unsigned end_bit = 1 << 3;         // end of a ray; state of a hit
-constexpr unsigned t_bit = 1 << 4;           // next sample of either
-constexpr unsigned sample_bits = 0xf << 5;   // t and estimate of the last sample and the one before; the bracket of a
-                                             // hit
+constexpr unsigned end_bit = 1 << 3;         // end of a ray, or state of a hit
+constexpr unsigned t_bit = 1 << 4;           // t of the next sample of a ray or a hit
+constexpr unsigned sample_bits = 0xf << 5;   // of a ray: t and estimate of the last two samples; of a hit: its bracket
 constexpr unsigned room_bit = 1 << 9;
-constexpr unsigned shared_bits = 3 << 9;  // of an HitPack; reuses room's number and the next one
+constexpr unsigned shared_bits = 3 << 9;  // of a HitPack; uses the array of `room` and the next one
+// Fields of integer type:
 // Integers:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
-constexpr unsigned work_bits = 3 << 2;  // estimates, iterations
+constexpr unsigned work_bits = 3 << 2;  // numbers of DE evaluations and of iterations
 constexpr unsigned every_whole = steps_bit | pixel_bit | work_bits;
 
 // A set of fields.
@@ -59,18 +59,17 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
-constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits,
-                          every_whole};                                          // for a ray that stores no depth
-constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};  // for an HitPack
+constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits, every_whole};  // for rays that leave no depth
+constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};          // for a HitPack
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
-constexpr Fields probed{direction_bits | t_bit, 0};  // for a DE evaluation
+constexpr Fields probed{direction_bits | t_bit, 0};  // fields that a DE evaluation needs
 constexpr Fields room_alone{room_bit, 0};
-// Fields changed by a marching step (except room) and by a refinement.
+// Fields that a marching step changes (except `room`), and fields that a refinement changes.
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
 constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
-// Calls on_real(field number, pack) or on_whole() for each field of a set. Direction and t of the next sample have the
-// same numbers in both kinds.
+// Calls on_real(array number, pack) or on_whole(array number, pack) for each field of the set `some`. Direction and t
+// of the next sample have the same array numbers in a RayPack and a HitPack.
 template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(RayPack& a, OnReal on_real, OnWhole on_whole)
 {
@@ -164,7 +163,7 @@ HWY_INLINE Kind load(const Pool& pool, int from)
     return a;
 }
 
-// Stores fields at an index of the pool.
+// Stores the fields `some` of a pack at index `at` of the pool.
 template <Fields some, class Kind>
 HWY_INLINE void store(Kind& a, Pool& pool, int at)
 {
@@ -180,7 +179,8 @@ HWY_INLINE int lanes_on(const mask& on)
     return lanes;
 }
 
-// Moves the active lanes to the front. For 64-bit lanes Highway uses a table even if an instruction exists.
+// Moves the active lanes to the front. For 64-bit lanes Highway uses a table even if the CPU has an instruction for it,
+// so this instruction is used directly.
 HWY_INLINE hn::Vec<Reals> compressed(hn::Vec<Reals> a, hn::Mask<Reals> on)
 {
 #if HWY_TARGET <= HWY_AVX3 && !MM_REAL_IS_FLOAT
@@ -199,14 +199,14 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 #endif
 }
 
-// Inlined if compressing is one instruction; otherwise the code is too long to inline.
+// append() is inlined if compressed() is a single instruction; otherwise its code is too long.
 #if HWY_TARGET <= HWY_AVX3
 #define MM_APPEND HWY_INLINE
 #else
 #define MM_APPEND HWY_NOINLINE HWY_MAYBE_UNUSED
 #endif
 
-// Appends the active lanes. The pool must have room for a whole pack.
+// Appends the rays of the active lanes to the pool, which must have room for a whole pack.
 template <Fields held = every_field, class Kind>
 MM_APPEND void append(Pool& pool, Kind& a, const mask& on)
 {
@@ -244,7 +244,7 @@ HWY_INLINE real real_of(const whole& a)
     return c;
 }
 
-// 0, 1, 2, ...
+// Returns 0, 1, 2, ...: the number of each lane.
 HWY_INLINE whole lane_numbers()
 {
     whole a;
@@ -252,7 +252,7 @@ HWY_INLINE whole lane_numbers()
     return a;
 }
 
-// Sets the next t of the active hits that need refinement, and returns their mask.
+// Finds the active hits that need refinement, sets the t of their next sample, and returns their mask.
 HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
 {
     const mask coarse = on && refining(scene, hit);

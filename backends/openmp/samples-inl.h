@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of packs, for pools: rays and hits, with one DE evaluation per step.
+// Marching and refinement steps on packs of a pool. Each step makes one DE evaluation.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SAMPLES_INL_H
@@ -16,10 +16,11 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Max steps before rays are stored without gaps again.
+// Max steps of a pack before the pool's rays are stored without gaps again.
 constexpr int steps_at_once = 16;
 
-// Update the active rays of each kind with their next DE evaluation. Return the mask of those that continue.
+// march_on(), march_cones_on() and refine_on() update the active rays, cones or hits of a pack with the estimate at
+// their next sample, and return the mask of those that continue.
 HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from, const Estimate& here,
                          const mask& on)
 {
@@ -60,7 +61,7 @@ HWY_INLINE mask refine_on(const Scene& scene, Pool& pool, int from, const Estima
     return stay;
 }
 
-// One function for all kinds, so that the estimator is compiled once, inside its loop.
+// A single function takes the steps of all kinds, so that the estimator is compiled once, inside the function's loop.
 HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Pool& pool, StepKind kind, int from,
                              int rays, hn::Mask<Reals>* going)
 {
@@ -69,7 +70,7 @@ HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Po
     const int enough = (rays < pack_lanes ? rays : pack_lanes) * 3 / 4;
     int step = 0;
     do {
-        // All kinds have the fields of `probed` at the same numbers.
+        // The fields of `probed` have the same array numbers for rays, cones and hits.
         const Estimate here = probe_root(scene, load<HitPack, probed>(pool, from).hit, on);
         if (kind == StepKind::march) {
             on = march_on(scene, canvas, pool, from, here, on);

@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Stores a hit's occlusion for the pixels between.
+// Stores the occlusion of hits, which the hits of later pixels between them can share.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
 {
@@ -32,7 +32,8 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
     }
 }
 
-// Shades `count` hits of a pool in a picture with shared occlusion; `shared`: these hits already have it.
+// Shades the first `count` hits of a pool in a picture with shared occlusion. If the template argument `shared` is
+// true, the hits already have the occlusion of their neighbours; otherwise it is computed.
 template <bool shared>
 HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
                                    WorkCounts& spent)
@@ -69,7 +70,7 @@ HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, cons
     for (int from = 0; from < count; from += pack_lanes) {
         HitPack a = load<HitPack, arrived>(pool, from);
         const mask on = first_lanes(count - from);
-        // Lanes after the last ray are not hits.
+        // Marks the lanes after the last ray as misses.
         a.hit.state = pick(on, a.hit.state, no_hit());
         store_pixels(shade(scene, a.hit), a.pixel, on, canvas, spent);
     }

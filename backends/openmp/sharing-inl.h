@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits that share the occlusion of adjacent pixels on the same surface, which were rendered before.
+// Finds hits that can share the occlusion of adjacent pixels, which were rendered earlier and show the same surface.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_SHARING_INL_H
@@ -14,28 +14,29 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Chosen by the changes of pictures (docs/notes/experiments.md).
-constexpr MM_REAL same_surface = MM_REAL(0.02);  // max difference of depths on one surface, relative
-constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of the neighbours' occlusion, both values added
-constexpr int enough = 2;                        // min of four neighbours on the pixel's surface
+// Selected by how much pictures change (docs/notes/experiments.md).
+constexpr MM_REAL same_surface = MM_REAL(0.02);  // max relative difference of the depths of pixels on one surface
+constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards between the neighbours
+constexpr int enough = 2;                        // min number of neighbours, of four, on the pixel's surface
 
-// The four pixels of even columns and rows around each lane's pixel; some can coincide.
+// The four pixels in even columns and rows that surround each lane's pixel. Some of the four can be the same.
 struct Around {
-    hn::Vec<Wholes> at[4];     // at half their indices
-    hn::Mask<Reals> there[4];  // inside the picture
+    hn::Vec<Wholes> at[4];     // half their indices in a plane
+    hn::Mask<Reals> there[4];  // lanes whose neighbour is inside the picture
 
     HWY_INLINE Around(const Canvas<MM_REAL>& canvas, int width, const whole& pixel)
     {
         const auto set = [](int value) MM_INLINED { return hn::Set(Reals(), static_cast<MM_REAL>(value)); };
         const auto wide = set(width);
         const auto number = hn::ConvertTo(Reals(), pixel.of[0]);
-        // A band has less than 2^22 pixels, so half a pixel exceeds the rounding error.
+        // The row is floor((index + 0.5) / width). A band has less than 2^22 pixels, so the added half pixel exceeds
+        // the rounding error.
         const auto row = hn::Floor(hn::Div(hn::Add(number, hn::Set(Reals(), MM_REAL(0.5))), wide));
         const auto column = hn::Sub(number, hn::Mul(row, wide));
         const auto half = hn::Set(Reals(), MM_REAL(0.5));
         const auto left = hn::Floor(hn::Mul(column, half));
         const auto down = hn::Floor(hn::Mul(row, half));
-        const auto right = hn::Sub(column, left);  // left, or left + 1
+        const auto right = hn::Sub(column, left);  // equals left, or left + 1
         const auto up = hn::Sub(row, down);
         const auto is_right = hn::Lt(hn::Add(right, right), wide);
         const auto is_above = hn::Lt(hn::Add(up, up), set(canvas.end_row - canvas.first_row));
@@ -52,7 +53,8 @@ struct Around {
     }
 };
 
-// Returns the mask of active lanes that share occlusion, and sets it to the mean of their neighbours.
+// Finds the active hits that can share occlusion, sets their shared occlusion to the mean of their neighbours', and
+// returns their mask.
 HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
 {
     const auto gathered = [](const MM_REAL* from, hn::Vec<Wholes> at, hn::Mask<Reals> there) MM_INLINED {
@@ -89,7 +91,8 @@ HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
     return shared;
 }
 
-// True if this lattice shares occlusion: its neighbours are two pixels apart.
+// Returns true if the hits of this lattice share occlusion. Only the last lattice does, whose neighbours are two pixels
+// apart.
 HWY_INLINE bool shares(const Drawing& d) { return d.canvas.sunwards != nullptr && d.canvas.lattice.before == 2; }
 
 }  // namespace MM_PACK

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of a picture's rays, and the settings derived from it: cones of subtiles, the size of the hull around
-// subtiles, and the lattices of pixels.
+// The distance between a picture's rays, and the settings derived from it: whether subtiles begin with cones, the size
+// of the hull used for subtiles, and the lattices of pixels.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace mandelmarch::openmp {
 
-// Returns the length of a triple of the kernel's scene.
+// Returns the length of a vector of the kernel's scene.
 template <class Triple>
 auto length_of(const Triple& a) -> decltype(a.x + 0)
 {
     return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 
-// Returns the max distance of diagonally adjacent rays, at distance 1.
+// Returns the max distance between two diagonally adjacent rays, measured at distance 1 from the camera.
 template <class KernelScene>
 auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
 {
@@ -28,7 +28,8 @@ auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
                           length_of(scene.upward) / static_cast<Real>(scene.height));
 }
 
-// Returns the lattices of a picture. The coarsest is one whose hits are close enough for the pixels between them.
+// Returns the lattices of a picture. The pixels of the coarsest lattice must be close enough together that the pixels
+// between them can begin near their hits (neighbour_pitch).
 template <class KernelScene>
 Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
@@ -40,26 +41,27 @@ Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Tec
     return lattices;
 }
 
-// True if pixels share the occlusion of a look with adjacent pixels: if normals ignore detail below a tolerance, and
-// pixels are closer than the shortest distance at which openness is evaluated (core/kernel/looks.h).
+// Returns true if pixels may share occlusion with adjacent pixels. Requires that normals ignore details smaller than a
+// tolerance, and that adjacent pixels are closer together than the shortest distance at which openness is evaluated
+// (core/kernel/looks.h).
 template <class KernelScene>
 bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
 {
-    constexpr double nearest_openness = 0.004;  // of the distance from the camera
+    constexpr double nearest_openness = 0.004;  // as a fraction of the distance from the camera
     return techniques.occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
-// True if subtiles begin with cones. A cone ends some of its widths before the surface; if a pixel is many tolerances
-// wide, that can be at once.
+// Returns true if subtiles begin with cones. A cone ends at a distance of several of its widths from the
+// surface. If a pixel is many tolerances wide, the cone can end at once, and is not worth its time.
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
     return scene.canonical != 0 && techniques.cones && spacing_of(scene) < fractal.fast.cone_pitch * scene.tolerance;
 }
 
-// Returns the size of a hull that contains a subtile's centre ray wherever one of the subtile's rays is in the scene's
-// hull; 0: the scene has no hull. A ray is in the scene's hull up to the distance `farthest`, where it is half a
-// subtile's diagonal away from the centre ray.
+// Returns the size of an enlarged hull for subtiles; 0 if the scene has no hull. If any ray of a subtile meets the
+// scene's hull, the subtile's centre ray meets the enlarged one. Rays leave the scene's hull at most at the distance
+// `farthest`, where each ray of a subtile is at most half the subtile's diagonal away from the centre ray.
 template <class KernelScene>
 auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype(scene.tolerance + 0)
 {

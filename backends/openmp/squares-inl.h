@@ -17,13 +17,14 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// A square of `across` x `across` pixels with a distance of 2^log2_apart.
+// A square of `across` x `across` pixels of a lattice. Adjacent ones are 2^log2_apart pixels of the picture apart.
 struct Square {
     int left;  // column of the first pixel
     int bottom;
     int log2_apart;
     int log2_across;
-    // Starts of the rays by their subtiles and by their neighbours; padded for reads of whole registers.
+    // The t at which each pixel's ray can begin, according to its subtile and to its neighbours. Padded, because
+    // whole registers are read.
     MM_REAL block_start[block_pixels + register_lanes];
     MM_REAL neighbour_start[block_pixels + register_lanes];
 
@@ -31,16 +32,16 @@ struct Square {
     int count() const { return 1 << 2 * log2_across; }
 };
 
-// Table look-up, per lane.
+// Returns, for each lane, the element of a table at the lane's index.
 template <class D>
 HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> places)
 {
     return hn::TableLookupLanes(hn::LoadU(d, from), hn::IndicesFromVec(d, places));
 }
 
-// Positions of a square's columns or rows in the picture, from -1 to 1.
+// Positions of a square's columns or rows in the picture; the picture extends from -1 to 1.
 struct PicturePlaces {
-    MM_REAL at[block_side + register_lanes];  // padded for reads of whole registers
+    MM_REAL at[block_side + register_lanes];  // padded, because whole registers are read
 
     HWY_INLINE PicturePlaces(const Square& square, int first, int size)
     {
@@ -52,7 +53,7 @@ struct PicturePlaces {
     }
 };
 
-// Offsets of a register's pixels, row by row, from its first one.
+// Offsets of a register's pixels from its first pixel. The pixels of a square are taken row by row.
 struct SquareLanes {
     Int x[register_lanes];
     Int y[register_lanes];
@@ -68,7 +69,8 @@ struct SquareLanes {
     }
 };
 
-// Begins the rays of a square's pixels. `painted`: pixels of subtiles without a hit are already painted.
+// Begins the rays of a square's pixels. If `painted` is true, subtiles that no ray hits are already painted, and their
+// pixels are omitted.
 HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
 {
     const Scene& scene = d.scene;
@@ -87,7 +89,7 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         a.pixel = load_lanes(lanes.pixel) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const real from = load_lanes(square.block_start + n);
         const real start = load_lanes(square.neighbour_start + n);
-        // Columns and rows of the lattice from here to the picture's edges.
+        // Number of the lattice's columns and rows from here to the picture's edges.
         const int columns = ((scene.width - 1 - x0) >> square.log2_apart) + 1;
         const int rows = ((d.canvas.end_row - 1 - y0) >> square.log2_apart) + 1;
         mask on = x < whole(static_cast<Int>(columns)) && y < whole(static_cast<Int>(rows));

@@ -11,10 +11,10 @@
 namespace mandelmarch::openmp {
 namespace {
 
-constexpr double least = 64;  // KiB; a thread needs about 20
+constexpr double least = 64;  // min stack size in KiB; a thread needs about 20 KiB
 
-// Returns the KiB of an OMP_STACKSIZE (OpenMP 5.2, 21.2.2): an integer, in KiB unless followed by B, K, M or G. 0: not
-// a number, which the run-time library ignores.
+// Returns the size in KiB that a value of OMP_STACKSIZE sets (OpenMP 5.2, 21.2.2): a number, in KiB unless B, K, M or G
+// follows. Returns 0 for a value that is not a number, which the run-time library ignores.
 double kibibytes(const char* text)
 {
     char* rest = nullptr;

@@ -4,8 +4,8 @@
 
 namespace mandelmarch::openmp {
 
-// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE sets stacks too small for packs of rays, which would crash the
-// threads.
+// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE sets the stacks too small for packs of rays. The threads would
+// crash.
 void check_stack_size();
 
 }  // namespace mandelmarch::openmp

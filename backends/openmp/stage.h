@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages of openmp's pictures, in the order of the kernel source.
+// Stages of a picture rendered by openmp, in the order of the kernel source.
 #pragma once
 
 namespace mandelmarch::openmp {

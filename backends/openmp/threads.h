@@ -14,7 +14,7 @@
 
 namespace mandelmarch::openmp {
 
-// Memory of one thread, reused between pictures because new pages cost time.
+// Memory of one thread. It is reused between pictures, because new memory pages cost time.
 class ThreadMemory {
 public:
     ThreadMemory() = default;
@@ -39,7 +39,8 @@ private:
     std::size_t size_ = 0;
 };
 
-// The tiles of a band, assigned row by row from the bottom left, `chunk` at a time; none after a cancellation.
+// The tiles of a band. They are assigned to threads row by row from the bottom left, `chunk` at a time. After a
+// cancellation no more are assigned.
 class TileQueue {
 public:
     TileQueue(int width, const Band& band, int chunk, const Progress* progress = nullptr)
@@ -51,10 +52,10 @@ public:
     {
     }
 
-    // Tiles of the queue that one thread has taken.
+    // The tiles that one thread has taken from the queue.
     struct Share {
         TileQueue& queue;
-        int at = 0, end = 0;  // next tile, and end of the taken ones
+        int at = 0, end = 0;  // index of the next tile, and of the one after the last tile taken
 
         Tiles tiles() { return {next, this}; }
     };

@@ -12,7 +12,7 @@
 
 namespace mandelmarch::openmp {
 
-// Returns a fractal's variants for some instruction sets: the scalar one first, the best last.
+// Returns a fractal's variants for some instruction sets. The first is scalar; the best one is last.
 template <class Real>
 std::vector<Variant<Real>> variants_of(std::string_view fractal, Mode mode, std::int64_t targets = instructions());
 

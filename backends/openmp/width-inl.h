@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that pools call on packs of other widths. Define MM_REAL.
-
-// Include guard for each instruction set.
+// Interface by which the pools call functions on packs of other widths. The including file defines MM_REAL.
+// The include guard allows one inclusion per instruction set.
 #if defined(MM_WIDTH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MM_WIDTH_INL_H
 #undef MM_WIDTH_INL_H
@@ -20,8 +19,9 @@ namespace {
 
 enum class StepKind { march, march_cones, refine };
 
-// Steps the pack at `from`, with `rays` rays left in the pool: marching until a quarter of the rays has ended, or one
-// refinement. `going` receives a mask per register of the rays that continue.
+// Steps the pack at index `from` of a pool that has `rays` rays from there on: marches until a quarter of the pack's
+// rays have ended or for a limited number of steps, or refines once. `going` receives, per register, the mask of the
+// rays that continue.
 using TakeSteps = void (*)(const void* scene, const Canvas<MM_REAL>& canvas, RayPool<MM_REAL>& pool, StepKind kind,
                            int from, int rays,
                            hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<MM_REAL>>* going);
@@ -38,7 +38,7 @@ using ShadeHits = void (*)(const void* scene, const RayPool<MM_REAL>& pool, int 
 struct Shading {
     int lanes;  // lanes per pack
     ShadeHits shade;
-    ShadeHits shade_sharing;  // for hits with the occlusion of their neighbours
+    ShadeHits shade_sharing;  // for hits that have the occlusion of their neighbours
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ double Mandelbox::operator()(Vector p, Work& work) const
 {
     Vector z = p;
     double k = 1;
-    double r2 = -1;  // of the folded point; below 0, so that the loop begins
+    double r2 = -1;  // squared radius of the folded point; begins below 0, so that the loop begins
     int i = 0;
     for (; i < iterations_ && r2 < escape2_; ++i) {
         z = {fold(z.x), fold(z.y), fold(z.z)};
@@ -52,7 +52,7 @@ Mandelbulb::Mandelbulb(const Scene& scene)
 {
 }
 
-// Returns the max stretch of the power map along a parallel, relative to that along the radius.
+// Returns how much the power map stretches lengths along a parallel at most, relative to lengths along the radius.
 double Mandelbulb::stretch(Vector z, double r) const
 {
     if (!(envelope_ > 0)) return 1;

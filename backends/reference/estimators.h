@@ -7,7 +7,8 @@
 
 namespace mandelmarch::reference {
 
-// Mandelbox and Mandelbulb, with the constants of a scene. operator() adds the evaluation and its iterations to `work`.
+// Estimators of the Mandelbox and the Mandelbulb. operator() returns the estimate at a point, and adds one DE
+// evaluation and its iterations to `work`.
 class Mandelbox {
 public:
     explicit Mandelbox(const Scene& scene);
@@ -28,7 +29,7 @@ private:
 
     int iterations_;
     double bailout_, power_;
-    double envelope_;  // fraction c of the envelope, for the conservative estimate; 0: original estimate
+    double envelope_;  // constant c of the conservative estimate's envelope; 0: original estimate
 };
 
 }  // namespace mandelmarch::reference

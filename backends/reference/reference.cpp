@@ -19,16 +19,18 @@ namespace {
 
 constexpr double far_end = 1000;  // largest t
 constexpr int most_steps = 8000;
-constexpr double step_factor = 0.95;  // step factor, in distance estimates
-// Finds the canonical hit by small steps, because the Mandelbulb's estimate can be five times too large.
+constexpr double step_factor = 0.95;  // step length as a fraction of the estimate
+// Step factor with which the canonical hit is found. It is small, because the Mandelbulb's estimate can be five times
+// too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
-// Wider differences would step over the relief that a canonical picture shows, of about the tolerance's size and less.
-constexpr double difference_share = 1e-3;  // of the tolerance
+// Max half distance of the points whose estimates a normal is the difference of, as a fraction of the tolerance. With a
+// larger one, normals would miss the relief of a canonical picture, whose size is about the tolerance and less.
+constexpr double difference_share = 1e-3;
 
 struct Axes {
     Vector forward, right, up;
-    double tangent;  // of half the vertical angle
+    double tangent;  // tangent of half the vertical angle of view
     double aspect;
     int width, height;  // of the whole picture, in pixels
 };
@@ -102,7 +104,7 @@ private:
         return fractal_(scene_.eye + t * direction, work_);
     }
 
-    // Returns the last sample of the original stepping.
+    // Marches with the original stepping, and returns its last sample.
     Hit plain_hit(Vector direction)
     {
         double t = 0;
@@ -118,7 +120,7 @@ private:
         return {distance < t * eps_, sample, t * eps_};
     }
 
-    // Returns the first t with DE(t) = eps t: small steps to a point inside, then bisection to the last bit.
+    // Returns the first t with DE(t) = eps t. Finds a point inside by small steps, then bisects to the last bit.
     Hit canonical_hit(Vector direction)
     {
         const auto outside = [&](double t, double distance) { return !(distance < eps_ * t); };
@@ -140,8 +142,8 @@ private:
         }
     }
 
-    // Computes the normal by central differences, one tolerance before the hit. In canonical pictures an eye inside the
-    // solid sees no surface; the normal is then the direction towards the eye.
+    // Returns the normal, by central differences one tolerance in front of the hit. In a canonical picture, an eye
+    // inside the solid sees no surface; its normal is the direction towards the eye.
     Vector normal(const Hit& hit, Vector direction)
     {
         if (mode_ == Mode::fast && hit.t == 0) return -1 * direction;
@@ -153,7 +155,7 @@ private:
         return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
     }
 
-    // Computes the normal by the estimates at the corners of a tetrahedron, at distance h from p.
+    // Returns the normal at p, computed from the estimates at the corners of a tetrahedron at distance h from p.
     Vector smooth_normal(Vector p, double h)
     {
         Vector sum{};
@@ -207,7 +209,7 @@ public:
     static bool knows(const mandelmarch::Fractal& fractal) { return estimator_of(fractal) != nullptr; }
 
 private:
-    // The fractals of estimators.h.
+    // The fractals of estimators.h, and the functions that render them.
     struct Estimator {
         std::string_view fractal;
         RenderStats (ReferenceRenderer::*draw)(const Scene&, Image&, const Progress&) const;

@@ -17,7 +17,7 @@ struct Kernel {
     DrawBand<float> in_float;
 };
 
-// Returns nullptr for an unknown fractal.
+// Returns a fractal's kernels; nullptr if the fractal is unknown.
 const Kernel* kernel_of(std::string_view name);
 
 }  // namespace mandelmarch::skeleton

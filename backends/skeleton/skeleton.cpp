@@ -15,7 +15,8 @@
 namespace mandelmarch {
 namespace {
 
-// Runs the schedule on the device: allocates in its constructor, runs the kernel on a band, reads back.
+// Renders bands on the device: its constructor allocates the buffers, run() runs the kernel on a band, and read_back()
+// copies the band to the image.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -26,10 +27,10 @@ public:
           wholes_(whole_planes * pixels),
           pixels_(pixels)
     {
-        // A device uploads scene_ here and adds the time to timings.upload.
+        // A real device uploads scene_ here, and adds the time to timings.upload.
     }
 
-    // The limits below do not limit loop iterations, so the entry is always Entry::draw.
+    // The limits given to run_schedule() below do not limit loop iterations, so the entry is always Entry::draw.
     void run(Entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
@@ -80,7 +81,7 @@ private:
     RenderStats draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
     {
         const Clock::time_point start = Clock::now();
-        // Capacity of the device's memory, in whole rows.
+        // The simulated device's memory holds most_pixels; a band consists of whole rows.
         constexpr int most_pixels = 1 << 20;
         const int rows = std::clamp(most_pixels / scene.width, 1, scene.height);
         const std::int64_t pixels = std::int64_t{rows} * scene.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop of C++ standard parallelism.
+// A parallel loop with C++ standard parallelism.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace mandelmarch::stdpar {
 
-// Calls body(0) to body(count - 1). Iterates over an index array in memory, because libstdc++ treats iterators of
-// std::views::iota as input iterators and runs over those on one thread.
+// Calls body(0) to body(count - 1) in parallel. Iterates over an array of indices in memory, because libstdc++ treats
+// iterators of std::views::iota as input iterators and runs over those on one thread.
 template <class Body>
 void loop(int count, Body body)
 {

@@ -39,7 +39,7 @@ public:
         return {.device = device, .threads = std::min(usable_threads(), tbb::info::default_concurrency())};
     }
 
-    // The standard cannot set the number of threads; TBB can.
+    // Sets the number of threads with TBB, because the C++ standard has no function for it.
     void run(const RendererOptions& options, const std::function<void()>& draw) const override
     {
         const int most = options.threads == 0 ? usable_threads() : options.threads;

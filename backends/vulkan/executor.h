@@ -14,7 +14,7 @@
 
 namespace mandelmarch::vulkan {
 
-// The same as in kernel.comp.
+// Must be the same as in kernel.comp.
 inline constexpr int group_side = 8;
 enum Stage : int {
     stage_begin = 1,
@@ -26,33 +26,36 @@ enum Stage : int {
     stage_pack = 64
 };
 
-// The buffers of a Workbench. `results` contains, each at a multiple of 256 bytes (the largest alignment that a device
-// may require): the flags for rays still marching and for rays cut off, the planes of reals and those of integers. If
-// only bytes are needed, they replace the reals. `mirror` is the host's copy, for devices with separate memory.
+// The buffers of a Workbench. `results` contains two flags ("a ray is still marching" and "a ray was cut off"), the
+// planes of reals, and the planes of integers. Each of these three parts begins at a multiple of 256 bytes, the
+// largest alignment that a device may require. If only bytes are needed, they replace the planes of reals. `mirror`
+// is a copy of the results that the host can read, for devices with separate memory.
 enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
 constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
 inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize flags_size = 2 * flag_size;
 inline constexpr vk::DeviceSize reals_at = aligned(flags_size);
 
-// Size of a Ray and of a Hit in std430: a vec3, six reals and three ints, padded to a multiple of four reals.
+// Returns the size of a Ray in std430, which is also that of a Hit: a vec3, six reals and three ints, padded to a
+// multiple of four reals.
 constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
 static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the padding
 
-// Max loop iterations of one invocation in a pass. lavapipe silently ends loops after 65,535 iterations, summed over
-// all loops, with one for each loop of a branch not taken. Elsewhere a watchdog may end passes that take some seconds:
-// these limits are about a tenth of a second for a warp on a slow GPU, on which double may be 32 times slower than
-// float. kernel.comp detects a device that cuts off iterations within these limits.
+// Max number of loop iterations of an invocation in one pass. lavapipe silently ends loops after 65,535 iterations;
+// it sums them over all loops, and also counts one for each loop in a branch that is not taken. On other devices a
+// watchdog may end passes that take several seconds. There, these limits correspond to about a tenth of a second for
+// a warp on a slow GPU, on which double may be 32 times slower than float. kernel.comp detects if a device ends loops
+// earlier.
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
-// Pixels that keep a CPU's lanes busy.
+// Number of pixels that keeps the lanes of a CPU busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
 
 inline Limits limits_of(const DeviceInfo& info, vk::DeviceSize real, int band)
 {
-    // The ray buffer is the largest.
+    // The ray buffer is the largest buffer.
     const vk::DeviceSize bytes =
         std::min<vk::DeviceSize>(info.properties.limits.maxStorageBufferRange, info.largest_allocation);
     Limits limits{.pixels_per_band =
@@ -64,7 +67,7 @@ inline Limits limits_of(const DeviceInfo& info, vk::DeviceSize real, int band)
     return with_band(limits, band);
 }
 
-// Runs the bench's program on the buffers named by `Index`.
+// Runs the program of a Workbench on its buffers, which `Index` numbers.
 template <class Real>
 class BandExecutor : public Executor {
 public:
@@ -78,7 +81,7 @@ public:
     {
         if (entry == Entry::begin || entry == Entry::draw)
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
-        // A ray begins in the first pass that marches it, and stops in the pass after the last one that does.
+        // A ray begins in the first pass that marches it, and its stop is processed in the pass after its last march.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
             stops_ = stage_stop;
@@ -148,7 +151,7 @@ private:
 
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
-    // Throws Error if a ray was cut off, according to kernel.comp's second flag.
+    // Throws Error if the second flag, set by kernel.comp, reports a ray that was cut off.
     void check(const std::byte* results) const
     {
         if (*reinterpret_cast<const std::int32_t*>(results + flag_size) == 0) return;
@@ -163,7 +166,7 @@ private:
         if (bench_.program->lacks(constants)) {
             ran(gpu_.finish("marching"));
             const auto start = Clock::now();
-            // Some drivers compile when a pipeline first runs, so it runs here without rows.
+            // Some drivers compile a pipeline when it first runs, so it runs here without any rows.
             bench_.program->dispatch(gpu_, constants, {}, 1, 1);
             gpu_.barrier();
             gpu_.finish("compiling a shader");
@@ -180,7 +183,8 @@ private:
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
-    // Returns the address at which the host can read the first bytes of the results after the work is done.
+    // Copies the first bytes of the results to memory that the host can read. Returns their address there; the bytes
+    // are valid after the device has finished.
     const std::byte* fetch(vk::DeviceSize size)
     {
         const bool mirrored = results().bytes == nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened device: its queue, its memory, and waiting for it.
+// An opened device: its queue, buffers and commands, and waiting for the end of its work.
 #pragma once
 
 #include <chrono>
@@ -11,41 +11,41 @@
 
 namespace mandelmarch::vulkan {
 
-// A storage buffer of shaders.
+// A storage buffer for shaders.
 struct Buffer {
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Buffer handle = nullptr;
     vk::DeviceSize size = 0;     // bytes
-    std::byte* bytes = nullptr;  // mapped address on the host, or nullptr
+    std::byte* bytes = nullptr;  // address at which the host can access the buffer; nullptr if it cannot
 };
 
 enum class Place { device, host };
 
-// Seconds of finished work.
+// How long finished work took, in seconds.
 struct Took {
-    double host = 0;                    // from submission to notification of the end
-    std::optional<double> device = {};  // by the device's clock, if it has one
+    double host = 0;                    // from the submission until the host learns of the end
+    std::optional<double> device = {};  // by the device's clock; nullopt if it has none
 };
 
 class Gpu {
 public:
-    // Throws Unavailable if the device lacks a feature required for `precision`.
+    // Opens the device. Throws Unavailable if it lacks a feature that `precision` requires.
     Gpu(const vk::raii::PhysicalDevice& physical, Precision precision);
 
     const DeviceInfo& info() const { return info_; }
     const std::string& name() const { return info_.device.name; }
     const vk::raii::Device& device() const { return device_; }
 
-    // Makes a buffer for shaders and copies. `what` is its name in messages.
+    // Makes a buffer that shaders and copies can use. Error messages call it `what`.
     Buffer make_buffer(vk::DeviceSize size, Place place, const std::string& what) const;
 
-    // Returns the command buffer, in the recording state.
+    // Returns the command buffer, ready to record commands.
     const vk::raii::CommandBuffer& commands();
     // Makes earlier writes of shaders and copies visible to later commands, on the device and on the host.
     void barrier();
-    // Submits the recorded commands, if any, and waits for them. Throws Error if the device is lost, and DeviceHung if
-    // it does not respond in time: its work may still be running, so nothing that it uses may be destroyed, and
-    // destruction might never return.
+    // Submits the recorded commands, if any, and waits for them. Throws Error if the device is lost. Throws DeviceHung
+    // if it does not respond in time; its work may then still be running, so nothing that it uses may be destroyed, and
+    // the destructor might never return.
     Took finish(const std::string& doing);
 
     // Discards the recorded commands.
@@ -53,7 +53,7 @@ public:
 
 private:
     std::uint32_t memory_type(std::uint32_t allowed, Place place, const std::string& what) const;
-    // Returns the seconds between the two timestamps of the finished work; nullopt without a clock.
+    // Returns the seconds between the two timestamps of the finished work; nullopt if the device has no clock.
     std::optional<double> device_seconds() const;
 
     const vk::raii::PhysicalDevice& physical_;
@@ -65,8 +65,8 @@ private:
     vk::raii::CommandPool pool_ = nullptr;
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
-    vk::raii::QueryPool clock_ = nullptr;  // timestamps at the start and end of work; null: no clock
-    std::uint64_t clock_mask_ = 0;         // valid bits of a timestamp
+    vk::raii::QueryPool clock_ = nullptr;  // the two timestamps, at the start and end of work; null: no clock
+    std::uint64_t clock_mask_ = 0;         // mask of the valid bits of a timestamp
     bool recording_ = false;
 };
 

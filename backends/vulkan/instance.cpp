@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-// Converts a driver's text, which may lack a final NUL in its array.
+// Converts a driver's text. A text that fills its array has no final NUL.
 template <class Array>
 std::string text_of(const Array& text)
 {
@@ -55,7 +55,7 @@ int rank_of(vk::PhysicalDeviceType type)
     }
 }
 
-// Identifiers assigned by PCI's registry and by Khronos.
+// Returns the vendor of an identifier assigned by PCI's registry or by Khronos.
 std::string vendor_name(std::uint32_t id)
 {
     switch (id) {

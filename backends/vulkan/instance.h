@@ -11,12 +11,13 @@
 
 namespace mandelmarch::vulkan {
 
-// An open loader and its devices. Throws Unavailable, with the reason only, if no loader or no driver exists.
+// An open loader and its devices. If no loader or no driver is installed, the constructor throws Unavailable, whose
+// message is only the reason, without the backend's name.
 class Instance {
 public:
     Instance();
 
-    // GPUs first.
+    // Returns the devices; GPUs come first.
     const std::vector<vk::raii::PhysicalDevice>& devices() const { return devices_; }
 
 private:
@@ -30,17 +31,17 @@ struct DeviceInfo {
     Device device;
     vk::PhysicalDeviceProperties properties;
     vk::DeviceSize largest_allocation = 0;  // bytes
-    std::int64_t most_invocations = 0;      // resident at once; 0: unknown
+    std::int64_t most_invocations = 0;      // max invocations resident on the device at once; 0: unknown
     bool has_double = false;
     bool shares_memory = false;  // uses the host's memory
-    bool counts_loops = false;   // lavapipe: an invocation silently ends after about 65,535 loop iterations
+    bool counts_loops = false;   // the device is lavapipe, which ends an invocation's loops after 65,535 iterations
 };
 DeviceInfo facts_of(const vk::raii::PhysicalDevice& physical);
 
-// Returns a short description: "device lost", "out of device memory".
+// Returns a short description of an error, such as "device lost" or "out of device memory".
 std::string describe(const vk::SystemError& error);
 
-// Runs f and converts Vulkan errors to Error: "backend vulkan: PLACE: what while DOING".
+// Runs f, and converts a Vulkan error to an Error with the message "backend vulkan: PLACE: DESCRIPTION while DOING".
 template <class Function>
 decltype(auto) attempt(const std::string& place, const std::string& doing, Function f)
 {

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel as a compute shader: one pixel per invocation; a specialization constant selects the stages of a pass.
+// The kernel as a compute shader. An invocation processes one pixel. A specialization constant selects which stages of
+// the kernel a pass executes.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 #include "core/kernel/text.h"
 #define MM_TRUNCATED(x) int(x)
 #include "core/kernel/bytes.h"
 
-// Squares of pixels: neighbouring invocations march neighbouring rays, which end after about the same number of steps.
+// A work group covers a square of pixels, because neighbouring rays end after about the same number of steps.
 const int side = 8;
 layout(local_size_x = side * side) in;
 
-// The stages of a pixel that this pipeline executes, in order. Between pipelines a ray is stored until it stops, and
-// from then on a hit.
+// The stages of a pixel, in order; `stages` contains those that this pipeline executes. Between two pipelines a pixel
+// is stored as a Ray before stage_stop, and as a Hit after it.
 const int stage_begin = 1;
 const int stage_march = 2;
 const int stage_stop = 4;
 const int stage_refine = 8;
 const int stage_shade = 16;
-const int stage_bytes = 32;  // shading stores three bytes in a word per pixel
-const int stage_pack = 64;   // a separate pass: packs the words of four pixels into three
+const int stage_bytes = 32;  // stage_shade stores a pixel's three bytes in one word
+const int stage_pack = 64;   // a pass of its own, which packs the words of four pixels into three
 layout(constant_id = 0) const int stages = 31;
-// Rarely changing scene parameters as constants of the pipeline: removes branches, which are expensive on some devices.
+// Scene parameters that rarely change are constants of the pipeline. This removes branches, which are expensive on some
+// devices.
 layout(constant_id = 1) const int fractal_whole = 0;
 layout(constant_id = 2) const int canonical = 0;
 layout(constant_id = 3) const int differences = 0;
@@ -42,22 +44,23 @@ layout(push_constant) uniform Pass
     int first_row;
     int rows;
     int steps;   // max steps of marching, or max refinements in a pass without marching
-    int pixels;  // distance of two planes of the results
+    int pixels;  // values per plane of the results
 } pass;
 
-// Every second bit of an index below 64, from `bit` on, for the Morton order.
+// Returns every second bit of an index below 64, beginning with `bit`. These are the coordinates of the Morton order.
 int every_second(int index, int bit)
 {
     int bits = index >> bit;
     return (bits & 1) | ((bits >> 1) & 2) | ((bits >> 2) & 4);
 }
 
-// Number of steps of a ray that the device has cut off: above any limit, so that it stops marching.
+// Number of steps given to a ray whose loop the device has cut off. It exceeds every limit, so the ray stops marching.
 const int cut_off = 1 << 30;
 
-// Returns `steps`, or cut_off. lavapipe limits the iterations of all loops of an invocation together. After the limit
-// it leaves the current loop, continues after it, and allows one iteration in each later loop. This loop makes two,
-// which detects the limit. Its bounds come from a buffer, so that no compiler removes it.
+// Returns `steps`, or cut_off if the device has ended a loop of this invocation early. lavapipe limits the sum of the
+// iterations of all loops of an invocation. When the limit is reached, it leaves the current loop and goes on, and
+// allows one iteration in each later loop. This function's loop needs two iterations, and so detects it. Its bounds
+// come from a buffer, so that no compiler removes the loop.
 int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;
@@ -67,7 +70,7 @@ int steps_or_cut_off(int steps)
     return cut_off;
 }
 
-// Packs the bytes of four pixels, from 4 `at` on, into three words.
+// Packs the bytes of four pixels, of which the first has the index 4 * at, into three words.
 void pack(int at)
 {
     if (4 * at >= whole_scene.width * pass.rows) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generated SPIR-V modules. Names: FRACTAL_PRECISION_MODE and probe_PRECISION. Float modules of exact mode also
-// exist with _corrected (exact residuals) and _pinned (in double); see core/kernel/prelude/glsl.h.
+// The generated SPIR-V modules. They are named FRACTAL_PRECISION_MODE, probe_PRECISION_exact and peak_PRECISION_fast.
+// Each float module of exact mode also exists with the suffix _corrected, which corrects divisions by their exact
+// residuals, and _pinned, which divides in double (core/kernel/prelude/glsl.h).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace mandelmarch::vulkan {
 
 using Module = std::span<const std::uint32_t>;
 
-// Empty if no module has this name.
+// Returns a module; empty if no module has this name.
 Module module_named(std::string_view name);
 
 }  // namespace mandelmarch::vulkan

@@ -7,12 +7,12 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) writeonly buffer Sums { real sums[]; };
-// a and b of the chains, in a buffer so that they are not compile-time constants.
+// The factor and the addend of the chains; in a buffer, so that they are not compile-time constants.
 layout(std430, binding = 1) readonly buffer Given { real given[]; };
 
 layout(push_constant) uniform Pass { int rounds; } pass;
 
-// Invocations begin with different values and store their results, so that the compiler removes nothing.
+// Each invocation begins with a different value and stores its result, so that the compiler cannot remove its chain.
 void main()
 {
     int i = int(gl_GlobalInvocationID.x);

@@ -12,11 +12,11 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-constexpr int group = 64;  // as in peak.comp
-// Invocations: several for each lane of the largest GPUs, and enough to balance a CPU's cores.
+constexpr int group = 64;  // invocations per work group, as in peak.comp
+// Number of invocations: on a GPU several for each lane of the largest GPUs, on a CPU enough to keep all cores busy.
 constexpr int gpu_items = 1 << 21;
 constexpr int cpu_items = 1 << 12;
-// Loop iterations of an invocation; a watchdog may end a GPU's pass after some seconds.
+// Loop iterations of an invocation in one pass. Limited, because a watchdog may end a GPU's pass after several seconds.
 constexpr int rounds_per_pass = 1 << 14;
 static_assert(rounds_per_pass < counted_loops / 2);
 
@@ -52,7 +52,7 @@ double multiply_add_peak(const RendererOptions& options)
     if (static_cast<std::size_t>(options.device) >= instance.devices().size()) {
         throw Unavailable(fmt::format("backend vulkan: there is no device {}", options.device));
     }
-    // On the heap, so that a hung device keeps the objects in use.
+    // Allocated separately, so that they can be left in use if the device hangs.
     auto gpu = std::make_unique<Gpu>(instance.devices()[static_cast<std::size_t>(options.device)], options.precision);
     auto bench = std::make_unique<Workbench>();
     try {

@@ -6,8 +6,8 @@
 
 namespace mandelmarch::vulkan {
 
-// Returns operations per second. Throws Unavailable if the device does not exist or lacks the precision, Error if it
-// fails.
+// Returns operations per second. Throws Unavailable if the device does not exist or does not support the precision,
+// Error if the device fails.
 double multiply_add_peak(const RendererOptions& options);
 
 }  // namespace mandelmarch::vulkan

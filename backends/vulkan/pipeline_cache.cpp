@@ -18,14 +18,14 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The file: this header, then the driver's bytes.
+// The cache file consists of this header and the bytes of the driver's cache.
 struct FileHeader {
     std::array<char, 8> magic;
     std::uint64_t checksum;
 };
 constexpr std::array<char, 8> magic{'m', 'm', 'v', 'k', 'c', 'a', '0', '1'};
 
-// FNV-1a, 64 bits (Fowler, Noll and Vo).
+// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo).
 std::uint64_t hash_of(const void* data, std::size_t size)
 {
     std::uint64_t hash = 0xcbf29ce484222325;
@@ -36,7 +36,7 @@ std::uint64_t hash_of(const void* data, std::size_t size)
 
 std::string cache_folder()
 {
-    // The XDG Base Directory Specification: an empty or relative path is ignored.
+    // The XDG Base Directory Specification requires that an empty or relative path is ignored.
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
         return std::string(xdg) + "/mandelmarch";
     }
@@ -46,7 +46,7 @@ std::string cache_folder()
     return {};
 }
 
-// False for pipes and the like, on which reading would block.
+// Returns true for a regular file or none; false for pipes and other kinds, on which reading would block.
 bool may_hold_cache(const std::string& path)
 {
     std::error_code ignored;
@@ -54,7 +54,7 @@ bool may_hold_cache(const std::string& path)
     return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
 }
 
-// Reads the cache; empty if the file is missing or damaged.
+// Returns the content of the cache file without its header; empty if the file is missing or damaged.
 Bytes read_cache(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -67,7 +67,8 @@ Bytes read_cache(const std::string& path)
     return content;
 }
 
-// True if the driver's own header names this device. Drivers must check this themselves, but some did not.
+// Returns true if the header that the driver wrote into its cache names this device. Drivers must check this
+// themselves, but some did not.
 bool is_of(const vk::PhysicalDeviceProperties& device, const Bytes& content)
 {
     VkPipelineCacheHeaderVersionOne header{};
@@ -116,7 +117,7 @@ void PipelineCache::save()
         file.commit();
         known_ = content;
     } catch (const std::exception&) {
-        path_.clear();  // continues without a cache
+        path_.clear();  // the renderer continues without a cache
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cache of driver-compiled pipelines between runs, in $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch.
+// Stores the pipelines that a driver has compiled, for later runs, in $XDG_CACHE_HOME/mandelmarch or
+// ~/.cache/mandelmarch.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@
 
 namespace mandelmarch::vulkan {
 
-// A file that is truncated, modified or from another driver is ignored and rewritten. If the folder is not writable, or
-// the path is not a file, nothing is cached, without a message.
+// The cached pipelines of one module on one device. A file that is truncated, modified or from another driver is
+// ignored and rewritten. If the folder is not writable, or the path is not a regular file, nothing is stored, and no
+// error is reported.
 class PipelineCache {
 public:
     PipelineCache(const Gpu& gpu, Module module);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the assumptions of exact mode; the host compares the results with IEEE's: quotient() and root(), and canaries
-// for multiplications that a device fuses with additions, which rounds once instead of twice.
+// Computes values by which the host checks the assumptions of exact mode: it compares them with IEEE 754's results.
+// They are quotient() and root(), and sums of products. A device that fuses a multiplication with an addition rounds
+// once instead of twice, which changes these sums.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 
@@ -15,7 +16,7 @@ layout(std430, binding = 5) writeonly buffer Sums { real sums[]; };
 
 real multiplied_and_added(real a, real b, real c) { return a * b + c; }
 
-// A chain, as in a norm, inside a called function.
+// A chain of multiplications and additions in a called function, such as a norm.
 real norm(vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
 void main()

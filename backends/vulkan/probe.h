@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests if a device follows IEEE 754: Vulkan allows errors of 2.5 ulp in divisions and square roots, and some drivers
-// ignore NoContraction.
+// Tests whether a device follows IEEE 754. Vulkan allows errors of 2.5 ulp in divisions and square roots, and some
+// drivers ignore NoContraction.
 #pragma once
 
 #include <memory>
@@ -11,15 +11,15 @@
 
 namespace mandelmarch::vulkan {
 
-// Objects in use by a device. Separate from the code that uses them, so that they can be abandoned together with a
-// device that does not respond.
+// Objects that a device uses. They are separate from the code that uses them, so that they can be abandoned together
+// with a device that does not respond.
 struct Workbench {
     std::unique_ptr<Program> program;
     std::vector<Buffer> buffers;
 };
 
-// Returns the name suffix of the modules with which this device is exact: "", or, if its float divisions are inexact,
-// "_corrected" or "_pinned" (modules.h). Throws Unavailable if none is exact.
+// Returns the suffix of the modules that are exact on this device: "", or "_corrected" or "_pinned" (modules.h) if its
+// float divisions are inexact. Throws Unavailable if no module is exact.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 
 }  // namespace mandelmarch::vulkan

@@ -17,7 +17,7 @@ Program::Program(const Gpu& gpu, Module module, int buffers) : device_(gpu.devic
         layout_ = device_.createPipelineLayout(vk::PipelineLayoutCreateInfo({}, *set_layout_, pushed));
         const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, count);
         pool_ = device_.createDescriptorPool(vk::DescriptorPoolCreateInfo({}, 1, size));
-        // The set is released with its pool, which cannot free single sets.
+        // The set is released together with its pool, because the pool cannot free single sets.
         set_ = vk::raii::DescriptorSets(device_, vk::DescriptorSetAllocateInfo(*pool_, *set_layout_)).front().release();
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A module on a device: its pipelines, created on first use, and its buffers.
+// A module on a device, with its pipelines, which are created on first use, and the binding of its buffers.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct Binding {
     vk::DeviceSize size;    // bytes
 };
 
-// Both shaders use: storage buffers 0, 1, ... in set 0, four ints of push constants, four of specialization.
+// A loaded module. All shaders use the same interface: storage buffers 0, 1, ... in set 0, four ints of push constants,
+// and four ints of specialization constants.
 class Program {
 public:
     using Ints = std::array<std::int32_t, 4>;
@@ -29,10 +30,10 @@ public:
 
     void bind(std::span<const Binding> bindings) const;
 
-    // True if the pipeline of these constants does not exist yet; dispatch() creates it.
+    // Returns true if the pipeline of these specialization constants does not exist yet. dispatch() would create it.
     bool lacks(const Ints& constants) const { return !pipelines_.contains(constants); }
 
-    // Records work. The caller adds barriers.
+    // Records a dispatch into the GPU's command buffer. The caller adds barriers.
     void dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x, std::uint32_t groups_y);
 
 private:

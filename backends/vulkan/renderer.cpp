@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-// Vulkan objects of a renderer; destroyed in reverse order.
+// The Vulkan objects of a renderer. They are destroyed in reverse order of their declaration.
 struct Session {
     Instance instance;
     Gpu gpu;
@@ -66,8 +66,8 @@ public:
     }
 
 private:
-    // Runs f. A device that does not respond is abandoned with all objects that it may still use, since destroying them
-    // would block.
+    // Runs f. If the device does not respond, abandons it with all objects that it may still use, because their
+    // destruction would block.
     template <class Function>
     void guarded(Function f)
     {
@@ -95,7 +95,7 @@ private:
                            .device = gpu.info().device,
                            .precision = options_.precision,
                            .mode = options_.mode,
-                           // lavapipe does not report its number of threads, but names each of them.
+                           // lavapipe does not report its number of threads, but they have names.
                            .threads = gpu.info().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                            .instruction_set = instruction_set_,
                            .timings = {},
@@ -131,8 +131,7 @@ private:
         loaded_ = fractal;
     }
 
-    // Makes buffers for bands of `pixels` pixels and binds them. Buffers of earlier pictures are reused if large
-    // enough.
+    // Binds buffers for bands of `pixels` pixels. Reuses the buffers of earlier pictures if they are large enough.
     template <class Real>
     void bind_buffers(vk::DeviceSize pixels)
     {
@@ -160,8 +159,8 @@ private:
     RendererOptions options_;
     std::unique_ptr<Session> session_;
     std::string variant_;                     // suffix of the modules' names
-    std::string instruction_set_ = "SPIR-V";  // includes the method of float divisions, for the user
-    std::string loaded_;                      // fractal
+    std::string instruction_set_ = "SPIR-V";  // for the user; names the method of float divisions, too
+    std::string loaded_;                      // name of the fractal whose program is loaded
     vk::DeviceSize held_ = 0;                 // pixels that the Workbench's buffers can hold
     double context_ = 0;                      // seconds
 };

@@ -8,7 +8,7 @@
 
 namespace mandelmarch::vulkan {
 
-// Throws Unavailable if the device does not exist or does not support the options.
+// Returns a renderer. Throws Unavailable if the device does not exist or does not support the options.
 std::unique_ptr<Renderer> make_renderer(const RendererOptions& options);
 
 }  // namespace mandelmarch::vulkan

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A build tool for SPIR-V modules:
-//   decorate IN OUT      decorates every floating-point operation NoContraction: no fused multiply-add and no
-//                        algebraic optimisation. GLSL's `precise` omits operations in called functions.
-//   check IN...          exit code 1 if an operation lacks the decoration
-//   embed OUT.cpp IN...  writes the modules as a C++ table, named by the stems of their files
+//   decorate IN OUT      decorates every floating-point operation with NoContraction, which forbids fused multiply-add
+//                        and algebraic optimisation. (GLSL's `precise` would not reach operations in called functions.)
+//   check IN...          returns exit code 1 if an operation lacks the decoration
+//   embed OUT.cpp IN...  writes the modules as a C++ table, in which the stems of their file names are the names
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,8 +24,9 @@ constexpr std::size_t header_words = 5;
 constexpr std::uint32_t no_contraction = 42;
 constexpr std::uint32_t op_decorate = 71;
 
-// FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices. FConvert is included
-// because Mesa 25 would omit the rounding to float between two float divisions computed in double.
+// Returns true for FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices.
+// FConvert is included because Mesa 25 would otherwise omit the rounding to float between two float divisions that are
+// computed in double.
 bool is_arithmetic(std::uint32_t opcode)
 {
     static const std::set<std::uint32_t> opcodes{115, 127, 129, 131, 133, 136, 140, 141,
@@ -33,7 +34,7 @@ bool is_arithmetic(std::uint32_t opcode)
     return opcodes.contains(opcode);
 }
 
-// Instructions that precede the module's types, before which annotations end.
+// Returns true for the instructions that precede a module's types. Decorations must stand before the first other one.
 bool is_preamble(std::uint32_t opcode)
 {
     static const std::set<std::uint32_t> opcodes{2,  3,  4,  5,  6,  7,  10,  11,  14,  15,   16,
@@ -53,11 +54,11 @@ Words read_module(const std::string& path)
     return words;
 }
 
-// Contraction of a module's instructions.
+// Result of survey(): which operations of a module may be contracted.
 struct Survey {
-    std::size_t annotations_end = 0;      // word index
-    std::set<std::uint32_t> undecorated;  // results of arithmetic operations
-    std::size_t operations = 0;
+    std::size_t annotations_end = 0;      // index of the word before which decorations can be inserted
+    std::set<std::uint32_t> undecorated;  // result identifiers of arithmetic operations without NoContraction
+    std::size_t operations = 0;           // number of arithmetic operations
 };
 
 Survey survey(const Words& words)

@@ -23,7 +23,7 @@ public:
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
-    // Reads the loader's manifests, in its usual folders.
+    // Reads the manifests of drivers in the folders in which the Vulkan loader searches.
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;

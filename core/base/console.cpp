@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-// Handles failed output. A closed pipe is not an error: a reader such as `| head -1` has read what it needs, and the
-// exit code does not change.
+// Handles a failed write to stdout. Throws Error unless the cause is a closed pipe: a reader such as `| head -1` has
+// then read what it needs, and the exit code does not change.
 void refuse_unless_unread(int cause)
 {
     if (cause != EPIPE) {

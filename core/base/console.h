@@ -18,8 +18,8 @@ void say(fmt::format_string<Values...> format, Values&&... values)
     say(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-// Prints a result to stdout. Throws Error if it cannot be written; a pipe closed by its reader is not an error. The
-// output is buffered; run_program flushes it.
+// Prints a result to stdout, which is buffered until run_program() flushes it. Throws Error if stdout cannot be
+// written, but not if its reader has closed the pipe.
 void print(std::string_view text);
 
 template <class... Values>
@@ -28,7 +28,7 @@ void print(fmt::format_string<Values...> format, Values&&... values)
     print(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-// Flushes stdout. Throws Error if this fails, or failed before.
+// Flushes stdout. Throws Error if this or an earlier write failed.
 void flush_stdout();
 
 }  // namespace mandelmarch

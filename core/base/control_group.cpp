@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::map<std::string, std::uint64_t, std::less<>>;
 
-// Reads the lines `key number` of a file.
+// Reads the lines of the form `key number` of a file.
 Numbers numbers_in(const std::string& path)
 {
     std::ifstream file(path);
@@ -33,7 +33,7 @@ std::uint64_t value_of(const Numbers& numbers, std::string_view key)
     return found == numbers.end() ? 0 : found->second;
 }
 
-// Reads a file that contains one number; no_limit if it is missing or contains "max".
+// Returns the number in a file; no_limit if the file is missing or contains "max".
 std::uint64_t number_in(const std::string& path)
 {
     std::ifstream file(path);
@@ -41,7 +41,8 @@ std::uint64_t number_in(const std::string& path)
     return file >> value ? value : no_limit;
 }
 
-// Returns the group's path: for a controller of version 1, or for version 2 if `controller` is empty.
+// Returns the path of the process's group. `controller` names a controller of cgroups version 1; if it is empty, the
+// group of version 2 is returned.
 std::string group_of(const std::string& root, std::string_view controller)
 {
     std::ifstream file(root + "/proc/self/cgroup");
@@ -58,8 +59,8 @@ std::string group_of(const std::string& root, std::string_view controller)
     return {};
 }
 
-// Returns the folders of the group and its parent groups, the root last. In a container the root may be the group
-// itself.
+// Returns the folders of the process's group and of its parent groups; the root group is last. In a container, the root
+// group may be the process's own.
 std::vector<std::string> folders(const std::string& root, std::string_view controller)
 {
     const std::string groups = root + "/sys/fs/cgroup";

@@ -20,15 +20,15 @@
 namespace mandelmarch {
 namespace {
 
-// The process's original affinity, one bit per core. Written once, before main() and the constructors of shared
-// libraries, because OpenMP's constructor binds the first thread.
+// The affinity that the process started with, one bit per core. It is recorded once, before the constructors of shared
+// libraries and main(), because the constructor of OpenMP's library binds the first thread.
 struct Mask {
-    unsigned long bits[128] = {};  // 8192 cores
-    long bytes = 0;                // written by the kernel; 0 or less: unknown
+    unsigned long bits[128] = {};  // room for 8192 cores
+    long bytes = 0;                // number of bytes that the operating system wrote; 0 or less: unknown
 };
 constinit Mask given;
 
-// Not instrumented, because sanitizers are not initialised yet.
+// Not instrumented, because it runs before sanitizers are initialised.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
 {
     given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);
@@ -45,7 +45,8 @@ int cores_given()
     return std::max(1, count);
 }
 
-// Returns the first number of a variable's list; nullopt if it is not positive.
+// Returns the first number of the list in an environment variable; nullopt if the variable is not set or the number is
+// not positive.
 std::optional<int> first_number(const char* variable)
 {
     const char* text = std::getenv(variable);

@@ -8,35 +8,37 @@
 namespace mandelmarch {
 
 struct Cores {
-    int machine = 1;                // all online cores
+    int machine = 1;                // online cores of the machine
     int given = 1;                  // cores assigned to the process at its start (taskset, cpusets, job schedulers)
-    std::optional<double> quota{};  // of the control groups: core/base/control_group.h
-    std::optional<int> asked{};     // first number of OMP_NUM_THREADS
-    std::optional<int> limit{};     // OMP_THREAD_LIMIT
+    std::optional<double> quota{};  // processor_quota() of core/base/control_group.h; nullopt: no quota
+    std::optional<int> asked{};     // first number in OMP_NUM_THREADS
+    std::optional<int> limit{};     // first number in OMP_THREAD_LIMIT
 
-    // Returns the default number of threads: OMP_NUM_THREADS if set, otherwise one per given core, limited by the
-    // quota; in either case at most OMP_THREAD_LIMIT.
+    // Returns the default number of threads: OMP_NUM_THREADS if it is set, otherwise the given cores, or fewer if the
+    // quota allows fewer. The result is at most OMP_THREAD_LIMIT.
     int threads() const;
 };
 
-// `root`: the folder used as / in the search for control groups.
+// Returns the cores of this process. `root` is the folder used as / in the search for control groups.
 Cores cores(const std::string& root = {});
 
 // Returns cores().threads().
 int usable_threads();
 
-// Returns the environment variable that makes OpenMP bind its threads, as "OMP_PROC_BIND=true"; "" if none does.
+// Returns the setting by which OpenMP binds its threads, such as "OMP_PROC_BIND=true"; "" if it does not bind them.
 std::string binding();
 
-// Limits drivers that run on the host's cores and use all cores of the machine by default. If this process may use
-// fewer, sets the environment variable `name`, unless set, to usable_threads(). Call it before other threads run.
+// Limits the threads of a driver that by default runs on all cores of the machine. If this process may use fewer cores,
+// sets the environment variable `name` to usable_threads(), unless the variable is set already. Must be called before
+// other threads run.
 void limit_driver_threads(const char* name);
 
-// Returns the number of this process's threads whose names begin with `beginning`, for drivers that do not report it.
+// Returns the number of this process's threads whose names begin with `beginning`. Used for drivers that do not report
+// their number of threads.
 int threads_named(const std::string& beginning);
 
-// Lets the calling thread, and the threads and processes that it starts later, run on every core assigned to the
-// process. OpenMP's run-time library may have bound the first thread to one core when it was loaded.
+// Allows the calling thread, and the threads and processes that it starts later, to run on every core assigned to the
+// process. OpenMP's run-time library may have bound the first thread to one core when the library was loaded.
 void restore_affinity();
 
 }  // namespace mandelmarch

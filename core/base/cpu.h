@@ -14,25 +14,26 @@ struct Cache {
     int level = 0;
     std::string type;  // "Data", "Instruction" or "Unified"
     std::uint64_t bytes = 0;
-    std::string cores{};  // cores that share it, in Linux's list format: "0-7"
+    std::string cores{};  // cores that share this cache, in Linux's list format: "0-7"
 };
 
 struct Cpu {
     std::string name = "CPU";  // as reported by the CPU; "CPU" if unknown
     std::string vendor = "unknown";
-    // x86 only; they distinguish designs with the same name. nullopt if unknown.
+    // Numbers of the design, on x86 only. Different designs can have the same name. nullopt if unknown.
     std::optional<int> family, model, stepping;
     std::vector<std::string> flags;    // Linux's names, sorted
     std::vector<std::string> vectors;  // the vector extensions among the flags, in Linux's order
 
-    // Returns a name that differs between designs: "AMD EPYC (family 25 model 17)".
+    // Returns the name with family and model, which differs between designs: "AMD EPYC (family 25 model 17)".
     std::string platform() const;
 };
 
-// Parses the text of /proc/cpuinfo; uses its first processor.
+// Parses the text of /proc/cpuinfo. Only its first processor is used.
 Cpu read_cpuinfo(std::istream& cpuinfo);
 
-// Reads the caches of the first core from a folder like /sys/devices/system/cpu/cpu0/cache. Empty if it does not exist.
+// Reads the caches of a core from a folder such as /sys/devices/system/cpu/cpu0/cache. Returns an empty list if the
+// folder does not exist.
 std::vector<Cache> read_caches(const std::string& folder);
 
 Cpu host_cpu();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file descriptor, closed by the destructor.
+// An owned file descriptor, which the destructor closes.
 #pragma once
 
 #include <unistd.h>

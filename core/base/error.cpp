@@ -21,8 +21,8 @@ namespace mandelmarch {
 
 namespace {
 
-// If a standard descriptor is closed, opens /dev/null in its place, so that no file reuses its number. Uses the
-// opposite access mode, so that reads and writes still fail.
+// Opens /dev/null in place of each standard descriptor that is closed, so that no file receives its number. Uses the
+// wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
 void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -51,7 +51,7 @@ int run_program(const char* program, int (*body)(int, char**), int argc, char** 
 {
     hold_standard_descriptors();
     restore_affinity();
-    // Closed pipes and file size limits then cause errors of the write instead of signals.
+    // Writes to closed pipes or beyond a file size limit then return errors instead of raising signals.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const auto complain = [&](const std::exception& error) { say("{}: {}\n", program, printable(error.what())); };

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;  // as in Linux
+constexpr int most_links = 40;  // max length of a chain of links, as in Linux
 
-// Returns the status of the file, following links; nullopt if it does not exist.
+// Returns the status of a file, following links; nullopt if the file does not exist.
 std::optional<struct stat> status_of(const std::string& path)
 {
     struct stat status {};

@@ -8,14 +8,14 @@
 
 namespace mandelmarch {
 
-// Follows a chain of symbolic links to its last name, whose file may not exist yet. Stops at a name in /proc, since its
-// target is already open. Throws InputError if the links are circular.
+// Follows a chain of symbolic links and returns the last name, whose file may not exist yet. Stops at a name in /proc,
+// because such a name refers to a file that is already open. Throws InputError if the links are circular.
 std::string end_of_links(const std::string& path);
 
-// True for a name in a folder of /proc: a virtual file, or one that is already open.
+// Returns true if the name is in a folder of /proc. It then refers to a virtual file or to one that is already open.
 bool in_proc(const std::string& path);
 
-// Returns the files of a folder, sorted; empty if it cannot be read.
+// Returns the paths of a folder's entries, sorted; empty if the folder cannot be read.
 std::vector<std::string> files_in(const std::string& folder);
 
 // Returns the first line of a file; empty if the file cannot be read.
@@ -38,17 +38,17 @@ private:
 // Returns the folder of a path; "." if it has none.
 std::string folder_of(const std::string& path);
 
-// True if both names refer to one file, by any spelling or link, even if it does not exist yet.
+// Returns true if both names refer to the same file, by any spelling or link, even if the file does not exist yet.
 bool same_file(const std::string& a, const std::string& b);
 
-// A file on a command line: its name in messages (such as an option) and its path; empty if not given.
+// A file on a command line: its name in messages, such as an option, and its path, which is empty if not given.
 struct NamedFile {
     std::string name;
     std::string path;
 };
 
-// Throws InputError if a written file is also another written or read file. Devices (/dev/null, a terminal) may be
-// shared.
+// Throws InputError if two of the written files, or a written file and a read file, are the same file. Devices
+// (/dev/null, a terminal) may be given twice.
 void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read = {});
 
 }  // namespace mandelmarch

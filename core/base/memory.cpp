@@ -12,7 +12,8 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the number after `key` in a file of lines `key number kB`, in bytes; otherwise no_limit.
+// Reads a file with lines of the form `key number kB`. Returns the number after `key` in bytes; no_limit if it is
+// absent.
 std::uint64_t bytes_after(const std::string& path, const std::string& key)
 {
     constexpr std::uint64_t kibibyte = 1024;

@@ -8,7 +8,7 @@
 namespace mandelmarch {
 
 // Returns the bytes that this process can still allocate: the min of the system's available memory, the memory left by
-// the control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root`: the folder used as
+// the control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root` is the folder used as
 // /.
 std::uint64_t available_memory(const std::string& root = {});
 

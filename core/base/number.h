@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strict decimal numbers, for files and command lines: no hexadecimal, no infinity, nothing after the number.
+// Strict parsing of decimal numbers, for files and command lines. Hexadecimal, infinity, and text after the number are
+// not accepted.
 #pragma once
 
 #include <optional>
@@ -7,10 +8,10 @@
 
 namespace mandelmarch {
 
-// Returns nullopt if `text` is not exactly one integer, or is out of range.
+// Returns the integer that `text` consists of; nullopt if it is anything else or out of range.
 std::optional<long long> parse_whole(std::string_view text);
 
-// Returns nullopt if `text` is not exactly one finite real number, or is out of the range of double.
+// Returns the finite real number that `text` consists of; nullopt if it is anything else or out of the range of double.
 std::optional<double> parse_real(std::string_view text);
 
 }  // namespace mandelmarch

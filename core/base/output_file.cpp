@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns N if the path refers to this process's own descriptor N, as do /dev/stdout and /dev/fd/N.
+// Returns N if the path refers to this process's descriptor N, such as /dev/stdout and /dev/fd/N; otherwise nullopt.
 std::optional<int> own_descriptor(const std::string& path)
 {
     const std::string end = end_of_links(path);
@@ -116,7 +116,7 @@ void OutputFile::seek(std::uint64_t offset)
 void OutputFile::commit()
 {
     if (temporary_) {
-        // A new file has the default permissions of the user's mask; a replaced one keeps its permissions.
+        // A new file has the default permissions of the user's mask; a file that replaces another has that one's.
         struct stat old {};
         const mode_t mask = umask(0);
         umask(mask);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output files that appear complete or not at all.
+// Output files that appear completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,18 @@
 
 namespace mandelmarch {
 
-// Writes to a temporary file next to the target; commit() renames it. Writes directly into a stream. A symbolic link is
-// kept; its target is replaced, or created. Errors are thrown as Error with the path and the cause.
+// Writes to a temporary file next to the target, which commit() renames to the target. A stream (see is_stream) is
+// written directly. If the path is a symbolic link, the link is kept, and the file that it refers to is replaced or
+// created. Errors are thrown as Error, with the path and the cause.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
-    ~OutputFile();  // without a commit(), removes the temporary file; for signals see TemporaryPath
+    ~OutputFile();  // removes the temporary file unless commit() was called; for signals see TemporaryPath
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(const void* data, std::size_t size);
-    // Sets the position of the next write, in bytes from the beginning. Not for streams.
+    // Sets the position of the next write, in bytes from the beginning. Must not be called for a stream.
     void seek(std::uint64_t offset);
     void commit();
 
@@ -30,9 +31,9 @@ public:
     // folder. Changes nothing.
     static void check(const std::string& path);
 
-    // True if the target exists and is neither a regular file nor a folder (a device, a pipe), or if its name is in
-    // /proc, as for /dev/stdout, /dev/stderr and /dev/fd/N. The latter are written directly, as by a shell, even if
-    // they are regular files.
+    // Returns true if the target exists and is neither a regular file nor a folder, such as a device or a pipe. Also
+    // returns true if its name is in /proc, such as /dev/stdout, /dev/stderr and /dev/fd/N, which are links into /proc.
+    // These are written directly even if they refer to regular files, as a shell does.
     static bool is_stream(const std::string& path);
 
 private:

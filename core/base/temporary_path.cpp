@@ -31,7 +31,7 @@ struct Name {
 // The names in use; global, as a signal handler needs. Files whose names find no slot remain after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
-// Removes the files, then raises the signal with its default action.
+// The signal handler. Removes the files, then raises the signal again with its default action.
 void remove_files(int signal)
 {
     for (const Name& name : names) {

@@ -10,10 +10,11 @@
 namespace mandelmarch {
 
 // The path of a temporary file. The destructor removes the file unless it was renamed. SIGINT, SIGTERM and SIGHUP
-// remove it, too, and then end the process as usual; a signal that is ignored or has a handler is left unchanged.
+// also remove the file, and then end the process as usual. A signal that was ignored or had a handler keeps that
+// setting, and does not remove the file.
 class TemporaryPath {
 public:
-    // For a file created by other code.
+    // Takes the path of a file that other code creates.
     explicit TemporaryPath(std::string path);
     // Creates an empty file, named `prefix` and eight characters, and opens it for writing. Throws Error with name and
     // cause.
@@ -24,7 +25,7 @@ public:
 
     const std::string& path() const { return path_; }
 
-    // Renames the file to its final name and replaces a file of that name; returns false and sets errno on failure.
+    // Renames the file to `target`, and replaces a file of that name. If this fails, returns false and sets errno.
     bool rename_to(const std::string& target);
 
 private:

@@ -8,7 +8,8 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the length of the UTF-8 character at the beginning of `text`, in bytes; 0: not UTF-8.
+// Returns the length in bytes of the UTF-8 character at the beginning of `text`; 0 if there is none or it is a control
+// character from U+0080 to U+009F.
 std::size_t utf8_length(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -22,7 +23,7 @@ std::size_t utf8_length(std::string_view text)
     for (std::size_t i = 1; i < length; ++i) {
         if ((byte(i) & 0xc0) != 0x80) return 0;
     }
-    // U+0080 to U+009F are control characters, too.
+    // U+0080 to U+009F are control characters.
     return length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0 ? 0 : length;
 }
 

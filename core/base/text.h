@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// External text: printing it in messages, and checks before parsing.
+// Text from outside the program: makes it printable, and checks it before it is parsed.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace mandelmarch {
 
 inline constexpr std::size_t longest_message = 2000;  // bytes
 
-// Returns the text as one line: control characters escaped as in C (\n, \x1b), bytes that are not UTF-8 as \xNN, cut
-// with "..." if longer than `most` bytes.
+// Returns the text as one line. Control characters are escaped as in C (\n, \x1b), and bytes that are not UTF-8 as
+// \xNN. If the result is longer than `most` bytes, it is cut and ends with "...".
 std::string printable(std::string_view text, std::size_t most = longest_message);
 
 inline constexpr std::size_t deepest_json = 64;
 
-// Throws InputError, with a message that begins with `name`, if brackets of a JSON text are nested deeper than
-// `deepest_json`, because JSON readers recurse.
+// Throws InputError if the brackets of a JSON text are nested deeper than `deepest_json`; JSON readers are recursive.
+// The message begins with `name`.
 void check_json_depth(std::string_view text, const std::string& name);
 
 }  // namespace mandelmarch

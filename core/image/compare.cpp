@@ -14,7 +14,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int visible = 2;  // of 255; the threshold of all comparisons in this project
+constexpr int visible = 2;  // max difference of a byte that counts as invisible, in all comparisons of this project
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 

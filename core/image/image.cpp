@@ -33,7 +33,7 @@ template Planes<double> planes_of(const double*, const int*, std::size_t, std::s
 template <class Real>
 void Image::store(const Planes<Real>& planes, int left, int bottom, int width, int height)
 {
-    // NaN becomes 0.
+    // Converts a colour to a byte. NaN becomes 0.
     const auto byte = [](Real c) { return static_cast<std::uint8_t>(c > 0 ? 255 * (c < 1 ? c : 1) : 0); };
     for (int y = 0; y < height; ++y) {
         const std::size_t row = pixels(width_, bottom + y - first_row_);

@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-inline constexpr int max_side = 65535;  // of a picture, pixels
+inline constexpr int max_side = 65535;  // max width and height of a picture, pixels
 
 // A pixel as computed by a backend.
 struct PixelValue {
@@ -38,19 +38,20 @@ struct Planes {
 template <class Real>
 Planes<Real> planes_of(const Tile<Real>& tile);
 
-// Layout of a device's buffers, each plane of `pixels` values: red, green, blue and depth in `reals`; steps, estimates
-// and iterations in `wholes` (real_planes and whole_planes are their numbers).
+// Returns the planes of a device's buffers. Each plane has `pixels` values. `reals` contains real_planes planes (red,
+// green, blue, depth), `wholes` contains whole_planes (steps, DE evaluations, iterations).
 template <class Real>
 Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride);
 
-// Rows go from bottom to top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
+// A picture. Rows go from bottom to top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
 class Image {
 public:
-    // Values stored with the three bytes: none, the colours that the bytes come from, or all of PixelValue.
+    // Values stored in addition to the three bytes: none; the colours that the bytes come from; or all of PixelValue.
     enum class Layers { bytes, colours, all };
 
     Image() = default;
-    // Makes a black image. Copies use the heap. `first_row`: index of row 0 in a larger picture, if any.
+    // Makes a black image, allocated from `memory`; copies of it use the heap. If the image is a part of a larger
+    // picture, `first_row` is the index of its row 0 there.
     Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
           int first_row = 0);
 
@@ -66,23 +67,25 @@ public:
     bool has_values() const { return layers_ != Layers::bytes; }
     bool has_depths() const { return layers_ == Layers::all; }
 
-    // Three bytes per pixel: red, green, blue.
+    // Returns three bytes per pixel: red, green and blue.
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    // Returns the first byte of a row, counted as in the larger picture.
+    // Returns the first byte of a row. `row` is counted in the larger picture.
     std::uint8_t* row_bytes(int row) { return bytes_.data() + 3 * pixels(width_, row - first_row_); }
 
-    // Empty for Layers::bytes. With Layers::colours, depth, steps and iterations are 0 and meaningless.
+    // Returns the values of all pixels; empty for Layers::bytes. With Layers::colours, depth, steps and iterations are
+    // 0 and meaningless.
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
-    // Stores pixels (0, 0) to (width - 1, height - 1) of the planes at (left, bottom) of the larger picture. A byte is
-    // trunc(255 c), computed in the planes' precision. Threads may store different parts of an image concurrently.
+    // Stores the planes' pixels (0, 0) to (width - 1, height - 1) into the image; their first one becomes pixel (left,
+    // bottom), in which `bottom` is counted in the larger picture. A byte is trunc(255 c), computed in the planes'
+    // precision. Several threads may store different parts of an image at the same time.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);
 
-    // Memory of an image, in bytes per pixel.
+    // Returns the memory that an image needs, in bytes per pixel.
     static std::size_t bytes_per_pixel(Layers layers);
 
 private:

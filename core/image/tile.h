@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A square of finished pixels, passed from a backend to an image. Plain data: translation units compiled for one
-// instruction set use it and must not contain code of the standard library.
+// A square of finished pixels, passed from a backend to an image. Contains plain data only, because it is used by
+// translation units that are compiled for one instruction set, and must not contain code of the standard library.
 #pragma once
 
 namespace mandelmarch {
@@ -8,8 +8,8 @@ namespace mandelmarch {
 inline constexpr int tile_side = 16;  // pixels
 inline constexpr int tile_pixels = tile_side * tile_side;
 
-inline constexpr int real_planes = 4;   // of a canvas: red, green, blue, depth
-inline constexpr int whole_planes = 3;  // steps, estimates, iterations
+inline constexpr int real_planes = 4;   // red, green, blue, depth
+inline constexpr int whole_planes = 3;  // steps, DE evaluations, iterations
 
 // Real is the kernel's floating-point type. Pixel (x, y) has index y * tile_side + x; y grows upwards.
 template <class Real>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pair of connected sockets between two processes of one machine. Messages arrive whole, optionally with a file
-// descriptor.
+// A pair of connected sockets, for two processes on the same machine. A message arrives as a whole, and can carry a
+// file descriptor.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace mandelmarch::isolation {
 
 struct Packet {
     std::string bytes;
-    Descriptor descriptor;  // received with the message, if any
+    Descriptor descriptor;  // received with the message; empty if it had none
 };
 
 class Channel {
@@ -23,11 +23,12 @@ public:
     static std::pair<Channel, Channel> pair();  // throws Error
     explicit Channel(Descriptor socket) : socket_(std::move(socket)) {}
 
-    // Returns false if the other side has closed. Throws Error if the message is larger than `largest`.
+    // Sends a message, with the descriptor unless it is -1. Returns false if the other side has closed. Throws Error if
+    // the message is larger than `largest`.
     bool send(const std::string& bytes, int descriptor = -1) const;
-    // Waits for a message; nullopt if the other side has closed.
+    // Waits for a message and returns it; returns nullopt if the other side has closed.
     std::optional<Packet> receive() const;
-    // True if a message, or the end of the channel, can be received without waiting.
+    // Returns true if receive() would not wait: a message is available, or the other side has closed.
     bool waiting() const;
 
     int number() const { return socket_.number(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serialization of the backend interface's structures. Structured bindings make the compilation fail if a new member is
-// missing here.
+// Serialization of the backend interface's structures. The structured bindings below list all members of a structure,
+// so that a member missing here is a compile error.
 #pragma once
 
 #include "core/isolation/message.h"
@@ -8,7 +8,8 @@
 
 namespace mandelmarch::isolation {
 
-// `Archive` is a Writer, with a const value, or a Reader.
+// transfer() writes or reads all members of a structure. `Archive` is a Serializer, for a const structure, or a
+// Deserializer.
 template <class Archive, class SceneOrConst>
 requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
@@ -49,17 +50,17 @@ void transfer(Archive& archive, ReportOrConst& report)
     archive(precision, mode, threads, pack, instruction_set, step_factor, unsettled, timings, work, kernels);
 }
 
-// Requests of a program to a device process: arguments -> response.
+// Requests of a program to a device process. The comments list their arguments, and the results in the response.
 enum class Request : int {
-    list,     // -> reason why no device is available, or ""; the devices
-    create,   // renderer number, options ->
-    render,   // renderer number, whether the image has values, scene, shared memory of the image -> report
-    release,  // renderer number; no response
-    cancel,   // cancels the render in progress, if any; no response
-    peak      // options -> whether a peak exists; operations per second
+    list,     // -> the reason why no device is available, or ""; the devices
+    create,   // renderer number, options -> no results
+    render,   // renderer number, whether the image has values, scene, shared memory of the image -> RenderStats
+    release,  // renderer number; has no response
+    cancel,   // cancels the render in progress, if any; has no response
+    peak      // options -> whether the peak is known; operations per second
 };
 
-// Responses of a device process. Any number of progress messages may precede the final one.
+// Responses of a device process. Any number of `progress` messages may precede the final response.
 enum class Answer : int { progress, done, error, input_error, unavailable, hung, no_memory, cancelled };
 
 }  // namespace mandelmarch::isolation

@@ -22,15 +22,16 @@
 namespace mandelmarch::isolation {
 namespace {
 
-// Longer than device_timeout(), because the process then gives a device up itself, with a more precise message.
+// Longest time to wait for a message. It exceeds device_timeout(), because the device process applies that limit
+// itself, and reports the device with a more precise message.
 std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
 
-constexpr std::size_t most_said = 1 << 16;  // bytes kept until they are printed
-constexpr std::size_t last_words = 300;     // bytes of output quoted in a message
+constexpr std::size_t most_said = 1 << 16;  // max bytes of the process's output that are kept until they are printed
+constexpr std::size_t last_words = 300;     // max bytes of its output that a message quotes
 
 constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
 
-// Opens the file that the variable names; none if it is not set.
+// Opens the file that the environment variable names. Returns an empty Descriptor if it is not set.
 Descriptor opened_log()
 {
     const char* path = std::getenv(log_variable);
@@ -60,7 +61,7 @@ std::optional<Packet> DeviceProcess::heard(const char* doing)
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) break;
         poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
-        // The output must not block in a full pipe, and does not count as a response.
+        // The output is read at once, because the process would block if the pipe were full. It is not a response.
         if (from[1].revents != 0) listen();
         if (from[0].revents != 0) return child_.channel.receive();
     }
@@ -98,7 +99,7 @@ void DeviceProcess::log(std::string_view text)
 
 void DeviceProcess::repeat_said()
 {
-    // All processes of a driver print the same, so each line is printed to the user once.
+    // Every process of a driver prints the same lines, so a line is printed for the user only once.
     static std::set<std::string, std::less<>> repeated;
     static std::mutex one;
     const std::scoped_lock lock(one);

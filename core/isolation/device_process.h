@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device process, as seen by the program.
+// The program's side of a device process (worker.h is the other).
 #pragma once
 
 #include <memory>
@@ -13,30 +13,31 @@ namespace mandelmarch::isolation {
 
 class DeviceProcess {
 public:
-    // `name` is used in messages, such as "backend opencl: device 0".
+    // Messages begin with `name`, such as "backend opencl: device 0".
     DeviceProcess(std::shared_ptr<const ForkServer> fork_server, std::string name);
     ~DeviceProcess();  // ends the process
     DeviceProcess(const DeviceProcess&) = delete;
     DeviceProcess& operator=(const DeviceProcess&) = delete;
 
-    // Sends a request and waits for its response; `doing` is used in messages, such as "drawing". Output of the process
-    // is printed to stderr. Rethrows exceptions of the backend. Throws Error if the process ends, and DeviceHung if it
-    // sends nothing for longer than device_timeout(): the process is then ended and has_ended() is true. Cancelled is
-    // thrown after the process has received the cancellation, following a progress message, and has responded.
+    // Sends a request and waits for the response; messages name the action `doing`, such as "drawing". Prints the
+    // process's output to stderr. Rethrows exceptions of the backend. Throws Error if the process ends. Throws
+    // DeviceHung if it sends nothing for longer than device_timeout(); the process is then ended, and has_ended()
+    // returns true. If `progress` throws Cancelled, the process is told to cancel, and Cancelled is rethrown after its
+    // response.
     Deserializer ask(const Serializer& request, const char* doing, int descriptor = -1, const Progress& progress = {});
-    // Sends a request without a response.
+    // Sends a request that has no response.
     void tell(const Serializer& request);
 
     bool has_ended() const { return ended_; }
 
 private:
-    // Returns the next message; nullopt if the process has ended. Throws DeviceHung.
+    // Waits for the next message and returns it; nullopt if the process has ended. Throws DeviceHung.
     std::optional<Packet> heard(const char* doing);
-    void listen();                                      // reads the output of the process
-    void log(std::string_view text);                    // appends to the file in MANDELMARCH_DRIVER_LOG
-    void repeat_said();                                 // prints the output of the process
-    std::string end(bool now = false);                  // returns how it ended
-    bool told(const Progress& progress, double share);  // false: cancelled, and the process was notified
+    void listen();                                      // reads the process's output and stores it
+    void log(std::string_view text);                    // appends to the file named by MANDELMARCH_DRIVER_LOG
+    void repeat_said();                                 // prints the stored output to stderr
+    std::string end(bool now = false);                  // ends the process; returns how it ended
+    bool told(const Progress& progress, double share);  // calls progress; false: cancelled, and the process was told
     [[noreturn]] void fail(Answer kind, Deserializer& answer, const char* doing);
 
     std::shared_ptr<const ForkServer> fork_server_;
@@ -45,7 +46,7 @@ private:
     std::string said_;
     Descriptor log_;
     bool ended_ = false;
-    std::mutex mutex_;  // one request at a time
+    std::mutex mutex_;  // allows one request at a time
 };
 
 }  // namespace mandelmarch::isolation

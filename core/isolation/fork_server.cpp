@@ -30,7 +30,7 @@ constexpr double patience = 1;  // seconds for a process that has closed its cha
     throw Error(fmt::format("{} for a device: {}", what, std::strerror(errno)));
 }
 
-// Forks; the child ends with its parent, and discards the parent's unwritten output.
+// Forks the process. The child is killed when its parent ends, and discards the parent's unwritten output.
 pid_t fork_tied()
 {
     const pid_t parent = getpid();
@@ -43,7 +43,8 @@ pid_t fork_tied()
     return 0;
 }
 
-// Runs a new process: output of drivers goes to `said`, so that it does not mix with results on stdout.
+// Runs `work` in a new process. Output of drivers goes to the pipe `said`, so that it does not mix with the program's
+// results on stdout.
 [[noreturn]] void run(const Task& work, Descriptor socket, Descriptor said)
 {
     const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -94,7 +95,7 @@ ForkServer::ForkServer(const Task& work) : channel_(Descriptor())
 
 ForkServer::~ForkServer()
 {
-    // Its processes end with it.
+    // The device processes are killed with the fork server, which is their parent.
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
 }

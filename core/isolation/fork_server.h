@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates device processes. The fork server is forked while the program has no threads and no driver; each
-// device process is forked from it, and so begins in that clean state, however long the program has run.
+// Creates device processes. The fork server is a process forked from the program before it has threads or drivers.
+// Every device process is forked from the fork server, and so begins without threads and drivers, even after the
+// program has started some.
 #pragma once
 
 #include <sys/types.h>
@@ -13,31 +14,31 @@
 
 namespace mandelmarch::isolation {
 
-// A child process, as seen by the program.
+// A device process, as the program knows it.
 struct Child {
     pid_t id = 0;
-    Channel channel;  // to `work`
-    Descriptor said;  // stdout and stderr of the process; non-blocking
+    Channel channel;  // connected to the function `work` in the process
+    Descriptor said;  // pipe with the process's stdout and stderr; non-blocking
 };
 
 class ForkServer {
 public:
-    // `work` runs in each process, with its end of a channel; when it returns, the process ends. The program must not
-    // have threads. Throws Error.
+    // Each device process calls `work` with its end of a channel, and ends when `work` returns. The program must not
+    // have threads when this constructor is called. Throws Error.
     explicit ForkServer(const std::function<void(Channel)>& work);
-    ~ForkServer();  // ends all its processes
+    ~ForkServer();  // ends all device processes
     ForkServer(const ForkServer&) = delete;
     ForkServer& operator=(const ForkServer&) = delete;
 
-    // Throws Error.
+    // Starts a device process. Throws Error.
     Child start() const;
 
-    // Ends the process, at once if `now`, otherwise after a short time to exit by itself. Returns how it ended: "exit
-    // code 0", "signal 11 (Segmentation fault)".
+    // Ends a process: at once if `now` is true, otherwise after giving it a short time to exit by itself. Returns how
+    // it ended, such as "exit code 0" or "signal 11 (Segmentation fault)".
     std::string end(pid_t child, bool now) const;
 
 private:
-    // Sends messages that belong together and returns the response.
+    // Sends messages that form one request, and returns the response; nullopt if the fork server has ended.
     std::optional<Packet> ask(std::initializer_list<std::pair<std::string, int>> messages) const;
 
     Channel channel_;

@@ -17,7 +17,7 @@ namespace {
 
 using namespace isolation;
 
-// A device: its process, while a renderer uses it, and the shared memory for its pictures.
+// A device: the process that a renderer uses, if any, and the shared memory for the device's pictures.
 class Host {
 public:
     Host(std::shared_ptr<const ForkServer> fork_server, std::string name)
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    // Returns the running process, or starts one. Throws Error if the device was given up.
+    // Returns the running process; starts one if none runs. Throws Error if the device was given up.
     std::shared_ptr<DeviceProcess> process()
     {
         const std::scoped_lock lock(mutex_);
@@ -38,7 +38,7 @@ public:
         return found;
     }
 
-    // Renders a picture as specified by `request`. Renderers of one device take turns.
+    // Renders a picture as `request` specifies. Calls of a device's renderers are executed one after the other.
     RenderStats draw(DeviceProcess& process, const Serializer& request, Image& image, const Progress& progress)
     {
         const std::scoped_lock lock(drawing_);
@@ -56,7 +56,7 @@ public:
         return report;
     }
 
-    // Calls `body`. A device that hangs is given up, since each further call would take as long.
+    // Calls `body`. If the device hangs, it is given up, because each further call would wait as long.
     template <class Body>
     auto guarded(const Body& body)
     {
@@ -72,14 +72,14 @@ public:
     int next_number() { return numbers_++; }
 
 private:
-    static constexpr std::size_t most_spare = 64;  // max ratio of the memory to the size needed
+    static constexpr std::size_t most_spare = 64;  // larger memory than this times the size needed is replaced
 
     std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;
     std::weak_ptr<DeviceProcess> process_;
-    std::unique_ptr<SharedMemory> memory_;  // also mapped by the process
-    std::string given_up_;                  // reason; empty: in use
-    std::atomic<int> numbers_ = 0;          // of renderers
+    std::unique_ptr<SharedMemory> memory_;  // mapped by the device process, too
+    std::string given_up_;                  // why the device was given up; empty: it is in use
+    std::atomic<int> numbers_ = 0;          // number of the next renderer
     std::mutex mutex_;
     std::mutex drawing_;
 };
@@ -103,7 +103,7 @@ public:
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         return host_->guarded([&] {
-            // A crash, possibly in another renderer's call, has ended the process.
+            // If the driver has crashed, perhaps in a call of another renderer, the process has ended.
             if (process_->has_ended()) create();
             Serializer request;
             request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
@@ -172,10 +172,10 @@ private:
     struct Listing {
         std::string unavailable;
         std::vector<Device> devices;
-        std::string failure;  // why both are empty
+        std::string failure;  // why listing the devices failed; empty: it did not
     };
 
-    // Lists devices once, in a process that ends afterwards.
+    // Lists the devices on the first call, in a process that then ends. Throws Error if the driver fails.
     const Listing& listing() const
     {
         const std::scoped_lock lock(mutex_);

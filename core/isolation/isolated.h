@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Isolation of backends whose drivers may crash, hang or end the process.
+// Protects a program from drivers that crash, hang or end their process.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace mandelmarch {
 
-// Returns the backend with each of its devices in a separate process. A driver that ends that process causes Error; so
-// does one that does not respond for device_timeout() seconds, and its device is then not used again. A crash affects
-// only the call in which it occurs: the next call starts a new process. `unavailable()` and `devices()` throw the same
-// if the driver fails while listing devices.
+// Returns a backend that uses each device of `backend` in a separate process. If a driver ends its process, the call
+// throws Error, and the next call starts a new process; a crash affects no other call. If a driver does not respond for
+// device_timeout() seconds, the call throws Error, too, and its device is not used again. unavailable() and devices()
+// throw Error if the driver fails while listing its devices.
 //
-// Call it while the program has no threads; fractals registered later are unknown in the device processes.
+// Must be called before the program has threads. Device processes do not know fractals that are registered later.
 std::unique_ptr<Backend> isolated(std::unique_ptr<Backend> backend);
 
 }  // namespace mandelmarch

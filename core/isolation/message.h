@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages between a program and its device processes: values in sequence, as stored in memory. Both run the same
-// executable, so layouts and addresses of constants agree.
+// Messages between a program and its device processes. A message contains values one after the other, with the bytes
+// that they have in memory. Both processes run the same executable, so layouts and addresses of constants agree.
 #pragma once
 
 #include <cstring>
@@ -44,7 +44,7 @@ private:
     std::string bytes_;
 };
 
-// Throws Error if the message ends too early.
+// Reads the values of a message in order. Throws Error if the message ends too early.
 class Deserializer {
 public:
     explicit Deserializer(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // Returns the address of the next `size` bytes.
+    // Skips `size` bytes and returns their address.
     const char* advance(std::size_t size);
 
     template <class Value>

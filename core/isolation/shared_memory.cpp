@@ -12,7 +12,8 @@
 namespace mandelmarch::isolation {
 namespace {
 
-// Bytes come first, then the aligned values, as allocated by SharedImage's resource.
+// Returns the position of an image's values in shared memory, in bytes. They are aligned and follow the image's
+// bytes, as SharedImage's memory resource allocates them.
 std::size_t values_at(std::size_t pixels)
 {
     constexpr std::size_t alignment = alignof(PixelValue);

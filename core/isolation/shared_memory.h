@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory shared by two processes: an image's layers, rendered by a device process and read by the program.
+// Memory shared by two processes. It contains an image, which a device process renders and the program reads.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace mandelmarch::isolation {
 
 class SharedMemory {
 public:
-    explicit SharedMemory(std::size_t size);       // new, zeroed; throws std::bad_alloc
-    explicit SharedMemory(Descriptor descriptor);  // memory created by the other process; throws Error
+    explicit SharedMemory(std::size_t size);       // creates zeroed memory; throws std::bad_alloc
+    explicit SharedMemory(Descriptor descriptor);  // maps memory that the other process created; throws Error
     SharedMemory(const SharedMemory&) = delete;
     SharedMemory& operator=(const SharedMemory&) = delete;
     ~SharedMemory();
@@ -30,10 +30,11 @@ private:
     std::byte* data_ = nullptr;
 };
 
-// Returns the bytes of an image in shared memory.
+// Returns the number of bytes that an image needs in shared memory.
 std::size_t shared_size(std::size_t pixels, Image::Layers layers);
 
-// An image in shared memory, which must outlive it. Images of the same size and layers have the same layout.
+// An image in shared memory. The memory must outlive the image. Images with the same size and layers have the same
+// layout.
 class SharedImage {
 public:
     SharedImage(const SharedMemory& memory, int width, int height, Image::Layers layers, int first_row = 0)
@@ -49,7 +50,8 @@ public:
     Image image;
 };
 
-// Copies an image that another process has rendered into a SharedImage of the same size and layers.
+// Copies an image from shared memory, where another process has rendered it as a SharedImage of the same size and
+// layers.
 void copy_shared(const SharedMemory& memory, Image& image);
 
 }  // namespace mandelmarch::isolation

@@ -17,7 +17,7 @@ class Worker {
 public:
     Worker(const Backend& backend, const Channel& channel) : backend_(backend), channel_(channel) {}
 
-    // Returns false after the last request.
+    // Executes a request and sends the response. Returns false if the channel has closed.
     bool answer(Packet& asked)
     {
         Deserializer request(std::move(asked.bytes));
@@ -27,7 +27,7 @@ public:
             renderers_.erase(request.take<int>());
             return true;
         }
-        if (kind == Request::cancel) return true;  // too late
+        if (kind == Request::cancel) return true;  // the render has already finished
         try {
             Serializer made;
             made(Answer::done);
@@ -90,7 +90,7 @@ private:
             Serializer progress;
             progress(Answer::progress, share);
             channel_.send(progress.bytes());
-            // During a render the only possible request is to cancel.
+            // The only request that can arrive during a render is to cancel it.
             if (channel_.waiting()) {
                 static_cast<void>(channel_.receive());
                 throw Cancelled();
@@ -118,7 +118,7 @@ void serve(const Backend& backend, const Channel& channel)
 {
     Worker worker(backend, channel);
     for (auto asked = channel.receive(); asked && worker.answer(*asked);) asked = channel.receive();
-    std::_Exit(exit_success);  // without cleaning up, which makes some drivers crash or hang
+    std::_Exit(exit_success);  // skips destructors, in which some drivers crash or hang
 }
 
 }  // namespace mandelmarch::isolation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of a device process: serves requests with the real backend.
+// The device process's side: serves the program's requests with the real backend.
 #pragma once
 
 #include "core/isolation/channel.h"

@@ -12,13 +12,13 @@
 namespace mandelmarch::job {
 namespace {
 
-// Uses at most 1 / memory_share of a device's free memory, as other programs need some.
+// Max fraction of a device's free memory that is used: 1 / memory_share. Other programs need some, too.
 constexpr std::size_t memory_share = 4;
-// Approximate time of a band on the host, short enough to cancel a picture.
+// Target time of a band on the host. It is short, because a picture can be cancelled only between bands.
 constexpr double seconds_per_band = 0.1;
-// Memory of a job, with the rounding of allocations.
+// Device memory for a KernelArguments, including the rounding of allocations.
 constexpr std::size_t job_memory = 1 << 16;  // bytes
-// Alignment of host memory: a cache line, at least that of a Scene.
+// Alignment of host memory: a cache line, which is at least the alignment of a Scene.
 constexpr std::align_val_t alignment{64};
 
 class JobRenderer : public Renderer {
@@ -36,7 +36,7 @@ public:
         try {
             model_->run(options_, [&] { memory_.reset(); });
         } catch (const Error&) {
-            // A lost device has lost its memory, so nothing is freed.
+            // A lost device has lost its memory, so the buffers are not freed.
             static_cast<void>(memory_.release());
         }
     }
@@ -94,14 +94,15 @@ private:
         return launch;
     }
 
-    // Returns limits of at least a row and at most the picture.
+    // Returns the limits of a picture's bands: at least one row, at most the whole picture. `bytes`: device memory per
+    // pixel. Throws Error if the free memory does not suffice for one row.
     Limits limits_for(const Scene& scene, std::size_t bytes) const
     {
         const std::int64_t picture = std::int64_t{scene.width} * scene.height;
         std::int64_t pixels = options_.band > 0 ? options_.band : opened_.pixels_per_band;
         double seconds = 0;
         if (auto free = model_->free_memory(options_.device)) {
-            *free += memory_->held();  // can be freed for larger buffers
+            *free += memory_->held();  // buffers that would be freed before larger ones are allocated
             pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
             const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
             if (*free < needed) {
@@ -185,7 +186,8 @@ private:
         return opened(options.device);
     }
 
-    // Opens a device on first use; the duration becomes the `context` of its renderers.
+    // Returns a device; opens it on the first call. The time that this takes becomes Timings::context of the
+    // device's renderers.
     OpenedInTime opened(int index) const
     {
         const std::scoped_lock lock(mutex_);

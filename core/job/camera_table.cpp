@@ -32,7 +32,7 @@ namespace f32 {
 #undef MM_REAL_IS_FLOAT
 }  // namespace f32
 
-// Appends of(index) for `count` indices: first all real parts, then all imaginary parts.
+// Appends the complex numbers of(0) to of(count - 1): first all real parts, then all imaginary parts.
 template <class Real, class Of>
 void put(std::vector<Real>& table, int count, Of of)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Camera factors of all columns and rows, for kernels without registers to compute them.
+// Camera factors of all columns and rows of a picture, for kernels that have too few registers to compute them.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace mandelmarch::job {
 
-// Factors of along_axes() in core/kernel/camera.h: a.re of all columns, a.im of all columns, then b of the rows
-// likewise. In exact mode the bits equal those of the kernel.
+// Returns the factors a and b of along_axes() in core/kernel/camera.h: the real parts of a for all columns, then their
+// imaginary parts, then b for all rows in the same way. In exact mode they equal those computed in the kernel, bit for
+// bit.
 std::vector<float> camera_table(const layout_f32::Scene& scene);
 std::vector<double> camera_table(const layout_f64::Scene& scene);
 

@@ -19,7 +19,7 @@
 
 namespace mandelmarch::job {
 
-// Adds the duration of a call, in seconds.
+// Runs `call` and adds its duration to `seconds`.
 template <class Call>
 void timed(double& seconds, const Call& call)
 {
@@ -28,7 +28,7 @@ void timed(double& seconds, const Call& call)
     seconds += seconds_since(begin);
 }
 
-// A buffer that grows and is reused between pictures. Must be used and destroyed inside Model::run().
+// A buffer that grows and is reused between pictures. It must be used and destroyed inside Model::run().
 template <auto take, auto give>
 class GrowingBuffer {
 public:
@@ -40,7 +40,7 @@ public:
     GrowingBuffer(const GrowingBuffer&) = delete;
     GrowingBuffer& operator=(const GrowingBuffer&) = delete;
 
-    // Throws Error if memory is exhausted.
+    // Returns a buffer of at least `bytes` bytes. Throws Error if the memory is exhausted.
     void* of_size(std::size_t bytes)
     {
         if (bytes <= size_) return address_;
@@ -64,7 +64,7 @@ private:
 using DeviceMemory = GrowingBuffer<&Model::allocate, &Model::release>;
 using Staging = GrowingBuffer<&Model::allocate_staging, &Model::release_staging>;
 
-// Buffers of a renderer.
+// The buffers of a renderer.
 struct Memory {
     DeviceMemory reals, wholes, bytes, camera, job;
     Staging host_reals, host_wholes;
@@ -73,7 +73,7 @@ struct Memory {
         : reals(model), wholes(model), bytes(model), camera(model), job(model), host_reals(model), host_wholes(model)
     {
     }
-    // Bytes of the device buffers that grow with the picture.
+    // Returns the bytes of the device buffers whose sizes depend on the band.
     std::size_t held() const { return reals.size() + wholes.size() + bytes.size(); }
 };
 
@@ -89,7 +89,8 @@ public:
         : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
-        // Compile-time constants of the kernels (pixels.h), except for tetrahedron normals.
+        // The kernels are compiled with fixed values of `canonical` and `differences` (pixels.h). Only tetrahedron
+        // normals (differences == 2) are an exception.
         if (job_.scene.canonical != (options.mode == Mode::fast) ||
             (job_.scene.differences != 2 &&
              job_.scene.differences != (options.mode == Mode::exact && std::is_same_v<Real, double>))) {
@@ -108,7 +109,7 @@ public:
         job_on_device_ = memory.job.of_size(sizeof(job_));
     }
 
-    // The entry is always `draw`.
+    // The limits do not limit loop iterations, so the entry is always Entry::draw.
     void run(Entry, const Band& band, int) override
     {
         job_.first_row = band.first_row;
@@ -149,7 +150,8 @@ public:
     const Work& work() const { return work_; }
 
 private:
-    // Enough threads remain to fill the device twice, and few lanes of a warp wait for its last rays.
+    // Returns the number of pixels that a thread marches one after the other. With more of them, fewer lanes of a warp
+    // are idle while its last rays march; but enough threads must remain to fill the device twice.
     int pixels_of_thread(std::int64_t pixels) const
     {
         constexpr std::int64_t most = 8;

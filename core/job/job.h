@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments of the kernels in models that compile the scalar kernel: the pixels of some rows.
+// Arguments of kernels that a programming model compiles from the scalar kernel. A launch renders the pixels of some
+// rows.
 #pragma once
 
 namespace mandelmarch::job {
 
-// Arguments of a launch: rows [first_row, first_row + rows) of the picture. Resides on the device, as do the planes,
-// which have the layout of planes_of() in core/image/image.h. Scene is the kernel's type.
+// Arguments of a launch, called a job. It renders rows [first_row, first_row + rows) of the picture. The job and its
+// planes are in device memory; the planes have the layout of planes_of() in core/image/image.h. Scene is the kernel's
+// type.
 template <class Scene, class Real>
 struct KernelArguments {
     Scene scene;
     Real* reals;
     int* wholes;
-    unsigned char* bytes;  // three per pixel, if only bytes are needed; otherwise nullptr
-    const Real* camera;    // core/job/camera_table.h
+    unsigned char* bytes;  // three per pixel; nullptr: the planes are needed, not the bytes
+    const Real* camera;    // table of core/job/camera_table.h
     int first_row;
     int rows;
-    int pixels_of_thread;  // pixels that a thread marches in turn, with refill (pixels.h)
+    int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (pixels.h)
 };
 
-// Renders width x rows pixels; `job` is an address on the device.
+// Renders the width x rows pixels of a job. `job` is its address on the device.
 using DrawKernel = void (*)(const void* job, int width, int rows);
 
-// Runs core/kernel/peak.h on `threads` threads; `sums` has one number per thread, on the device.
+// Runs the chains of core/kernel/peak.h on `threads` threads. `sums` is device memory for one number per thread.
 using Chains = void (*)(void* sums, int threads, double a, double b, int rounds);
 
-// Threads per GPU block.
+// Threads per GPU thread block.
 inline constexpr int block_threads = 128;
-// A warp's 32 threads cover a rectangle of pixels, so that its rays stay close together.
+// The 32 threads of a warp render a rectangle of pixels of this size, so that their rays stay close together.
 inline constexpr int warp_width = 8;
 inline constexpr int warp_height = 4;
 
-// Returns the number of blocks of a job.
+// Returns the number of GPU thread blocks of a job.
 constexpr int blocks_of(int width, int rows)
 {
     constexpr int warps_per_block = block_threads / (warp_width * warp_height);
@@ -38,7 +40,7 @@ constexpr int blocks_of(int width, int rows)
     return (warps + warps_per_block - 1) / warps_per_block;
 }
 
-// Returns the number of threads of a job, a multiple of the block size.
+// Returns the number of threads of a job, a multiple of block_threads.
 constexpr int threads_of(int width, int rows) { return blocks_of(width, rows) * block_threads; }
 
 }  // namespace mandelmarch::job

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of programming models that compile the scalar kernel in their loops. See docs/add-a-backend.md, "A
-// model that compiles C++".
+// The interface of programming models that run the scalar kernel in their loops; they compile C++. See
+// docs/add-a-backend.md, "A model that compiles C++".
 #pragma once
 
 #include <cstddef>
@@ -23,37 +23,38 @@ struct OpenedDevice {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    // Threads march several pixels each, if the fractal uses refill. Requires that pixels_per_band is waves_of_band
-    // times the resident threads.
+    // True if each thread marches several pixels, for fractals that use refill. pixels_per_band must then be
+    // waves_of_band times the number of threads resident on the device.
     bool refill_lanes = false;
-    int peak_threads = 1 << 7;  // threads that keep it busy with multiply-adds; a multiple of block_threads
-    std::string note = {};      // warning printed when a renderer is created on this device; may be empty
+    int peak_threads = 1 << 7;  // threads that measure the multiply-add peak; a multiple of block_threads
+    std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
 };
 
-// The kernels. mandelmarch_job_kernels (cmake/JobKernels.cmake) generates both functions, in the model's namespace.
+// Functions that find the kernels. cmake/JobKernels.cmake generates both, in the model's namespace.
 struct Kernels {
     DrawKernel (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
     Chains (*chains)(Precision precision);
 };
 
+// A programming model.
 class Model {
 public:
     virtual ~Model() = default;
 
-    // As the functions of Backend with these names.
+    // Like the functions of Backend with the same names.
     virtual std::string_view name() const = 0;
     virtual BackendInfo info() const = 0;
     virtual std::optional<std::string> unavailable() const { return std::nullopt; }
 
     virtual Kernels kernels() const = 0;
 
-    // Returns the number of devices; 0 if unavailable().
+    // Returns the number of devices. Not called if unavailable() gives a reason.
     virtual int devices() const { return 1; }
 
-    // Called once per device; its duration is part of Timings::context.
+    // Opens a device. Called once per device. Timings::context includes its duration.
     virtual OpenedDevice open(int index) const = 0;
 
-    // Calls `draw` in a thread that uses the device, with the number of threads of the options.
+    // Calls `draw` such that the calling thread uses the device and the number of threads that the options select.
     virtual void run(const RendererOptions& options, const std::function<void()>& draw) const
     {
         static_cast<void>(options);
@@ -66,11 +67,13 @@ public:
         return opened.threads;
     }
 
-    // Runs a launch to completion, inside run(). Returns its seconds, by the device's clock if it has one.
+    // Calls `launch`, inside run(), and waits until the device has finished. Returns the seconds, measured by the
+    // device's clock if it has one.
     virtual double seconds_of(const std::function<void()>& launch) const;
 
-    // Prepares the kernels of a launch on the calling thread's device, before its first launch; its duration is part of
-    // Timings::build. Returns the kernels' resources, if the driver reports them.
+    // Loads or compiles the kernels of a launch on the calling thread's device. Called before their first launch.
+    // Timings::build includes its duration. Returns the resources of the kernels; empty if the driver does not report
+    // them.
     virtual std::vector<KernelResources> build(DrawKernel launch) const
     {
         static_cast<void>(launch);
@@ -84,18 +87,18 @@ public:
         return std::nullopt;
     }
 
-    // Memory of the calling thread's device; allocate() returns nullptr if it is exhausted.
+    // Memory of the calling thread's device. allocate() returns nullptr if it is exhausted.
     virtual void* allocate(std::size_t bytes) const;
     virtual void release(void* address) const;
     virtual void upload(void* to, const void* from, std::size_t bytes) const;
     virtual void read_back(void* to, const void* from, std::size_t bytes) const;
 
-    // Host memory that the device copies to at full speed; nullptr if it is exhausted.
+    // Host memory to which the device copies at full speed. allocate_staging() returns nullptr if it is exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
 };
 
-// Returns a backend for a model, which it owns.
+// Returns a backend that uses the model, and owns it.
 std::unique_ptr<Backend> backend_of(std::unique_ptr<Model> model);
 
 }  // namespace mandelmarch::job

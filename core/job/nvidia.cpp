@@ -10,7 +10,7 @@
 namespace mandelmarch::job {
 namespace {
 
-// Names and values of cuda.h, which is missing in builds without CUDA.
+// Declarations of cuda.h, because builds without CUDA do not have that file.
 using CUresult = int;
 using CUdevice = int;
 using CUevent = struct CUevent_st*;
@@ -65,10 +65,10 @@ public:
     Event(const Event&) = delete;
     Event& operator=(const Event&) = delete;
 
-    // Returns false if the event could not be created.
+    // Records the event. Returns false if the event could not be created or recorded.
     bool record() const { return made_ && driver().cuEventRecord(event_, nullptr) == CUDA_SUCCESS; }
     bool wait() const { return made_ && driver().cuEventSynchronize(event_) == CUDA_SUCCESS; }
-    // Returns false unless both events have occurred.
+    // Sets `milliseconds` to the time between both events. Returns false unless both have occurred.
     bool since(const Event& first, float& milliseconds) const
     {
         return driver().cuEventElapsedTime(&milliseconds, first.event_, event_) == CUDA_SUCCESS;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries of NVIDIA's driver that OpenACC and OpenMP lack. The library is loaded on first use; without it, or with an
-// old one, callers get conservative defaults.
+// Uses NVIDIA's driver for queries that OpenACC and OpenMP do not support. The driver's library is loaded on first use.
+// If it is missing or too old, the functions return conservative values.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace mandelmarch::job {
 
-// Runs `launch`, whose kernels go to the default stream, to completion on the calling thread's GPU. Returns seconds by
-// the GPU's clock, from events around it; by the host's clock if the driver has no events.
+// Runs `launch`, which must use the default stream of the calling thread's GPU, and waits for it. Returns its seconds,
+// measured by events on the GPU; if the driver has no events, by the host's clock.
 double seconds_on_gpu(const std::function<void()>& launch);
 
-// Returns the pixels per launch of GPU `index`: pixels_of_gpu() of its resident threads (core/render/schedule.h), or
-// fewest_of_gpu if a watchdog ends kernels after some seconds.
+// Returns the number of pixels per launch for a GPU: pixels_of_gpu() of the number of its resident threads
+// (core/render/schedule.h), or fewest_of_gpu if a watchdog ends kernels that take several seconds.
 std::int64_t pixels_per_launch(int index);
 
-// False for fewest_of_gpu, which does not depend on the GPU's threads.
+// Returns true if a result of pixels_per_launch() was derived from the GPU's number of threads.
 inline bool knows_threads(std::int64_t pixels_per_launch) { return pixels_per_launch > fewest_of_gpu; }
 
 }  // namespace mandelmarch::job

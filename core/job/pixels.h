@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel source and the functions that a model's loops call for each pixel of a job: draw_pixel(), or
-// march_pixel(), shade_pixel() and bytes_of_pixel() in turn. Without include guard: every kernel source file includes
-// it once, in its own namespace, after core/job/job.h and with MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE and
-// MM_MODE_exact or MM_MODE_fast defined.
+// The kernel source, and the functions that a model's loops call for each pixel of a job: on a CPU draw_pixel(); on a
+// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: every kernel source
+// file includes it once, in its own namespace and after core/job/job.h. That file defines MM_REAL, MM_REAL_IS_FLOAT,
+// MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif
@@ -12,19 +12,21 @@
 #include "core/kernel/bytes.h"
 #undef MM_TRUNCATED
 
-// Fixed at compile time by precision and mode (core/job/backend.cpp rejects other scenes).
+// Scene::canonical and Scene::differences are constants here, fixed by precision and mode. core/job/executor.h rejects
+// scenes with other values.
 #ifdef MM_MODE_fast
 constexpr int canonical = 1;
 #else
 constexpr int canonical = 0;
 #endif
-// For scenes without tetrahedron normals (2).
+// Value of Scene::differences, unless the scene has tetrahedron normals (2).
 constexpr int differences = !MM_REAL_IS_FLOAT && canonical == 0;
 
 using KernelArguments = mandelmarch::job::KernelArguments<Scene, MM_REAL>;
 
-// Hides the value from the optimiser, so that expressions of it are recomputed, not kept in registers. Registers limit
-// the resident threads of a GPU; short-lived values are therefore reloaded from the job each time.
+// MM_ANEW(value) makes the compiler assume that the value has changed, so that it recomputes expressions of the value
+// instead of keeping them in registers. The fewer registers a kernel needs, the more of its threads are resident on a
+// GPU; therefore even short-lived values are loaded from the job again each time.
 #ifndef MM_ANEW
 #ifdef __NVCOMPILER
 #define MM_ANEW(value)
@@ -60,7 +62,7 @@ FN void put_bytes(const KernelArguments* job, int at, real red, real green, real
     bytes[2] = static_cast<unsigned char>(byte_of(blue));
 }
 
-// Renders the pixel with this index in the job's planes, on a core.
+// Renders the pixel with index `at` in the job's planes. For CPUs.
 FN void draw_pixel(const KernelArguments* job, int at)
 {
     Scene scene = fixed_scene(job);
@@ -73,14 +75,14 @@ FN void draw_pixel(const KernelArguments* job, int at)
     }
 }
 
-// Loads the scene from memory at this point of the program.
+// Returns the scene, loaded from memory again.
 FN Scene scene_of(const KernelArguments* job)
 {
     MM_ANEW(job);
     return fixed_scene(job);
 }
 
-// The same for marching, which in exact mode does not depend on the source of normals.
+// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so it is made a constant.
 FN Scene march_scene_of(const KernelArguments* job)
 {
     Scene scene = scene_of(job);
@@ -88,13 +90,13 @@ FN Scene march_scene_of(const KernelArguments* job)
     return scene;
 }
 
-// A GPU thread's pixel.
+// The pixel of a GPU thread.
 struct Place {
-    bool inside;  // false: outside the job
+    bool inside;  // the pixel is in the job
     int x;
-    int y;       // from the job's first row
+    int y;       // row, counted from the job's first row
     int at;      // index in a plane
-    int pixels;  // pixels of a plane
+    int pixels;  // number of pixels of a plane
 };
 
 FN Place place_of(const KernelArguments* job, int thread)
@@ -129,7 +131,7 @@ FN Ray begun(const KernelArguments* job, Place place)
 // Stores a stopped ray in its pixel's planes, for shade_pixel().
 FN void put_ray(const KernelArguments* job, Place place, Ray ray)
 {
-    // The original stepping needs t, refinement the estimate before the hit.
+    // The first plane holds what hits need: t for the original stepping, before_distance for refinement.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
@@ -139,12 +141,14 @@ FN void put_ray(const KernelArguments* job, Place place, Ray ray)
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
-// Not in exact mode: fewer lanes wait there, and the loop's registers reduce a GPU's resident threads.
+// Refill is not used in exact mode: fewer lanes are idle there, and the registers of the refill loop would reduce the
+// number of threads resident on a GPU.
 #if defined(MM_REFILL_LANES) && defined(MM_MODE_fast)
-// Steps of a warp between refills; during a refill all its lanes wait.
+// Number of steps between two refills. All lanes of a warp wait while some of them are refilled.
 constexpr int steps_of_round = 4;
 
-// Returns the indices of a launch; a warp takes 32 at once, as in blocks_of() in core/job/job.h.
+// Returns the number of thread indices that cover the job, in rectangles of one warp as in blocks_of() in
+// core/job/job.h.
 FN int places_of(const KernelArguments* job)
 {
     constexpr int warp_width = mandelmarch::job::warp_width;
@@ -155,7 +159,8 @@ FN int places_of(const KernelArguments* job)
     return columns * lines * (warp_width * warp_height);
 }
 
-// Returns the distance between the indices of a thread, a multiple of the block size.
+// Returns the distance between the indices that a thread marches: the number of threads that march, rounded up to whole
+// blocks.
 FN int stride_of(const KernelArguments* job)
 {
     constexpr int block_threads = mandelmarch::job::block_threads;
@@ -163,16 +168,17 @@ FN int stride_of(const KernelArguments* job)
     return (threads + block_threads - 1) / block_threads * block_threads;
 }
 
-// Returns the thread's first index from `at` on that is inside; places_of() or more if none is.
+// Returns the first of the thread's indices, from `at` on, whose pixel is in the job; places_of() or more if there is
+// none.
 FN int next_inside(const KernelArguments* job, int at)
 {
     while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
     return at;
 }
 
-// Marches the rays of the thread's indices until they stop, with refill: a lane whose ray has stopped begins the ray of
-// its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
-// 2009). Threads from stride_of() on have no indices.
+// Marches the rays of the thread's indices until they stop, with refill: when a ray has stopped, the thread begins the
+// ray of its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs",
+// HPG 2009). The launch has more threads than needed; those from stride_of() on do nothing.
 FN void march_pixel(const KernelArguments* job, int thread)
 {
     if (thread >= stride_of(job)) return;
@@ -191,7 +197,7 @@ FN void march_pixel(const KernelArguments* job, int thread)
     }
 }
 #else
-// Marches the ray until it stops.
+// Marches the thread's ray until it stops.
 FN void march_pixel(const KernelArguments* job, int thread)
 {
     const Place place = place_of(job, thread);
@@ -222,7 +228,8 @@ FN void shade_pixel(const KernelArguments* job, int thread)
     put_pixel(job, place.at, place.pixels, pixel);
 }
 
-// Converts a pixel's planes to its bytes, if needed. A separate pass, as shading has no registers left for it.
+// Converts a pixel in the planes to bytes, if the job needs bytes. This is a separate pass, because the conversion
+// would increase the registers of shading.
 FN void bytes_of_pixel(const KernelArguments* job, int at)
 {
     const int pixels = job->scene.width * job->rows;

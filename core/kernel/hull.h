@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 4: hulls. A hull is a bounding volume, a sphere or a cube around the origin, that holds the
-// surface of a fractal.
+// Kernel source, part 4: hulls. A hull is a bounding volume that contains the surface of a fractal. It is a sphere or a
+// cube around the origin.
 
 // The part of a ray inside a hull, from t = first to t = last; last < first if the ray misses the hull.
 struct Span {
@@ -20,10 +20,11 @@ FN Span sphere_span(scalar radius, vec3 origin, vec3 direction)
     return span;
 }
 
-// The part of a ray between the planes at -size and size.
+// Returns the part of a ray between two parallel planes. `origin` and `direction` are the ray's components
+// perpendicular to the planes, which lie at -size and size.
 FN Span slab_span(scalar size, real origin, real direction)
 {
-    // Replaces a slope of nearly 0, to avoid a division by 0; the picture does not change.
+    // Replaces a direction of nearly 0, to avoid a division by 0. This does not change the picture.
     real slope = pick(magnitude(direction) > R(1.0e-12), direction, R(1.0e-12));
     real a = quick_quotient(-size - origin, slope);
     real b = quick_quotient(size - origin, slope);
@@ -33,7 +34,7 @@ FN Span slab_span(scalar size, real origin, real direction)
     return span;
 }
 
-// size: half an edge
+// Returns the part of a ray inside a cube. size: half the length of an edge.
 FN Span cube_span(scalar size, vec3 origin, vec3 direction)
 {
     Span x = slab_span(size, origin.x, direction.x);

@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 10: looks, the colouring types from 2. Colours are linear light until the last step.
+// Kernel source, part 10: looks, which are the colouring types 2 and above. Colours are linear light until displayed().
 //   2 limestone  warm stone under a cool sky
 //   3 coral      the orbit trap's colours under the same light
 //   4 lagoon     dark water, with a lamp at the camera
-// All have haze, ambient occlusion and a soft key light. Occlusion and light are computed from a few distances along a
-// line (Evans, "Fast approximations for global illumination on dynamic scenes", SIGGRAPH 2006 course).
+// All looks have haze, ambient occlusion and a soft key light. The occlusion and the softness are computed from
+// estimates at a few points along a line (Evans, "Fast approximations for global illumination on dynamic scenes",
+// SIGGRAPH 2006 course).
 
 FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 
-// Returns a for s = 0, b for s = 1.
+// Returns the linear interpolation from a (s = 0) to b (s = 1).
 FN vec3 blend(vec3 a, vec3 b, real s) { return along(times(1 - s, a), b, s); }
 
 FN vec3 scaled(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * b.z); }
 
 struct Openness {
-    real share;  // 0: closed in, 1: open; mean of four distances
-    real least;  // min over the four distances
+    real share;  // mean over the four points; 0: enclosed, 1: open
+    real least;  // min over the four points
     counter de_calls;
     counter iterations;
 };
 
-// Openness (1 - occlusion) at p along n: the ratio of estimate to distance at four distances, from 0.4 to 9 % of t. The
-// estimate is a lower bound, often a third of the distance, so a ratio of one half counts as open.
+// Returns the openness, which is 1 - occlusion, at p in the direction n. It is the ratio of the estimate to the
+// distance from p, at four points from 0.4 to 9 % of t away from p. The estimate is a lower bound of the distance to
+// the surface, and often a third of it, so a ratio of one half already counts as open.
 FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;
@@ -44,7 +46,7 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     return result;
 }
 
-// Albedo of the stone, a mix of colours by the orbit trap.
+// Returns the albedo of the surface, a mix of colours selected by the orbit trap.
 FN vec3 albedo(Scene scene, vec3 trap)
 {
     vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
@@ -61,7 +63,7 @@ FN vec3 albedo(Scene scene, vec3 trap)
     return colour;
 }
 
-// Colour of a ray without a hit, and of the haze in its direction.
+// Returns the colour of a ray without a hit. It is also the colour of the haze in that direction.
 FN vec3 sky(Scene scene, vec3 direction)
 {
     vec3 zenith = vec3(R(0.10), R(0.24), R(0.55));
@@ -77,7 +79,7 @@ FN vec3 sky(Scene scene, vec3 direction)
         horizon = vec3(R(0.01), R(0.10), R(0.15));
         glow = vec3(R(0.02), R(0.16), R(0.16));
     }
-    // Brighter at the horizon, darker above and below; a wide and a narrow halo around the sun.
+    // The sky is brighter at the horizon and darker above and below. The sun has a wide and a narrow halo.
     real low = 1 - direction.y * direction.y;
     low = low * low;
     low = low * low;
@@ -90,7 +92,8 @@ FN vec3 sky(Scene scene, vec3 direction)
     return along(blend(zenith, horizon, low), glow, R(0.30) * wide_halo + R(0.6) * halo);
 }
 
-// Linear light to display value: brightness, film curve (Narkowicz, "ACES filmic tone mapping curve", 2016), gamma 2.
+// Converts linear light to a display value: applies the brightness, a film curve (Narkowicz, "ACES filmic tone mapping
+// curve", 2016), and a gamma of 2.
 FN real displayed(Scene scene, real light)
 {
     real x = R(0.8) * scene.brightness * light;
@@ -108,15 +111,16 @@ FN vec3 displayed3(Scene scene, vec3 light)
     return vec3(displayed(scene, light.x), displayed(scene, light.y), displayed(scene, light.z));
 }
 
-// Openness of a hit, the most expensive part of a look. It varies little between neighbouring pixels of a surface.
+// Openness at a hit. Its evaluation is the most expensive part of a look, and it varies little between neighbouring
+// pixels of a surface.
 struct Occlusion {
-    real along_normal;  // 0: closed in, 1: open
-    real sunwards;      // the same towards the sun, over four times the distance
+    real along_normal;  // 0: enclosed, 1: open
+    real sunwards;      // the same in the direction of the sun, over four times the distance
     counter de_calls;
     counter iterations;
 };
 
-// Evaluates the openness of a hit at p with unit normal n, t from the camera.
+// Evaluates the openness at a hit. p is the point, n its unit normal, t its distance from the camera.
 FN_CALLED Occlusion occlusion(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness along_normal = openness(scene, p, n, t, on);
@@ -129,32 +133,33 @@ FN_CALLED Occlusion occlusion(Scene scene, vec3 p, vec3 n, real t, mask on)
     return found;
 }
 
-// Returns the colour of that hit.
+// Returns the colour of a hit at p with the unit normal n and the openness `found`.
 FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusion found, mask on)
 {
-    // Computed before the trap's loop, so that few registers are live across it.
+    // These are computed before the loop of the orbit trap, so that few registers are live during the loop.
     vec3 sun = splat(scene.sun);
     real facing = saturated(-dot3(n, direction));
     real key = saturated(R(0.08) + R(0.92) * dot3(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
-    // Light from sky, ground and sun, and a little from the eye.
+    // Adds light from the sky, the ground and the sun, and a little from the camera.
     vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.28), R(0.39), R(0.60)));
     light = along(light, vec3(R(0.30), R(0.17), R(0.11)), shelter * (R(0.5) - R(0.5) * n.y));
     light = along(light, vec3(R(2.15), R(1.64), R(1.00)), key);
     light = along(light, vec3(R(0.20), R(0.18), R(0.17)), shelter * facing);
     real hazed = haze(t);
     if (scene.colouring == 4) {
-        // A lamp at the camera: its light decreases with distance, and grazing surfaces stay dark.
+        // A lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.
         real fall = quotient(1 - hazed, 1 + 5 * hazed);
         light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(1.8), R(1.65), R(1.3)));
         light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
     }
-    // Glint around the direction halfway between sun and eye.
+    // A glint, where the normal is close to the direction halfway between the sun and the camera.
     real glint = saturated(dot3(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
     glint = glint * glint * glint * key;
-    // Half its maximum at half the fractal's size, so that it shows depth inside, too.
+    // The haze rises faster than haze(), and reaches half its maximum at about half the fractal's size, so that it also
+    // shows depth inside the fractal.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
     air = air * air * (scene.colouring == 4 ? R(0.5) : R(0.24));
     vec3 behind = sky(scene, direction);
@@ -162,7 +167,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusi
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
     Look result;
     result.colour = displayed3(scene, blend(lit_stone, behind, air));
-    // Plus the evaluation of the trap.
+    // Counts the orbit trap as one more evaluation.
     result.de_calls = tally(found.de_calls, on);
     result.iterations = found.iterations;
     return result;

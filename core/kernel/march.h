@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 8: a ray from the camera until it hits or leaves the scene. begin -> march (repeatable).
+// Kernel source, part 8: marches a ray from the camera until it hits the surface or leaves the scene. Call order:
+// begin(); march() any number of times.
 
-// Begins a ray from the camera; the direction may have any length.
+// Begins a ray from the camera. `direction` may have any length.
 FN Ray begin_along(Scene scene, vec3 direction)
 {
     Ray ray;
@@ -10,14 +11,14 @@ FN Ray begin_along(Scene scene, vec3 direction)
     ray.t = 0;
     if (scene.hull > 0) {
         Span span = hull(scene, splat(scene.eye), ray.direction);
-        // The margin exceeds the rounding error of the far end.
+        // The margin exceeds the rounding error of the end of the span.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
-        // The original stepping takes its first sample at the eye.
+        // Rays of the original stepping begin at the eye.
         if (scene.canonical != 0) ray.t = larger(span.first * R(0.9999), 0);
     }
     ray.last_t = 0;
-    ray.last_distance = scene.end;  // above the tolerance of any first sample, so that the march begins
+    ray.last_distance = scene.end;  // exceeds the tolerance at any first sample, so that marching() is true
     ray.before_t = 0;
     ray.before_distance = scene.end;
     ray.steps = 0;
@@ -40,7 +41,8 @@ FN Ray begin(Scene scene, real i, real j)
     return begin_at(scene, picture_place(i, scene.width), picture_place(j, scene.height));
 }
 
-// The last sample is a hit if its estimate is below this. The original stepping uses t after the step.
+// Returns the tolerance: the last sample is a hit if its estimate is below it. The original stepping computes it from
+// the t after the step, canonical pictures from the t of the sample.
 FN real tolerance(Scene scene, Ray ray)
 {
     real t = ray.t;
@@ -48,7 +50,7 @@ FN real tolerance(Scene scene, Ray ray)
     return t * scene.tolerance;
 }
 
-// True while the ray has neither hit nor left the scene.
+// Returns true while the ray has neither hit nor left the scene, and has steps left.
 FN mask marching(Scene scene, Ray ray)
 {
     return ray.last_distance > tolerance(scene, ray) && ray.t <= ray.end && ray.steps < scene.max_steps;
@@ -58,13 +60,13 @@ FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(sce
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(splat(scene.eye), ray.direction, t); }
 
-// Evaluates DE at the next sample. Separate from advanced(), so that a backend can evaluate more rays at once than it
-// otherwise processes.
+// Returns the estimate at the ray's next sample. It is separate from advanced(), so that a backend can evaluate DE for
+// more rays at once than it processes in other functions.
 FN Estimate probe(Scene scene, Ray ray, mask on) { return estimate(scene, point_at(scene, ray, ray.t), on); }
 
-// One step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) for the active rays, with
-// over-relaxation (Keinert et al., "Enhanced sphere tracing", STAG 2014): a step longer than the estimate is retracted
-// if the spheres at its ends do not overlap.
+// Takes one step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) with over-relaxation (Keinert
+// et al., "Enhanced sphere tracing", STAG 2014), for the active rays. A relaxed step is longer than the estimate. It is
+// retracted if the spheres at its two ends do not overlap.
 FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 {
     real reach = ray.t - ray.last_t;
@@ -85,16 +87,17 @@ FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 
 FN Ray advance(Scene scene, Ray ray, mask on) { return advanced(scene, ray, probe(scene, ray, on), on); }
 
-// A cone holds rays up to `width` from its axis at distance 1 and advances while none of them can hit: inside the
-// sphere of radius DE around a point of the axis, DE is at least the distance to that sphere. Fractal distance
-// estimates can change faster than the distance, so cones are used in fast mode only.
+// Returns how far a cone can advance without any of its rays hitting. A cone contains the rays whose distance from its
+// axis is at most `width` at distance 1 from the camera. A point whose distance from a point of the axis is less than
+// the estimate there cannot be on the surface. Estimates of fractals can change faster than the distance, so cones are
+// used in fast mode only.
 FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
 {
     return quick_quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
 }
 
-// One step of a cone, relaxed as for a ray, with the gap instead of the estimate. Sets `last_distance` to 0 when the
-// cone ends, that is, when a step would be short compared with the cone's width.
+// Takes one step of a cone. It is relaxed like a ray's step, and uses the gap instead of the estimate. When the step
+// would be shorter than the cone is wide, the cone ends, and `last_distance` is set to 0.
 FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 {
     real t = ray.t;
@@ -107,10 +110,10 @@ FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
     return ray;
 }
 
-// True while the cone has clearance, is in the scene and has steps left.
+// Returns true while the cone has not ended, is in the scene, and has steps left.
 FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
 
-// Begins a ray at neighbour_start().
+// Moves the beginning of a ray to `start`, a result of neighbour_start(), if that is farther.
 FN Ray begun_by_neighbours(Ray ray, real start)
 {
     ray.last_t = pick(start > ray.t, ray.t, 0);
@@ -118,7 +121,8 @@ FN Ray begun_by_neighbours(Ray ray, real start)
     return ray;
 }
 
-// True if the first sample after neighbour_start() is already a hit: the ray must begin again from its own start.
+// Returns true if a ray began at neighbour_start() and its first sample there is already a hit. It may have begun
+// behind the surface, and must begin again without its neighbours, by begun_alone().
 FN mask begun_too_late(Scene scene, Ray ray)
 {
     return has_hit(scene, ray) && ray.before_t > 0 && ray.before_distance == scene.end;

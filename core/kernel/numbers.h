@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 3: elementary functions from + - * and quotient, root, nearest, exponent_of and two_to. GLSL has
-// no such functions in double, and libraries round differently; these return the same bits everywhere. Every polynomial
-// is a Taylor series cut where its remainder falls below 2^-56 of the result (double).
+// Kernel source, part 3: elementary functions, computed from + - *, quotient(), root(), nearest(), exponent_of() and
+// two_to(). They return the same bits on every device. GLSL has no such functions in double, and libraries differ in
+// rounding. Every polynomial is a Taylor series, cut where its remainder is below 2^-56 of the result (in double).
 
-// Natural logarithm of x > 0; -1e30 for x <= 0. x = 2^e m, m in [1/sqrt 2, sqrt 2]; ln m = 2 artanh s, s = (m - 1) / (m
-// + 1), |s| <= 0.1716. ln 2 is split in two; the first part is short enough that e times it is exact.
+// Returns the natural logarithm of x; -1e30 for x <= 0. With x = 2^e m and m in [1/sqrt 2, sqrt 2], ln m = 2 artanh
+// s, where s = (m - 1) / (m + 1) and |s| <= 0.1716. ln 2 is split into two parts; the first has so few bits that e
+// times it is exact.
 FN real natural_log(real x)
 {
     real e = exponent_of(x);
@@ -40,7 +41,7 @@ FN real natural_log(real x)
 FN real rough_log(real x) { return natural_log(x); }
 #endif
 
-// e^x, with x clamped to the range of normal results. x = k ln 2 + r, |r| <= ln 2 / 2.
+// Returns e^x, with x clamped so that the result is a normal number. Uses x = k ln 2 + r with |r| <= ln 2 / 2.
 FN real exponential(real x)
 {
     x = larger(smaller(x, BY_PRECISION(708.0, 87.0)), BY_PRECISION(-708.0, -87.0));
@@ -62,8 +63,9 @@ FN real exponential(real x)
     return two_to(k) * (1 + (r + r * r * series));
 }
 
-// cos x + i sin x, |x| up to about 10^5 in double and 10^3 in float. x = k pi/2 + r, |r| <= pi/4; pi/2 is split in
-// three so that its products with k are exact (Cody and Waite, Software Manual for the Elementary Functions, 1980).
+// Returns cos x + i sin x, for |x| up to about 10^5 in double and 10^3 in float. Uses x = k pi/2 + r with |r| <= pi/4.
+// pi/2 is split into three parts, so that their products with k are exact (Cody and Waite, Software Manual for the
+// Elementary Functions, 1980).
 FN Complex cosine_and_sine(real x)
 {
     real k = nearest(x * R(0.63661977236758138));
@@ -89,7 +91,7 @@ FN Complex cosine_and_sine(real x)
     cosine = cosine * q + R(0.041666666666666664);    // 1/4!
     cosine = cosine * q - R(0.5);
     cosine = 1 + q * cosine;
-    // Quadrant: k modulo 4, as -2 (or 2), -1, 0 or 1.
+    // The quadrant is k modulo 4, represented as -2 or 2, -1, 0 or 1.
     real quadrant = k - 4 * nearest(k * R(0.25));
     mask odd = magnitude(quadrant) == 1;
     mask sine_negative = quadrant == -1 || magnitude(quadrant) == 2;
@@ -99,8 +101,8 @@ FN Complex cosine_and_sine(real x)
     return complex_number(pick(cosine_negative, -across, across), pick(sine_negative, -upward, upward));
 }
 
-// The angle of x + i y, in (-pi, pi]; 0 at the origin. The tangent q in the octant is at most 1; two uses of
-// atan q = 2 atan(q / (1 + sqrt(1 + q^2))) reduce it below 0.199.
+// Returns the angle of x + i y in (-pi, pi]; 0 at the origin. The angle is reduced to an octant, in which its tangent q
+// is at most 1. Applying atan q = 2 atan(q / (1 + sqrt(1 + q^2))) twice reduces q to less than 0.199.
 FN real angle_of(real y, real x)
 {
     real ax = magnitude(x);

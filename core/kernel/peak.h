@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A separate kernel source: multiply-adds only, to measure peak throughput. Ten independent chains hide the latency of
-// a core's two multiply-add units (4 to 5 cycles each) and, with a and b, fit the 16 registers of AVX2. They start from
-// different values, so that no compiler can merge them.
+// A separate kernel source, which only computes multiply-adds, to measure the peak throughput. Ten independent chains
+// hide the latency of a core's two multiply-add units (4 to 5 cycles each). Together with a and b, they fit into the 16
+// registers of AVX2. They begin with different values, so that the compiler cannot merge them.
 
 struct Chains {
     real c0;
@@ -31,8 +31,8 @@ FN Chains multiplied_and_added(Chains c, real a, real b)
     return c;
 }
 
-// Performs `rounds` times 40 multiply-adds on every lane (peak_operations_per_round in core/render/peak.h). For
-// a = 0.5 and b = 1 every chain converges to 2, without subnormal or infinite values.
+// Performs 40 * rounds multiply-adds on every lane (peak_operations_per_round in core/render/peak.h). With a = 0.5 and
+// b = 1, every chain converges to 2, and no value is subnormal or infinite.
 FN real multiply_add_chains(real x, real a, real b, int rounds)
 {
     Chains c;

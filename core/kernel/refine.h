@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 9: from a stopped ray to its point on the surface. stopped -> refine (repeatable, canonical
-// pictures only) -> landing. The canonical hit is the root of f(t) = DE(t) - tolerance t between the last two samples.
+// Kernel source, part 9: from a stopped ray to its point on the surface. Call order: stopped(); refine() any number
+// of times, only for canonical pictures; landing(). The canonical hit is the root of f(t) = DE(t) - tolerance t
+// between the ray's last two samples, which are the first bracket.
 
-// States of a Hit.
+// Values of Hit::state.
 FN real no_hit() { return 0; }       // the ray has left the scene or used all its steps
-FN real settled() { return 1; }      // t is the hit: not canonical, without a bracket, or with an empty one
-FN real untried() { return 2; }      // not refined yet
-FN real tried_below() { return 3; }  // the last refinement lies below the surface
-FN real tried_above() { return 4; }  // the last refinement lies above it
+FN real settled() { return 1; }      // t is final: the picture is not canonical, or the bracket is missing or empty
+FN real untried() { return 2; }      // the hit has not been refined yet
+FN real tried_below() { return 3; }  // the last refinement evaluated a point below the surface (f < 0)
+FN real tried_above() { return 4; }  // the last refinement evaluated a point above the surface (f >= 0)
 
 FN mask is_hit(Hit hit) { return hit.state > no_hit(); }
 
@@ -34,8 +35,8 @@ FN Hit stopped(Scene scene, Ray ray)
     return hit;
 }
 
-// True while |f| and the bracket exceed a small fraction of the tolerance. landing() adds a secant, which is closer
-// still.
+// Returns true while both |f| and the bracket's length exceed a small fraction of the tolerance. After the refinement,
+// landing() takes one more secant, whose t is still more accurate.
 FN mask refining(Scene scene, Hit hit)
 {
     real narrow = scene.root_share * scene.tolerance * hit.below_t;
@@ -43,7 +44,8 @@ FN mask refining(Scene scene, Hit hit)
     return hit.state > settled() && magnitude(f) > narrow && hit.below_t - hit.above_t > narrow;
 }
 
-// Regula falsi of Anderson and Bjorck (BIT 13, 1973): f at a retained end is scaled down.
+// Returns the root of the secant through the ends of the bracket. Refinement is the regula falsi of Anderson and Bjorck
+// (BIT 13, 1973): f at an end that is retained repeatedly is scaled down, by narrowed().
 FN real secant(Hit hit)
 {
     real rise = hit.below_f - hit.above_f;
@@ -52,7 +54,7 @@ FN real secant(Hit hit)
 
 FN mask in_bracket(Hit hit, real t) { return t > hit.above_t && t < hit.below_t; }
 
-// Sets the next t to evaluate; the hit is settled if no number lies between the ends of the bracket.
+// Sets hit.t to the next t to evaluate. If there is no number between the ends of the bracket, the hit is settled.
 FN Hit aimed(Hit hit, mask on)
 {
     real t = secant(hit);
@@ -62,19 +64,20 @@ FN Hit aimed(Hit hit, mask on)
     return hit;
 }
 
-// Evaluates DE at that t.
+// Evaluates DE at hit.t.
 FN Estimate probe_root(Scene scene, Hit hit, mask on)
 {
     return estimate(scene, along(splat(scene.eye), hit.direction, hit.t), on);
 }
 
-// Narrows the bracket with that estimate.
+// Narrows the bracket with `here`, the estimate at hit.t.
 FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
 {
     real f = here.distance - scene.tolerance * hit.t;
     mask below = on && f < 0;
     mask above = on && !below;
-    // An end retained twice is scaled by the relative decrease of the other end, or by one half.
+    // If an end is retained for the second time, f there is multiplied by 1 minus the ratio of the new f at the other
+    // end to the old one, or by one half if that is not positive.
     real share = 1 - rough_quotient(f, pick(below, hit.below_f, hit.above_f));
     share = pick(share > 0, share, R(0.5));
     mask twice_below = below && hit.state == tried_below();
@@ -91,7 +94,7 @@ FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
     return hit;
 }
 
-// Refines at most `tries` times; another pass can continue.
+// Refines hits at most `tries` times. A later pass can continue the refinement.
 FN Hit refine_by(Scene scene, Hit hit, int tries)
 {
     mask on = refining(scene, hit);
@@ -106,7 +109,7 @@ FN Hit refine_by(Scene scene, Hit hit, int tries)
     return hit;
 }
 
-// Max refinements: the method needs about five; a hundred suffice where f jumps.
+// Returns the max number of refinements. Usually about five are needed; one hundred are enough where f jumps.
 FN int most_tries() { return 100; }
 
 FN Hit refine(Scene scene, Hit hit) { return refine_by(scene, hit, most_tries()); }
@@ -116,7 +119,7 @@ FN real landing(Scene scene, Hit hit)
 {
     real t = hit.below_t;
     if (scene.canonical != 0) {
-        // One more secant, without a DE evaluation.
+        // Takes one more secant, without a DE evaluation.
         real closer = secant(hit);
         t = pick(hit.state > settled() && in_bracket(hit, closer), closer, hit.t);
     }

@@ -1,64 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 1: the data passed to a kernel and the results it returns.
+// Kernel source, part 1: the data that a kernel receives and the results that it returns.
 
-// Everything that is the same for all pixels. Computed in double by core/render/kernel_scene.cpp, then rounded. Ints,
-// then reals, then triples: this order has the same layout in C++, in OpenCL C and in GLSL's std430.
+// The data that are the same for all pixels. core/render/kernel_scene.cpp computes them in double and rounds them. The
+// order is ints, reals, triples, with which the layout is the same in C++, in OpenCL C and in GLSL's std430.
 struct Scene {
     int width;           // pixels
     int height;          // pixels
     int max_iterations;  // n of the distance estimator, at least 1
-    int max_steps;       // max samples of a ray
-    int fractal_whole;   // the fractal's own integer, named in its file
-    int colouring;       // as in the parameter file: 0 and 1 in shade.h, from 2 up in looks.h
+    int max_steps;       // max number of samples of a ray
+    int fractal_whole;   // an integer whose meaning the fractal's file defines
+    int colouring;       // colouring type of the parameter file: 0 and 1 in shade.h, 2 and above in looks.h
     int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: the last sample of the original stepping
     int differences;  // source of normals: 0 analytic gradient, 1 central differences, 2 differences over a tetrahedron
 
-    scalar tolerance;  // 10^D: a surface is hit where DE < tolerance * t
-    scalar step_factor;     // step factor: length of a step, in distance estimates
-    scalar end;        // largest t of a sample
+    scalar tolerance;  // 10^D of the parameter file: a sample is a hit if DE < tolerance * t
+    scalar step_factor;     // length of a step as a multiple of the estimate
+    scalar end;        // max t of a sample
     scalar miss;       // depth of a pixel without a hit: +infinity
     scalar brightness;
-    scalar difference_step;  // of the central differences, relative to max(|p|, 1)
-    scalar hull;             // radius, or half the edge, of the bounding volume of the surface; 0: unknown
-    scalar relaxation;       // over-relaxation factor, see relaxed(); up to the step factor: none
-    scalar root_share;       // a canonical hit has |DE - tolerance t| below this fraction of the tolerance
+    scalar difference_step;  // half distance of the points of central differences, as a multiple of max(|p|, 1)
+    scalar hull;             // size of the hull (hull.h): radius of the sphere, half the edge of the cube; 0: unknown
+    scalar relaxation;       // over-relaxation factor, see relaxed(); not above step_factor: no over-relaxation
+    scalar root_share;       // refinement ends if |DE - tolerance t| is below this fraction of the tolerance
     scalar longitude;    // radians from forward to the picture's centre, around upward; equirectangular pictures only
     scalar longitudes;   // radians from the centre to the right edge; 0: perspective picture
     scalar latitude;     // radians from forward to the picture's centre, towards upward
     scalar latitudes;    // radians from the centre to the top edge
-    scalar fractal[11];  // the fractal's own constants, named in its file
+    scalar fractal[11];  // constants whose meanings the fractal's file defines
 
-    triple eye;      // camera
-    triple forward;  // towards the centre of the pixels; length 1 or slightly more; equirectangular: exactly ahead
+    triple eye;      // position of the camera
+    triple forward;  // to the centre of the pixels, of length 1 or slightly more; equirectangular: exactly ahead
     triple across;   // from the centre to the right edge, at distance 1; equirectangular: length of that arc
-    triple upward;   // from the centre to the top edge, at distance 1
-    triple sun;      // unit vector towards the sun, for looks
+    triple upward;   // from the centre to the top edge, at distance 1; equirectangular: length of that arc
+    triple sun;      // unit vector towards the sun, used by looks
 };
 
-// A marching ray. It can be stored after any step and continued by another pass.
+// A ray that is being marched. It can be stored after any step, and another pass can continue it.
 struct Ray {
     vec3 direction;        // unit vector
-    real end;              // largest t of a sample
-    real t;                // next sample
-    real last_t;           // last sample
-    real last_distance;    // distance estimate at the last sample
-    real before_t;         // sample before the last one
-    real before_distance;  // distance estimate there
-    whole steps;           // marching samples
-    counter de_calls;      // DE evaluations, including those of refinement and normal
-    counter iterations;     // iterations of all DE evaluations
+    real end;              // max t of a sample
+    real t;                // t of the next sample
+    real last_t;           // t of the last sample
+    real last_distance;    // estimate at the last sample
+    real before_t;         // t of the sample before the last one
+    real before_distance;  // estimate there
+    whole steps;           // number of samples taken by marching
+    counter de_calls;      // number of DE evaluations, including those of refinement and normals
+    counter iterations;     // number of iterations of these DE evaluations
 };
 
-// A ray that has stopped, and its hit. Canonical pictures use f(t) = DE(t) - tolerance t. A Hit can be stored after any
-// refinement and continued by another pass.
+// A ray that has stopped, and its hit if it has one. In canonical pictures, f(t) = DE(t) - tolerance t. A Hit can be
+// stored after any refinement, and another pass can continue it.
 struct Hit {
     vec3 direction;     // unit vector
-    real state;         // a state defined in refine.h
-    real t;             // canonical: the last refinement, at first the last sample; otherwise t after the last step
-    real below_t;       // the last sample; canonical: far end of the bracket, with f < 0
+    real state;         // one of the states in refine.h
+    real t;             // canonical: t of the last refinement, or of the last sample; otherwise t after the last step
+    real below_t;       // t of the last sample; canonical: the far end of the bracket, where f < 0
     real below_f;       // f at below_t, possibly scaled down by narrowed()
-    real above_t;       // the sample before the last one; canonical: near end of the bracket, with f > 0
-    real above_f;       // f at above_t, likewise
+    real above_t;       // t of the sample before the last one; canonical: the near end of the bracket, where f >= 0
+    real above_f;       // f at above_t, possibly scaled down by narrowed()
     whole steps;        // as in Ray
     counter de_calls;   // as in Ray
     counter iterations;  // as in Ray
@@ -73,7 +73,7 @@ struct Pixel {
     counter iterations;
 };
 
-// Result of a DE evaluation: a lower bound of the distance to the surface, and the iterations used.
+// The result of a DE evaluation: a lower bound of the distance to the surface, and the number of iterations used.
 struct Estimate {
     real distance;
     counter iterations;

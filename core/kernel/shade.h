@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 11: from a hit to the colour of a pixel.
+// Kernel source, part 11: computes the colour of a pixel from its hit.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -7,7 +7,7 @@ struct Normal {
     counter iterations;
 };
 
-// Gradient of DE by central differences, six DE evaluations; the step is relative to max(|p|, 1).
+// Returns the gradient of DE by central differences, with six DE evaluations.
 FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 {
     real h = larger(norm(p), 1) * scene.difference_step;
@@ -43,8 +43,8 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-// Gradient of DE by differences over a tetrahedron with corners at distance h from p, four DE evaluations. Detail
-// smaller than h has no effect, so the normals of adjacent pixels agree.
+// Returns the gradient of DE by differences over a tetrahedron, whose four corners are at distance h from p, with
+// four DE evaluations. Details smaller than h have no effect, so the normals of adjacent pixels are similar.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     vec3 slope = vec3(0, 0, 0);
@@ -53,7 +53,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
     normal.iterations = 0;
     int corner = 0;
     while (corner < 4) {
-        // (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1), each over sqrt(3): unit vectors.
+        // The corners (1, 1, 1), (1, -1, -1), (-1, 1, -1) and (-1, -1, 1), divided by sqrt(3), as unit vectors.
         scalar x = corner < 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
         scalar y = corner == 0 || corner == 2 ? R(0.57735026918962576) : R(-0.57735026918962576);
         scalar z = corner == 0 || corner == 3 ? R(0.57735026918962576) : R(-0.57735026918962576);
@@ -68,7 +68,7 @@ FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
     return normal;
 }
 
-// Returns the normal of p, the shading point of a hit at t.
+// Returns the normal at p, the shading point of a hit at distance t.
 FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
 {
     Normal normal;
@@ -85,7 +85,7 @@ FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
     return normal;
 }
 
-// (light n + 1) / 2 * brightness, clamped to [0, 1] and squared; 0 for NaN.
+// Returns (light n + 1) / 2 * brightness, clamped to [0, 1] and squared; 0 for NaN.
 FN real channel(Scene scene, real light, real n)
 {
     real c = (light * n + 1) * R(0.5) * scene.brightness;
@@ -93,7 +93,7 @@ FN real channel(Scene scene, real light, real n)
     return c * c;
 }
 
-// Lighting of the original program: the colour is the normal, lit by its angle to the view.
+// Returns the colour of the original program: the components of the normal, lit by its angle to the view direction.
 FN vec3 lit(Scene scene, vec3 direction, vec3 n)
 {
     real light = R(1.8) * larger(dot3(minus(n, vec3(1, 1, 1)), direction), R(0.3));
@@ -115,16 +115,16 @@ FN Pixel missed(Scene scene, Hit hit)
     return pixel;
 }
 
-// Returns the normal n of a hit at t. If the eye is inside the solid (t = 0), there is no surface; canonical pictures
-// then use the direction towards the eye. Called in both branches of shade_with(): a single call before them would cost
-// three registers on the K40.
+// Returns the normal of a hit at distance t. If the eye is inside the solid (t = 0), the hit is not on the surface; in
+// canonical pictures its normal is then the direction towards the eye. shade_with() calls this function in both of its
+// branches, because a single call before them would cost three registers on the K40.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
     return n;
 }
 
-// Shading point of a hit at t: p lies one tolerance before it, and its normal is used.
+// The shading point of a hit at distance t. It lies one tolerance in front of the hit; the normal is evaluated there.
 struct ShadingPoint {
     real t;
     vec3 p;
@@ -140,7 +140,7 @@ FN ShadingPoint shading_point(Scene scene, Hit hit)
     return at;
 }
 
-// Adds depth and counts to the pixel of a hit; the same for all colourings.
+// Adds the depth of a hit and the work of its normal to its pixel.
 FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     pixel.depth = pick(is_hit(hit), at.t, pixel.depth);
@@ -149,7 +149,7 @@ FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
     return pixel;
 }
 
-// Shades a hit in a look, with a given openness. Pixels without a hit stay unchanged.
+// Returns the pixel of a hit, shaded with a look and the given openness. The pixel of a ray without a hit is unchanged.
 FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Occlusion found)
 {
     mask on = is_hit(hit);
@@ -161,7 +161,8 @@ FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal 
     return finished(hit, pixel, at, normal);
 }
 
-// Shades a hit, with the normal at its shading point. Pixels without a hit stay unchanged.
+// Returns the pixel of a hit, shaded with the normal at its shading point. The pixel of a ray without a hit is
+// unchanged.
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     mask on = is_hit(hit);
@@ -189,7 +190,7 @@ FN Pixel shade(Scene scene, Hit hit)
     return pixel;
 }
 
-// Renders a pixel from begin to shade.
+// Renders a pixel completely.
 FN Pixel draw(Scene scene, real i, real j)
 {
     Hit hit = stopped(scene, march(scene, begin(scene, i, j), scene.max_steps));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole kernel source, in order. Define MM_FRACTAL_FILE, include a prelude, then this file: in C++ inside a
-// namespace. Without an include guard, as a translation unit may hold several specialisations in different namespaces.
-#ifndef FN_SAMPLED  // for preludes that treat an estimator as any other function
+// The whole kernel source, in order. Before including it, define MM_FRACTAL_FILE and include a prelude; in C++ include
+// both inside a namespace. Has no include guard, because a translation unit can contain the kernel source several
+// times, in different namespaces.
+#ifndef FN_SAMPLED  // preludes that treat an estimator like any other function do not define it
 #define FN_SAMPLED FN_CALLED
 #endif
 #include "core/kernel/scene.h"
@@ -11,7 +12,7 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-// Defined by some fractals.
+// Some fractals define these macros.
 #undef MM_WIDE_REGISTERS_AVX3
 #undef MM_REFILL_LANES
 #include MM_FRACTAL_FILE

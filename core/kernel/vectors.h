@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 2: vectors, by component, because OpenCL C has no operators for structs.
+// Kernel source, part 2: vectors. Their operations are written by component, because OpenCL C has no operators for
+// structs.
 
 FN real dot3(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 FN real norm(vec3 a) { return root(dot3(a, a)); }
 
-// p + t d
+// Returns p + t d.
 FN vec3 along(vec3 p, vec3 d, real t) { return vec3(d.x * t + p.x, d.y * t + p.y, d.z * t + p.z); }
 
 FN vec3 minus(vec3 a, vec3 b) { return vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
@@ -20,43 +21,44 @@ FN vec3 unit(vec3 a)
 
 FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on, a.y, b.y), pick(on, a.z, b.z)); }
 
-// Copies a uniform triple to every lane.
+// Copies a triple, which is the same for all lanes, to every lane.
 FN vec3 splat(triple a) { return vec3(a.x, a.y, a.z); }
 
-// Max and min; b if an operand is NaN. A prelude may define them as one instruction.
+// Return the max or min of a and b; b if one of them is NaN. A prelude can define them as single instructions.
 #ifndef MM_HAS_LARGER
 FN real larger(real a, real b) { return pick(a > b, a, b); }
 
 FN real smaller(real a, real b) { return pick(a < b, a, b); }
 #endif
 
-// Clamps x to [-most, most].
+// Returns x, clamped to [-most, most].
 #ifndef MM_HAS_CLIPPED
 FN real clipped(real x, scalar most) { return smaller(larger(x, -most), most); }
 #endif
 
-// Returns |a|^2, but at least a number whose square root has a finite reciprocal.
+// Returns |a|^2, but at least a small number whose square root has a finite reciprocal.
 FN real norm2(vec3 a) { return larger(dot3(a, a), BY_PRECISION(1.0e-290, 1.0e-30)); }
 
 FN real quick_norm(vec3 a) { return quick_root(norm2(a)); }
 
-// With at least 14 bits: for factors of a distance estimate, never for the position of a point.
+// Rough functions have an accuracy of at least 14 bits. They are used for factors of an estimate, never for the
+// position of a point.
 #ifndef MM_HAS_ROUGH
 FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 
 FN real rough_root(real a) { return quick_root(a); }
 
-// a / sqrt(b), where less = a / b: saves a multiplication where a square root needs no division.
+// Returns a / sqrt(b). `less` is a / b. Saves a multiplication if square roots are computed without a division.
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
 #ifndef MM_HAS_INVERSE_ROOT
-// s / sqrt(a)
+// Returns s / sqrt(a).
 FN real scaled_inverse_root(real a, scalar s) { return quick_quotient(s, quick_root(a)); }
 #endif
 
 #ifndef MM_HAS_TALLY
-// Adds the active lanes to a work count.
+// Adds 1 to the work count of each active lane.
 FN counter tally(counter a, mask on) { return a + count(on); }
 #endif
 
@@ -84,16 +86,16 @@ FN Complex squared(Complex a)
     return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
 }
 
-// a^2 if |a|^2 is known; saves a multiplication: cos 2x = 2 cos^2 x - 1.
+// Returns a^2. length2 is |a|^2, which saves a multiplication, by cos 2x = 2 cos^2 x - 1.
 FN Complex squared_within(Complex a, real length2)
 {
     real twice = a.re + a.re;
     return complex_number(twice * a.re - length2, twice * a.im);
 }
 
-// a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), n < 1024. Unrolled by bits: if
-// n is a compile-time constant, only the lines of its set bits remain; and drivers that limit the loop iterations of an
-// invocation see no loop.
+// raised() computes a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), for
+// 1 <= n < 1024. It is unrolled, with one call per bit of n. If n is a compile-time constant, only the necessary
+// multiplications remain. Drivers that limit the loop iterations of an invocation see no loop.
 FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 {
     if (n / bit > 1) {
@@ -103,7 +105,7 @@ FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
     return result;
 }
 
-// n >= 1
+// Returns a^n. n >= 1.
 FN Complex raised(Complex a, int n)
 {
     Complex result = raised_by_bit(a, a, n, 256);
@@ -126,7 +128,7 @@ FN real raised_real_by_bit(real result, real a, int n, int bit)
     return result;
 }
 
-// n >= 0
+// Returns a^n. n >= 0.
 FN real raised_real(real a, int n)
 {
     real result = a;

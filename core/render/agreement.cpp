@@ -12,7 +12,8 @@
 namespace mandelmarch {
 namespace {
 
-// Maps floating-point numbers to their order, so that neighbours differ by 1. 0 and -0 are equal.
+// Returns the position of a floating-point number in the order of all such numbers; adjacent numbers differ by 1. 0 and
+// -0 have the same position.
 template <class Real>
 double rank(Real value)
 {

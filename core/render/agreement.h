@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Agreement of a picture with the expected one, for tests and benchmarks.
+// Measures how well a picture agrees with the expected one, for tests and benchmarks.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace mandelmarch {
 
-// Levels of agreement, best first.
+// Levels of agreement. The best is first.
 enum class Level {
-    same_bits,   // every bit of colour and depth
-    ulps,        // the same hits, and every value within a few ulp
+    same_bits,   // colours and depths are equal bit for bit
+    ulps,        // the same pixels are hits, and every value differs by at most a few ulp
     perceptual,  // few pixels differ visibly
     different
 };
@@ -22,21 +22,21 @@ std::string_view name_of(Level level);  // "same bits", "ULP", "perceptual", "di
 struct Agreement {
     Level level = Level::different;
     Comparison comparison;
-    bool numbers = false;     // both have values, and the second no NaN
-    double largest_ulps = 0;  // of a colour or depth, in ulp of the precision; +infinity if one is NaN
+    bool numbers = false;     // both images have values, and the second has no NaN
+    double largest_ulps = 0;  // max difference of a colour or depth, in ulp of the precision; +infinity if one is NaN
 };
 
-// Limits of the levels.
+// Max differences for the levels `ulps` and `perceptual`.
 inline constexpr double most_ulps = 4;
-inline constexpr double most_visible_percent = 2;  // pixels with a byte that differs by more than 2 of 255
+inline constexpr double most_visible_percent = 2;  // of the pixels; visible: a byte differs by more than 2 of 255
 
 // Returns the level that a mode requires: same bits in exact mode, perceptual in fast mode.
 Level level_required(Mode mode);
 
-// Both images need values. Throws InputError if the sizes differ.
+// Returns the agreement of `image` with `expected`. Both need values. Throws InputError if their sizes differ.
 Agreement agreement(const Image& expected, const Image& image, Precision precision);
 
-// Returns "same bits", or the level with the number of differing pixels.
+// Returns "same bits", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
 std::string summary(const Agreement& agreement);
 
 }  // namespace mandelmarch

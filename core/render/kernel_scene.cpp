@@ -15,13 +15,14 @@
 namespace mandelmarch {
 namespace {
 
-// The original program's: 2^-26, the square root of double's epsilon.
+// The value of the original program: 2^-26, the square root of double's epsilon.
 constexpr double difference_step = 1.4901161193847656e-8;
 
 template <class Layout>
 constexpr bool is_float = std::is_same_v<decltype(Layout::tolerance), float>;
 
-// std430 and OpenCL C have the same layout: ints, reals, then triples at multiples of four reals.
+// Returns true if the struct has the layout of std430 and OpenCL C: ints, then reals, then triples at multiples of four
+// reals.
 template <class Layout>
 constexpr bool layout_is_portable()
 {
@@ -31,7 +32,7 @@ constexpr bool layout_is_portable()
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
-// As Scene::differences of core/kernel/scene.h. A conservative estimate has no analytic gradient.
+// Returns the value of Scene::differences in core/kernel/scene.h. A conservative estimate has no analytic gradient.
 int differences(const Scene& scene, bool fast, bool in_float, const Techniques& techniques)
 {
     constexpr int gradient = 0;
@@ -50,8 +51,8 @@ void assign(Triple& to, Vector from)
           static_cast<std::remove_reference_t<Real>>(from.z)};
 }
 
-// Position of pixel 0 and length of the scene's side in the whole picture's side, from -1 to 1. `middle` is moved by
-// half a pixel if rays go through the pixels' centres.
+// The columns or rows of the scene as a part of the whole picture's, which extend from -1 to 1. middle: position of
+// their middle, moved by half a pixel if rays go through the centres of pixels. half: half of their extent.
 struct Side {
     double middle, half;
 
@@ -61,7 +62,7 @@ struct Side {
     }
 };
 
-// Sets the axes along which the kernel counts pixels.
+// Sets the camera's position and axes, and for equirectangular pictures the angles.
 template <class Layout>
 void put_camera(const Scene& scene, Layout& k)
 {

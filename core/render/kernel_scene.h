@@ -9,7 +9,7 @@
 
 namespace mandelmarch {
 
-// The layouts are those of core/kernel/scene.h; backends pass them on as bytes.
+// The structs of core/kernel/scene.h in double and in float. Backends pass them to their devices as bytes.
 namespace layout_f64 {
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
@@ -29,22 +29,24 @@ namespace layout_f32 {
 #undef MM_REAL_IS_FLOAT
 }  // namespace layout_f32
 
-// The layout for a floating-point type.
+// The kernel's Scene for a floating-point type.
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
 // Values of the original program.
-inline constexpr int max_steps = 8000;           // max samples of a ray
+inline constexpr int max_steps = 8000;           // max number of samples of a ray
 inline constexpr double farthest_sample = 1000;  // max t of a sample
 
-// Computes in double, then rounds.
-// exact: the hit of the original stepping. fast: the canonical hit.
-// Normals come from central differences in double and from the analytic gradient in float.
+// Returns the kernel's parameters. They are computed in double and then rounded. In exact mode a hit is the last sample
+// of the original stepping, in fast mode the canonical hit. Normals come from central differences in exact mode in
+// double precision, and otherwise from the analytic gradient. They come from differences over a tetrahedron if the
+// scene is smooth, or if it is conservative and the gradient would be used. Throws InputError for float without the
+// technique `normal`.
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
-// The camera's axes. forward: unit vector of the view; across and upward: from the picture's centre to its right and
-// top edges, at distance 1. With a crop window, those of the whole picture.
+// The camera's axes. `forward` is the unit vector of the view direction. `across` and `upward` point from the picture's
+// centre to its right and top edge, at distance 1. If the scene has a crop window, they are those of the whole picture.
 struct Camera {
     Vector forward, across, upward;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the kernel's loop iterations, for devices that limit the iterations of an invocation.
+// Counts the loop iterations of the kernel, for devices that limit the iterations of an invocation.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,19 @@
 
 namespace mandelmarch {
 
-// Max iterations of all loops of one invocation. The end of a loop counts as one more; each nested loop is counted.
-// Branches not taken are not counted, although a device with masks may execute their loops once.
+// Max number of iterations of all loops of an invocation, including nested ones. The end of a loop counts as one more
+// iteration. Loops in branches that are not taken are not counted, although a device that masks lanes may execute them
+// once.
 struct Loops {
-    std::int64_t pass;    // of marching and refinement, without their steps
-    std::int64_t step;    // per marching step
-    std::int64_t tried;   // per refinement
-    std::int64_t refine;  // of a whole refinement
-    std::int64_t shade;
+    std::int64_t pass;    // of a pass that marches or refines, without its steps or refinements
+    std::int64_t step;    // of one marching step
+    std::int64_t tried;   // of one refinement of a hit
+    std::int64_t refine;  // of all refinements of a hit
+    std::int64_t shade;   // of shading
 };
 
-// Returns the limits for a scene, counted by running the kernel with all lanes active (core/kernel/prelude/loops.h) and
-// with normals from differences.
+// Returns the counts for a scene. Runs the kernel with all lanes active (core/kernel/prelude/loops.h), in exact mode,
+// with normals from central differences.
 Loops loops_of(const Scene& scene);
 
 }  // namespace mandelmarch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the loop iterations of the kernel source included before it, in the same namespace; without include guard.
+// Counts the loop iterations of the kernel source that is included before this file in the same namespace. Has no
+// include guard.
 
 template <class Body>
 std::int64_t counted(Body body)

@@ -7,7 +7,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double long_enough = 0.02;  // seconds of one run, so that clock resolution and launch overhead are negligible
+constexpr double long_enough = 0.02;  // min seconds of a run; clock resolution and launch overhead are then negligible
 constexpr int runs = 9;
 constexpr int most_rounds = 1 << 28;
 
@@ -18,8 +18,8 @@ double highest_rate(const PeakRun& run, double lanes)
     int rounds = 256;
     run(rounds);  // starts threads and completes compilation
     for (;;) {
-        // Disturbances only make a run longer, so the number of iterations suffices when the fastest run is long
-        // enough.
+        // Disturbances only make a run longer. So the number of iterations is sufficient when even the fastest run is
+        // long enough.
         double fastest = run(rounds);
         for (int i = 1; i < runs && (fastest >= long_enough || rounds == most_rounds); ++i) {
             fastest = std::min(fastest, run(rounds));

@@ -8,9 +8,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int pixels_of_strip = 1 << 22;  // of a strip, if rows are cropped
+constexpr int pixels_of_strip = 1 << 22;  // max pixels of a strip that is cropped; a row of tiles is always allowed
 
-// Returns the rows of a strip.
+// Returns the number of rows that are rendered at a time.
 int rows_of_strip(const Scene& scene, const Region& region)
 {
     if (region.width == scene.width) return region.height;

@@ -12,16 +12,16 @@
 
 namespace mandelmarch {
 
-// Devices of a backend; exactly one member is not empty.
+// The devices of a backend. Exactly one of the members is not empty.
 struct Listing {
     std::vector<Device> devices;
-    std::string unavailable;  // why it has no devices
-    std::string failure;      // how its driver failed while listing devices
+    std::string unavailable;  // why the backend has no devices
+    std::string failure;      // how its driver failed while it listed the devices
 };
 
 Listing listing_of(const Backend& backend);
 
-// The backend selected by `auto`, with the reason as a message.
+// The backend that `--backend auto` selects, and the reason, as a message.
 struct AutomaticChoice {
     const Backend* backend;
     std::string reason;
@@ -33,25 +33,26 @@ public:
 
     std::span<const std::unique_ptr<Backend>> backends() const { return backends_; }
 
-    // Returns nullptr if no backend has the name.
+    // Returns the backend with this name; nullptr if there is none.
     const Backend* find(std::string_view name) const;
 
-    // Returns the first backend with the role; nullptr if none has it.
+    // Returns the first backend with this role; nullptr if there is none.
     const Backend* find(Role role) const;
 
-    // As find(Role), but throws Unavailable instead of returning nullptr.
+    // Like find(Role), but throws Unavailable instead of returning nullptr.
     const Backend& with(Role role) const;
 
     std::vector<std::string> names() const;
 
-    // Selects an accelerator that has a GPU, otherwise the host.
+    // Returns the first accelerator that has a GPU; if there is none, the host backend. Throws Unavailable if that is
+    // missing, too.
     AutomaticChoice automatic() const;
 
 private:
     std::vector<std::unique_ptr<Backend>> backends_;
 };
 
-// Returns an unavailable backend: the program was built without it, for the reason `why`.
+// Returns a placeholder for a backend that this program does not have or may not use, for the reason `why`.
 std::unique_ptr<Backend> without_backend(std::string_view name, std::string_view why);
 
 }  // namespace mandelmarch

@@ -14,18 +14,19 @@
 namespace mandelmarch {
 namespace {
 
-// Enough bands to show progress, each large enough to keep a device busy.
+// Number of bands that a large picture is divided into. Enough to show progress, and each band is large enough to
+// keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-// For bands sized by time: pixels of the first band, and the max ratio of successive bands.
+// For bands whose size is determined by time: the pixels of the first band, and the max ratio of successive bands.
 constexpr std::int64_t first_band = 1 << 14;
 constexpr double most_growth = 4;
 
-// Limits of one invocation.
+// How much of a pixel an invocation may compute.
 struct Plan {
-    bool whole = true;  // a pixel completely
-    int steps = max_steps;
-    int tries = 0;      // in a pass that refines
-    int all_tries = 0;  // of a ray
+    bool whole = true;      // an invocation may compute a whole pixel; if false, the limits below apply
+    int steps = max_steps;  // max marching steps per pass
+    int tries = 0;          // max refinements per pass
+    int all_tries = 0;      // max refinements of a hit, over all passes
 };
 
 Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
@@ -39,7 +40,7 @@ Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
             "iterations or the types 0 and 1",
             scene.colouring, scene.iterations));
     }
-    // Half of the limit; the other half allows for iterations that Loops does not count.
+    // Plans for half of the device's limit; the other half is a margin for iterations that Loops does not count.
     const std::int64_t planned = survived / 2;
     const std::int64_t refining = mode == Mode::fast ? loops.refine : 0;
     const auto fit = [&](std::int64_t each, std::int64_t most) {
@@ -60,7 +61,7 @@ int rows_per_band(const Scene& scene, const Limits& limits)
     const std::int64_t wanted =
         std::clamp(width * scene.height / bands_wanted, std::min(limits.pixels_to_fill, limits.pixels_per_band),
                    limits.pixels_per_band);
-    // Whole tiles, if the limits allow it and there are several bands.
+    // A band consists of whole rows of tiles, if the limits allow it and the picture has several bands.
     std::int64_t rows = std::clamp<std::int64_t>(wanted / width, 1, scene.height);
     if (rows > tile_side && rows < scene.height) rows = rows / tile_side * tile_side;
     return static_cast<int>(rows);
@@ -82,7 +83,7 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
         } else {
             executor.run(Entry::begin, band, 0);
             do {
-                // Reports progress and checks for cancellation, since a band may take many passes.
+                // Reports progress, and stops if the picture is cancelled, because a band may take many passes.
                 if (progress) progress(share(row));
                 executor.run(Entry::march, band, plan.steps);
             } while (executor.marching(band));

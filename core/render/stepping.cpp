@@ -13,7 +13,7 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
     const bool fast = mode == Mode::fast;
     const double step_factor =
         std::min(scene.limits.step_factor, fast ? fractal.fast.step_factor.value(inputs_of(scene)) : plain_step_factor);
-    // Scenes that need short steps are not over-relaxed.
+    // Scenes that need short steps are rendered without over-relaxation.
     const bool relaxed = fast && techniques.relaxation && step_factor >= plain_step_factor;
     return {
         .step_factor = step_factor,

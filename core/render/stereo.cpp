@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// Copies columns of the image's height to the image's columns from `left` on.
+// Copies `columns`, which has the height of the image, to the image's columns from `left` on.
 void put(const Image& columns, int left, Image& image)
 {
     const auto width = static_cast<std::ptrdiff_t>(columns.width());
@@ -33,7 +33,7 @@ Scene of_eye(const Scene& scene, double eyes, int side)
     const Vector moved = (side * eyes / 2) * unit(camera.across);
     eye.eye = scene.eye + moved;
     eye.target = scene.target + moved;
-    // Half of the parallax of the screen, in pixels; the window moves in the opposite direction.
+    // Half of the screen's parallax, in pixels. The crop window of an eye moves in the direction opposite to the eye.
     const double half_width = std::sqrt(dot(camera.across, camera.across));
     const auto shift = static_cast<int>(std::lround(eye.width / (4 * screen_distance * half_width)));
     eye.crop_window = {

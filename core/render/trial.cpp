@@ -12,8 +12,8 @@ namespace {
 
 // docs/notes/experiments.md, "Trials", explains these constants.
 constexpr double trial_pixels = 1024;
-constexpr double most_off = 0.015;   // of its pixels, visibly; below it usually at most 2 % of the picture differ
-constexpr double converging = 0.75;  // relative to the previous fraction
+constexpr double most_off = 0.015;   // max fraction of the trial's pixels that may differ visibly
+constexpr double converging = 0.75;  // max ratio of that fraction to the previous one
 
 double share_off(const Image& a, const Image& b)
 {
@@ -116,7 +116,7 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
 
 bool is_tried(const RendererOptions& options)
 {
-    // Without refinement the picture depends on the step factor anyway.
+    // Without refinement every step factor gives another picture, so a trial is useless.
     return options.mode == Mode::fast && options.techniques.root && options.techniques.trial;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fractals' descriptors: core/scene/fractals/NAME.cpp defines descriptors::NAME. The build generates their list.
+// Declares the fractals' descriptors. core/scene/fractals/NAME.cpp defines descriptors::NAME. The build generates the
+// list of names.
 #pragma once
 
 #include "core/scene/formula.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
-using namespace formula;  // for the descriptors' templates
+using namespace formula;  // used by the descriptors' templates
 }
 
 namespace mandelmarch::descriptors {

@@ -18,7 +18,7 @@ struct Size {
     int width, height;
 };
 
-// `about`: the fractal's extent.
+// Draws a random camera. `about`: approximate max distance of the fractal from the origin.
 void draw_camera(SceneRandom& chance, double about, Scene& scene)
 {
     scene.target = chance.one_in(2) ? Vector{0, 0, 0} : chance.between(0, 0.7 * about) * chance.direction();
@@ -43,7 +43,7 @@ void draw_shape(SceneRandom& chance, Scene& scene)
     scene.escape = SceneRandom::single(scene.escape);
 }
 
-// Sets lines 7 and 8 of the scenes that keep their shape.
+// Sets the values of lines 7 and 8, for scenes that do not vary them.
 void set_plain_shape(const Fractal& fractal, Scene& scene)
 {
     if (const auto& plain = fractal.random.plain) {
@@ -59,7 +59,7 @@ void set_plain_shape(const Fractal& fractal, Scene& scene)
 Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
 {
     constexpr std::array sizes{Size{48, 32}, Size{32, 24}, Size{33, 31}, Size{17, 40}, Size{61, 1}, Size{1, 29}};
-    // Each scene has about the same number of pixels times iterations.
+    // Approximate max of the number of pixels times the number of iterations.
     constexpr double pixel_iterations = 64.0 * 48 * 32;
     Scene scene;
     scene.fractal = &fractal;
@@ -67,7 +67,8 @@ Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
     set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
     scene.brightness = SceneRandom::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
-    // Two successive scenes have the same size, so that remains of the previous picture become visible.
+    // Scenes 2n and 2n + 1 have the same size, so that a backend that leaves remains of the previous picture in
+    // its buffers is detected.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;
     scene.height = size.height;
@@ -101,7 +102,7 @@ Scene extreme_scene(const Fractal& fractal, unsigned seed, int number)
         try {
             return parse_parameters(to_parameters(drawn(chance, fractal, number)), "a scene", fractal).scene;
         } catch (const InputError&) {
-            // Incompatible values: another scene is tried.
+            // The values are incompatible with each other; the loop draws another scene.
         }
     }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that records its formula. Function templates of a fractal's descriptor are computed with double in the
-// programs and exported as text with Formula. The text is an expression valid in both JavaScript and Python, so that
-// the viewer computes the same (docs/report-internals.md).
+// A number that records its formula as text. The formulas of a fractal's descriptor are function templates. The
+// programs compute them with double, and export them as text by computing them with Formula. The text is an
+// expression that is valid in both JavaScript and Python, so that the viewer computes the same values
+// (docs/report-internals.md).
 #pragma once
 
 #include <algorithm>
@@ -15,13 +16,14 @@ class Formula {
 public:
     Formula(double value = 0);  // NOLINT(google-explicit-constructor): literals are formulas
 
-    // An input, such as `shape[0]`.
+    // Returns an input of a formula, such as `shape[0]`.
     static Formula input(std::string_view name);
 
-    // Uses min, max, pow, sqrt, abs, floor, sign and pick(condition, a, b), with parentheses around every operation.
+    // Returns the expression. It uses the functions min, max, pow, sqrt, abs, floor, sign and pick(condition, a, b),
+    // and has parentheses around every operation.
     const std::string& text() const { return text_; }
 
-    // First argument of pick().
+    // The first argument of pick().
     struct Condition {
         std::string text;
     };
@@ -43,7 +45,7 @@ private:
     std::string text_;
 };
 
-// Functions used by the descriptors' templates, for both number types.
+// Functions that the descriptors' templates use, for double and for Formula.
 namespace formula {
 
 inline double min(double a, double b) { return std::min(a, b); }
@@ -52,7 +54,7 @@ inline double pow(double a, double b) { return std::pow(a, b); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline double abs(double a) { return std::abs(a); }
 inline double floor(double a) { return std::floor(a); }
-inline double sign(double a) { return std::copysign(1, a); }  // a != 0
+inline double sign(double a) { return std::copysign(1, a); }  // requires a != 0
 inline double pick(bool on, double a, double b) { return on ? a : b; }
 
 inline Formula min(const Formula& a, const Formula& b) { return Formula::call("min", a, b); }

@@ -61,7 +61,8 @@ std::span<const Fractal> fractals()
 
 namespace {
 
-// The table exists before main, because descriptors are passed to device processes (core/isolation) by address.
+// Makes the table before main(), so that its addresses are the same in the program and in its device processes, to
+// which descriptors are passed by address (core/isolation).
 [[maybe_unused]] const bool made = !fractals().empty();
 
 }  // namespace

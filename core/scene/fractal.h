@@ -16,13 +16,13 @@ struct Scene;
 class SceneRandom;
 class Formula;
 
-// ParameterInfo and range of a number of a parameter file. The range includes `high`, and `low` unless `open_low`.
+// Name and range of a number in a parameter file. The range includes `high`, and it includes `low` unless `open_low`.
 struct ParameterInfo {
     std::string_view name;
     double low;
     double high;
     bool open_low = false;
-    // Range of a slider that gives interesting pictures, and its step.
+    // Range and step of a slider for this number. The range contains values that give interesting pictures.
     struct Slider {
         double low, high, step;
     };
@@ -32,26 +32,27 @@ struct ParameterInfo {
 inline constexpr ParameterInfo ignored_number{"a number (ignored)", -1e300, 1e300};
 inline constexpr double float_range = 1e37;  // a power of ten below the largest float
 
-// Inputs of a descriptor's formulas. Number is double or Formula (core/scene/formula.h).
+// The inputs of a descriptor's formulas. Number is double, or Formula (core/scene/formula.h).
 template <class Number>
 struct FractalInputs {
     std::array<Number, 3> shape;
     Number escape;
     Number iterations;
-    Number largest;       // the largest finite power of ten in the picture's precision
-    Number conservative;  // 1: conservative estimate, 0: the original one
+    Number largest;       // the largest power of ten that is finite in the picture's precision
+    Number conservative;  // 1: conservative estimate; 0: original estimate
 };
 
 FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
 
-// Kernel parameters of a fractal, the same for all pixels.
+// A fractal's own parameters of the kernel, which are the same for all pixels.
 template <class Number>
 struct FractalConstants {
     std::array<Number, 11> values{};
     Number whole = 0;
 };
 
-// Two instances of one function template: its value, and its text for use outside the programs.
+// A formula of a descriptor, as two instances of one function template: one computes its value, the other returns its
+// text, for use outside the programs.
 template <template <class> class Result>
 struct RowFormula {
     Result<double> (*value)(const FractalInputs<double>& of);
@@ -60,13 +61,13 @@ struct RowFormula {
 template <class Number>
 using Plain = Number;
 
-// Parameters of a view that a hull depends on.
+// The parameters of a view on which a hull depends.
 struct ViewLimits {
-    double slope;     // DE > slope t means no hit
-    double distance;  // of the eye from the origin
+    double slope;     // a sample at t with DE > slope t is not a hit
+    double distance;  // distance of the eye from the origin
 };
 
-// Bounds of a whole fractal: a cube or a sphere around the origin.
+// Bounds of a whole fractal: a cube or a sphere around the origin that contains it.
 struct Bounds {
     enum class Shape { cube, sphere };
     Shape shape = Shape::sphere;
@@ -75,17 +76,17 @@ struct Bounds {
     bool contains(Vector p) const;
 };
 
-// Defaults for members that a descriptor does not set.
+// Defaults of the members that a descriptor does not set. The comments give the results.
 namespace defaults {
-std::string_view objection(const Scene& scene);              // none
+std::string_view objection(const Scene& scene);              // ""
 double no_hull(const Scene& scene, const ViewLimits& view);  // 0
 std::optional<Bounds> unknown_body(const Scene& scene);      // nullopt
 template <class Number>
 Number step_factor(const FractalInputs<Number>& of);                     // plain_step_factor
-double growth(const Scene& scene);                                       // 1: no iteration is known to be invisible
+double growth(const Scene& scene);                                       // 1
 Vector representative(const Scene& scene, Vector p);                     // p
 bool worth_searching(const Scene& scene, const Bounds& body, Vector p);  // true
-Vector upward(Vector place, Vector up);                                  // away from the origin, as on a planet
+Vector upward(Vector place, Vector up);                                  // away from the origin; at the origin `up`
 void no_tail(const Scene& scene, FractalConstants<double>& constants);   // unchanged
 void same_shape(Scene& scene, SceneRandom& chance, bool even);           // unchanged
 void same_extreme_shape(Scene& scene, SceneRandom& chance);              // unchanged
@@ -95,49 +96,52 @@ inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
 inline constexpr double sphere_corner = 1;
 inline constexpr double cube_corner = 1.7320508075688772;  // sqrt(3)
 
-// The hull: the sphere or cube (as in the kernel source) outside which no ray of a view hits anything.
+// A fractal's hull: a sphere or cube outside which no ray of a view hits the surface. The kernel source defines which
+// of the two it is.
 struct FractalHull {
     double (*size)(const Scene& scene, const ViewLimits& view) = defaults::no_hull;  // 0: no hull
-    double corner = cube_corner;  // largest distance from the origin, in units of size
+    double corner = cube_corner;  // max distance of the hull's points from the origin, in units of its size
 };
 
-// Parameters of fast mode.
+// A fractal's parameters of fast mode.
 struct FractalFast {
-    // Step factor. Below plain_step_factor, steps are not over-relaxed: for scenes with thin features, which longer
-    // steps would miss.
+    // Step factor. If it is below plain_step_factor, steps are not over-relaxed. This is for scenes with thin features,
+    // which longer steps would miss.
     RowFormula<Plain> step_factor{defaults::step_factor<double>, defaults::step_factor<Formula>};
-    // A canonical hit has |DE - tolerance t| below this fraction of the tolerance. Chosen by the changes of pictures.
+    // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. Selected by how much
+    // pictures change.
     double root_share = 0.001;
-    // Cones are used up to this distance of adjacent rays, in tolerances.
+    // Cones are used if adjacent rays are at most this many tolerances apart.
     double cone_pitch = 0;
-    // Rays begin near the hits of surrounding pixels up to this distance of adjacent rays, in tolerances.
+    // Rays begin near the hits of surrounding pixels if these pixels' rays are at most this many tolerances apart.
     double neighbour_pitch = 0;
 };
 
-// Parameters of planning a tour. Lengths are fractions of the size of the bounds.
+// Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is the
+// estimated distance from the surface.
 struct FlightMeasures {
-    double roads = 0.012;        // min clearance of the balls
-    double gate_least = 0.0040;  // range of a gate's clearance
-    double gate_most = 0.02;
-    double pace = 0.19;  // clearances per frame
+    double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
+    double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
+    double gate_most = 0.02;     // max clearance of a gate
+    double pace = 0.19;          // speed, in clearances per frame
 };
 
-// Thresholds of a flight's audit.
+// Limits that the audit of a flight checks.
 struct FlightBars {
-    double step = 0.2;     // clearances per frame
-    double aside = 10;     // percent of the frames that look aside
-    double passages = 12;  // per 7200 frames
-    double planning = 20;  // seconds
+    double step = 0.2;     // max step of the camera, in clearances per frame
+    double aside = 10;     // max percentage of frames that look more than 60 degrees away from the motion
+    double passages = 12;  // min number of passages per 7200 frames
+    double planning = 20;  // max seconds of planning
 };
 
-// Properties of the fractal for planning flights.
+// Properties of a fractal for planning flights.
 struct FractalFlight {
-    // Returns the min magnification of an iteration: features of iteration n have about growth^-n of the fractal's
-    // size.
+    // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
+    // fractal's size.
     double (*growth)(const Scene& scene) = defaults::growth;
-    // Fractions of an estimate. safety: the certainly free part, at some distance from the surface. stride: a step in a
-    // close-up, since near the surface an estimate can exceed the distance. `conservative` applies to the conservative
-    // estimate, if the fractal has one.
+    // How far the estimate can be trusted, as fractions of it. safety: the part that is certainly free of the surface,
+    // at some distance from it. step_factor: the step factor for films; it is smaller, because close to the surface an
+    // estimate can exceed the distance. `conservative` applies to the conservative estimate, if the fractal has one.
     struct Trust {
         double safety = 0.5;
         double step_factor = 0.5;
@@ -145,61 +149,63 @@ struct FractalFlight {
     Trust trust{};
     std::optional<Trust> conservative{};
     const Trust& trust_of(const Scene& scene) const;
-    // Returns the bounds of the fractal; nullopt: a sphere is found by casting rays.
+    // Returns the bounds of the fractal. If it returns nullopt, a sphere is found by casting rays.
     std::optional<Bounds> (*body)(const Scene& scene) = defaults::unknown_body;
-    // Maps equivalent places of a symmetry to the one in the fundamental region.
+    // Maps places that are equivalent under the fractal's symmetries to the one in the fundamental region.
     Vector (*representative)(const Scene& scene, Vector p) = defaults::representative;
-    // True in a region that includes a fundamental region of the symmetry. Tours are searched only there, to save time.
+    // Returns true in a region that includes a fundamental region of the fractal's symmetries. Tours are searched only
+    // there, to save time.
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
-    // Returns the upward direction of a level camera, a unit vector; `up`: the camera's up vector.
+    // Returns the upward direction of a level camera at `place`, a unit vector. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
     FlightMeasures measures{};
     FlightBars bars{};
 };
 
-// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). They begin with the official shape.
+// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions change the shape that the
+// scene already has.
 struct FractalRandom {
     double extent;             // approximate max distance of the fractal from the origin
     double nearest, farthest;  // range of the camera's distance from the origin
     void (*shape)(Scene& scene, SceneRandom& chance, bool even) = defaults::same_shape;
-    // Any size and sign that a parameter file allows. Rounded to single precision afterwards.
+    // Draws values of every size and sign that a parameter file allows. They are then rounded to single precision.
     void (*extreme_shape)(Scene& scene, SceneRandom& chance) = defaults::same_extreme_shape;
-    // Lines 7 and 8 of extreme scenes that keep their shape; nullopt: the official ones.
+    // Values of lines 7 and 8 for extreme scenes that do not vary them; nullopt: those of the official scene.
     std::optional<std::array<double, 4>> plain{};
 };
 
-// Parameters of bench.
+// A fractal's parameters for the program bench.
 struct FractalStudy {
-    std::span<const int> iterations = defaults::iterations;  // of the study that varies them
-    // A view filled by the surface, for the box-vs-bulb study.
+    std::span<const int> iterations = defaults::iterations;  // numbers of iterations that a study compares
+    // A view that is filled by the surface, for the study box-vs-bulb.
     struct CloseUp {
         Vector eye, target, up;
     };
     std::optional<CloseUp> close_up{};
-    // Another view of that study: the official one with `added` added to its shape.
+    // Another scene of that study: the official one, with `added` added to its shape.
     struct Variant {
         std::string_view name;
         std::array<double, 3> added;
     };
     std::optional<Variant> variant{};
-    // Allowed percentage of pixels of the official scene that differ visibly between exact mode and the reference
+    // Max percentage of the official scene's pixels that may differ visibly between exact mode and the reference
     // backend.
     double off_in_double = 0;
     double off_in_float = 0;
 };
 
 struct Fractal {
-    std::string_view name;          // stem of its file names
-    std::string_view short_name;    // short name on command lines
-    int list_order = 1000;          // lists of fractals are sorted by it, then by name
-    bool in_default_study = false;  // included in bench by default; the build reads this line, too
-    std::string_view official;      // text of the official scene's parameter file
+    std::string_view name;          // also the stem of the names of its files
+    std::string_view short_name;    // alternative name on command lines
+    int list_order = 1000;          // lists of fractals are sorted by this number, then by name
+    bool in_default_study = false;  // bench includes the fractal by default; the build system reads this line, too
+    std::string_view official;      // text of the parameter file of its official scene
     std::array<ParameterInfo, 3> shape;
     ParameterInfo escape;
-    // Returns what is wrong with the three values of line 7 together, or "".
+    // Returns what is wrong with the combination of the three values of line 7, or "" if nothing is.
     std::string_view (*objection)(const Scene& scene) = defaults::objection;
     RowFormula<FractalConstants> constants;
-    // Sets the constants of tails (the last iterations of an orbit, without tests), a technique of fast mode.
+    // Sets the constants of tails. A tail is the last iterations of an orbit, which fast mode computes without tests.
     void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = defaults::no_tail;
     FractalHull hull{};
     FractalFast fast{};
@@ -208,10 +214,10 @@ struct Fractal {
     FractalStudy study{};
 };
 
-// Sorted by rank, then by name.
+// Returns the registered fractals, sorted by list_order, then by name.
 std::span<const Fractal> fractals();
 
-// Finds a fractal by name or short name. Throws InputError with the known names.
+// Returns the fractal with this name or short name. Throws InputError, which lists the known names.
 const Fractal& fractal_named(std::string_view name);
 
 }  // namespace mandelmarch

@@ -22,10 +22,10 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has 500
+constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has about 500
 constexpr std::string_view blanks = " \t\r\f\v";
 
-// Quotes user text in a message: printable characters, shortened.
+// Quotes text of the user for a message. Unprintable characters are replaced, and long texts are cut.
 std::string quoted(std::string_view text)
 {
     constexpr std::size_t most = 40;
@@ -41,7 +41,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// Removes a comment: from a # at the beginning of the line or after a blank.
+// Removes a comment. It begins with a # that is the first character of the line or follows a blank.
 std::string_view without_comment(std::string_view line)
 {
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -50,8 +50,8 @@ std::string_view without_comment(std::string_view line)
     return line;
 }
 
-// Counts the values of lines 7 and 8 that are unusual for a fractal: outside its sliders' ranges, or not 0 although the
-// fractal ignores them. nullopt if the fractal rejects the values.
+// Counts the values of lines 7 and 8 that are unusual for a fractal: those outside the range of their slider, and those
+// that are not 0 although the fractal ignores them. Returns nullopt if the fractal does not accept the values.
 std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
 {
     int count = 0;
@@ -70,7 +70,8 @@ std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
     return fine && fractal.objection(as_that).empty() ? std::optional(count) : std::nullopt;
 }
 
-// Returns another fractal with fewer oddities, or nullptr.
+// Returns the fractal that has the fewest unusual values, if they are fewer than those of the scene's fractal;
+// otherwise nullptr.
 const Fractal* likelier(const Scene& scene)
 {
     const Fractal* best = nullptr;
@@ -126,7 +127,7 @@ public:
     }
 
 private:
-    // Warns if comments name another fractal, or the values suit another one better.
+    // Warns if the comments name another fractal and not this one, or if the values suit another fractal better.
     void warn_of_another_fractal()
     {
         if (names(fractal_)) return;
@@ -145,7 +146,7 @@ private:
 
     [[noreturn]] void fail(const std::string& text) const { throw InputError(place(number_) + ": " + text); }
 
-    // Reads the next line that is not empty after removing its comment; false at the end.
+    // Reads the next line that is not empty without its comment. Returns false at the end of the text.
     bool next_line()
     {
         while (!rest_.empty()) {
@@ -165,7 +166,7 @@ private:
         return false;
     }
 
-    // Begins the line of an entry with `count` values.
+    // Reads the line of an entry, which must have `count` values.
     void begin(Item item, const char* what, int count)
     {
         if (!next_line()) {
@@ -198,12 +199,12 @@ private:
         return *value;
     }
 
-    // Reads a real number and rounds it to single precision; the rounded number must be in the range.
+    // Reads a real number and rounds it to single precision. The rounded number must be in the range, too.
     double single(const ParameterInfo& meaning)
     {
         const auto word = fields_.substr(0, fields_.find_first_of(blanks));
         const auto value = real(meaning);
-        if (meaning.high > 1e38) return value;  // ignored
+        if (meaning.high > 1e38) return value;  // an ignored number
         const double rounded = static_cast<float>(value);
         check_range(rounded, meaning, word);
         return rounded;
@@ -257,10 +258,10 @@ private:
     }
 
     std::string_view rest_;    // unread text
-    std::string_view line_;    // current line, trimmed
-    std::string_view fields_;  // unread values of the line
-    bool commented_ = false;   // a comment follows the values
-    int number_ = 0;           // number of the current line, from 1
+    std::string_view line_;    // the current line without blanks around it and without its comment
+    std::string_view fields_;  // unread values of the current line
+    bool commented_ = false;   // a comment follows the values of the current line
+    int number_ = 0;           // number of the current line, counted from 1
     std::array<int, item_count> lines_{};
     std::string comments_;  // all comments, in lower case
     const std::string& name_;

@@ -8,9 +8,9 @@
 
 namespace mandelmarch {
 
-// Returns `like` with a random camera, shape, detail and limit of iterations; the same numbers give the same scene on
-// every machine. Even and odd `number` alternate between kinds: integer and other powers, scales above and below 0,
-// colourings 0 and 1.
+// Returns `like` with a random camera, shape, detail and number of iterations. The same random numbers give the same
+// scene on every machine. Scenes with even and odd `number` are of different kinds: for example, powers are integers or
+// any powers, scales are above or below 0, and colourings are 0 or 1.
 Scene random_scene(const Scene& like, int number, std::mt19937& random);
 
 }  // namespace mandelmarch

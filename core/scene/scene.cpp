@@ -21,7 +21,7 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     const double up_length = std::hypot(scene.up.x, scene.up.y, scene.up.z);
     if (!(up_length > 0)) throw InputError(where(Item::up) + ": the up vector is zero, expected a direction");
     const Vector side = cross((1 / distance) * view, (1 / up_length) * scene.up);
-    // A sine below which the picture's axes would be inaccurate.
+    // length(side) is the sine of the angle between view and up; below 1e-8 the picture's axes are inaccurate.
     if (!(length(side) > 1e-8)) {
         throw InputError(where(Item::up) + ": the up vector is parallel to the view, expected another direction");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: the contents of a parameter file as read, and further options of the rendering.
+// A scene: the values of a parameter file, and options of the rendering that are not in the file.
 #pragma once
 
 #include <array>
@@ -13,33 +13,33 @@ namespace mandelmarch {
 
 struct Fractal;
 
-inline constexpr int max_iterations = 10'000;    // of the distance estimator
-inline constexpr double degrees_per_field = 65;  // vertical angle for a field of view of 1
+inline constexpr int max_iterations = 10'000;    // max number of iterations of a DE evaluation
+inline constexpr double degrees_per_field = 65;  // vertical angle of view for a field of view of 1
 inline constexpr double max_field_of_view = 180 / degrees_per_field;
-inline constexpr int colouring_types = 5;  // 0 and 1: original; from 2: core/kernel/looks.h
+inline constexpr int colouring_types = 5;  // 0 and 1: of the original program; 2 and above: core/kernel/looks.h
 
 // The original program's step factor.
 inline constexpr double plain_step_factor = 0.95;
 
-// Names of the distance estimates: the original program's, and the fractal's conservative one (core/scene/fractal.h).
+// Names of the estimates: the original program's, and the fractal's conservative one (core/scene/fractal.h).
 inline constexpr std::string_view counted_estimate = "counted";
 inline constexpr std::string_view conservative_estimate = "conservative";
 
-// Limits of a ray's steps set by a film or a trial; not part of a parameter file (core/render/stepping.h).
+// Limits of a ray's steps that a film or a trial sets. They are not in the parameter file (core/render/stepping.h).
 struct StepLimits {
-    double step_factor = plain_step_factor;  // upper limit of the step factor
-    double root_share = 0;                   // lower limit of Stepping::root_share, the error of a hit; in tolerances
+    double step_factor = plain_step_factor;  // max step factor
+    double root_share = 0;                   // min of Stepping::root_share, the error of a hit in tolerances
 };
 
-// Mapping from pixels to directions. equirectangular: 360 degrees of longitude across, 180 of latitude upwards,
-// independent of the field of view.
+// Mapping from pixels to directions. An equirectangular picture covers 360 degrees of longitude horizontally and 180
+// degrees of latitude vertically; it does not depend on the field of view.
 enum class Projection { perspective, equirectangular };
 
-// Crop window: the part of a larger picture that a scene shows, in pixels of that picture. The scene's size is that of
-// the window.
+// The part of a larger picture that a scene shows, in pixels of the larger picture. Width and height of the part are
+// those of the scene.
 struct CropWindow {
     int left = 0, bottom = 0;
-    int whole_width = 0, whole_height = 0;  // 0: the whole picture
+    int whole_width = 0, whole_height = 0;  // size of the larger picture; 0: the scene shows a whole picture
 };
 
 struct Scene {
@@ -49,30 +49,31 @@ struct Scene {
     Vector up{0, 1, 0};
     double field_of_view = 1;                // in units of degrees_per_field; 0 < f < max_field_of_view
     int width = 0, height = 0;               // pixels, 1 to max_side
-    double detail = -3;                      // the surface is hit if DE < 10^detail * t
-    std::array<double, 3> shape{2, 0.5, 1};  // line 7; the meaning depends on the fractal
-    int iterations = 1;                      // n, 1 to max_iterations
-    double escape = 0;                       // line 8, second value
+    double detail = -3;                      // a sample is a hit if DE < 10^detail * t
+    std::array<double, 3> shape{2, 0.5, 1};  // values of line 7; their meanings depend on the fractal
+    int iterations = 1;                      // max iterations of a DE evaluation, 1 to max_iterations
+    double escape = 0;                       // second value of line 8
     int colouring = 0;
     double brightness = 1;
     std::string image_file;
 
-    // Not part of a parameter file, as the original program has none of these:
-    bool conservative = false;  // use the fractal's conservative distance estimate
-    bool smooth = false;        // normals ignore detail smaller than a tolerance
-    bool centred = false;       // rays through the pixels' centres, not their lower left corners
+    // The following are not in the parameter file, because the original program does not have them.
+    bool conservative = false;  // use the fractal's conservative estimate
+    bool smooth = false;        // normals ignore details smaller than a tolerance
+    bool centred = false;       // rays go through the centres of the pixels; false: through their lower left corners
     Projection projection = Projection::perspective;
-    Vector sun{0.48, 0.64, 0.6};  // unit vector towards the sun, for colouring types from 2
+    Vector sun{0.48, 0.64, 0.6};  // unit vector towards the sun, for colouring types 2 and above
     StepLimits limits;
     CropWindow crop_window;
 };
 
-// Entries of a parameter file, in order.
+// The entries of a parameter file, in order.
 enum class Item { eye, target, up, field_of_view, size, detail, shape, iterations, colouring, brightness, image_file };
 inline constexpr int item_count = 11;
 
-// Throws InputError if the values are valid separately but not together: the camera is at its target, `up` is parallel
-// to the view, or the fractal cannot be computed with these constants. The message begins with where(item).
+// Throws InputError if values are valid individually but not together: the camera is at its target, `up` is parallel to
+// the view, or the fractal cannot be computed with these constants. The message begins with where(entry), the place of
+// the entry.
 void check_scene(const Scene& scene, const std::function<std::string(Item)>& where);
 
 }  // namespace mandelmarch

@@ -18,10 +18,10 @@ public:
         return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
     }
 
-    // Samples log-uniformly; low, high > 0.
+    // Returns a number whose logarithm is uniformly distributed. low and high must be positive.
     double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
-    // Rounds to single precision, as for parameter files.
+    // Rounds to single precision, as parameter files are read.
     static double single(double value) { return double{static_cast<float>(value)}; }
     double single_between(double low, double high) { return single(between(low, high)); }
 

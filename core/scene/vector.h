@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Double vectors on the host, for the camera and the reference renderer.
+// Vectors of doubles on the host, for cameras, descriptors and the reference renderer.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows bitmaps: a 14-byte file header, a 40-byte BITMAPINFOHEADER, rows from the bottom up, blue first, each row
-// padded to a multiple of four bytes. Numbers are little-endian.
+// Windows bitmaps: a file header of 14 bytes, a BITMAPINFOHEADER of 40 bytes, and the rows from the bottom up. A
+// pixel's bytes are blue, green, red; each row is padded to a multiple of four bytes. Numbers are little-endian.
 #include <fmt/format.h>
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t header_size = 54;  // bytes, both headers
+constexpr std::size_t header_size = 54;  // bytes of both headers together
 constexpr std::size_t file_header_size = 14;
 constexpr std::uint32_t info_size = 40;         // bytes
 constexpr std::uint32_t dots_per_metre = 2835;  // 72 dots per inch
@@ -73,10 +73,10 @@ void write_bmp(OutputFile& file, const Image& image)
 
 namespace {
 
-// Position of a channel's bits in a pixel of four bytes.
+// The bits of a channel in a pixel of four bytes.
 struct BmpMask {
     int shift = 0;
-    std::uint32_t most = 0;  // max value
+    std::uint32_t most = 0;  // max value of the channel
 
     std::uint8_t byte(std::uint32_t pixel) const
     {
@@ -84,16 +84,16 @@ struct BmpMask {
     }
 };
 
-// Layout of a file's pixels, from its headers.
+// The layout of a file's pixels, as its headers describe it.
 struct BmpPixels {
     int width = 0, height = 0;
     bool top_down = false;
     int bits = 24;
-    std::uint32_t start = 0;  // of the pixels, in bytes from the beginning of the file
+    std::uint32_t start = 0;  // position of the first pixel, in bytes from the beginning of the file
     std::array<BmpMask, 3> masks{BmpMask{16, 255}, BmpMask{8, 255}, BmpMask{0, 255}};  // red, green, blue
 };
 
-constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // uncompressed, with masks
+constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // values of `compression`: uncompressed, with masks
 
 template <class Refuse>
 BmpMask bmp_mask(std::uint32_t bits, const Refuse& refuse)
@@ -125,7 +125,7 @@ BmpPixels read_header(std::span<const std::byte> data, const Refuse& refuse)
         refuse(fmt::format("its size is {} x {} pixels", pixels.width, std::abs(height)));
     }
     pixels.height = static_cast<int>(std::abs(height));
-    // The masks follow a header of 40 bytes; larger headers contain them at the same position.
+    // The masks follow the 40-byte BITMAPINFOHEADER; larger headers contain them at the same position.
     constexpr std::size_t masks_size = 12;
     if (masked && data.size() < header_size + masks_size) refuse("the file ends in its header");
     for (std::size_t i = 0; masked && i < pixels.masks.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR, 32 bits per channel. R, G, B are linear light, as compositing programs expect; the layer `displayed`
-// contains the displayed colours, bit for bit; Z is the depth. The channels `steps` and `iterations` contain the
-// counts.
+// OpenEXR pictures with 32 bits per channel. R, G and B are linear light, as compositing programs expect. The layer
+// `displayed` contains the displayed colours, as floats. Z is the depth. The channels `steps` and `iterations` contain
+// these counts.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -35,9 +35,9 @@ constexpr std::array exr_colours{"R", "G", "B"};
 constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
 constexpr std::array exr_counts{"steps", "iterations"};
 constexpr const char* depth_name = "Z";
-constexpr const char* old_depth_name = "depth";  // in old files, whose R, G and B are displayed values
+constexpr const char* old_depth_name = "depth";  // used by old files, in which R, G and B are displayed values
 
-// The sRGB curve (IEC 61966-2-1), from a displayed value to linear light, and back.
+// Converts a displayed value to linear light by the sRGB curve (IEC 61966-2-1). displayed_of() converts it back.
 float light_of(float displayed)
 {
     const double c = displayed;
@@ -50,7 +50,7 @@ float displayed_of(float light)
     return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
 }
 
-// A row of the file.
+// The values of one row of the file.
 struct Row {
     explicit Row(int width) : depth(width), steps(width), iterations(width)
     {
@@ -62,7 +62,7 @@ struct Row {
     std::vector<float> depth;
     std::vector<std::uint32_t> steps, iterations;
 
-    // Returns a frame buffer that maps every row of the file to this object.
+    // Returns a frame buffer that maps every row of the file to the memory of this object.
     Imf::FrameBuffer frame(const char* depth_channel)
     {
         Imf::FrameBuffer buffer;
@@ -89,7 +89,7 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// Output stream of OpenEXR, to an OutputFile that can seek.
+// OpenEXR's output stream to an OutputFile that can seek.
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -138,12 +138,12 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
-// Input stream of OpenEXR, from memory.
+// OpenEXR's input stream from memory.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
 
-    // Returns true if data remains.
+    // Returns true if more data follows. Throws if `size` bytes are not available.
     bool read(char to[], int size) override
     {
         if (size < 0 || at_ > data_.size() || data_.size() - at_ < static_cast<std::size_t>(size)) {
@@ -165,9 +165,9 @@ constexpr int largest_tile = 4096;                // pixels, both sides
 constexpr std::uint64_t largest_block = 256;      // lines that are encoded together, in DWAB files
 constexpr std::uint64_t usual_block = 640 << 20;  // bytes, enough for the widest picture
 
-constexpr std::size_t first_attribute = 8;  // bytes from the beginning: after magic number and version
+constexpr std::size_t first_attribute = 8;  // its position in bytes, after the magic number and the version
 
-// Throws if an attribute of the header claims more bytes than the file has, because OpenEXR would allocate them.
+// Throws Error if an attribute of the header claims more bytes than the file has. OpenEXR would allocate them.
 void check_attributes(std::span<const std::byte> data)
 {
     std::size_t at = first_attribute;
@@ -182,8 +182,8 @@ void check_attributes(std::span<const std::byte> data)
         }
         return at - start > 1;
     };
-    while (skip_text()) {  // the attribute's name; an empty one ends the header
-        skip_text();       // its type
+    while (skip_text()) {  // skips the attribute's name; an empty name ends the header
+        skip_text();       // skips the attribute's type
         std::size_t size = 0;
         const auto bytes = take(4);
         for (std::size_t i = bytes.size(); i > 0; --i) size = size << 8 | std::to_integer<std::size_t>(bytes[i - 1]);
@@ -191,14 +191,14 @@ void check_attributes(std::span<const std::byte> data)
     }
 }
 
-// Channels of a file, other than R, G and B.
+// Channels of a file. R, G and B always exist.
 struct ExrChannels {
     const char* depth = nullptr;  // name of the depth channel; nullptr: none
     bool displayed = false;       // the layer of displayed colours exists
     bool light = true;            // R, G and B are linear light; false for old files of this program
 };
 
-// Checks the header before OpenEXR allocates memory for what it claims.
+// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if it is not acceptable.
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
@@ -280,7 +280,7 @@ void write_exr(OutputFile& file, const std::string& path, const Image& image)
             encode(stream, image);
             return;
         }
-        // OpenEXR seeks back to write its table of rows, which is impossible in a pipe, so the file is built in memory.
+        // OpenEXR seeks back to write its table of rows. A pipe cannot seek, so the file is built in memory.
         Imf::StdOSStream memory;
         encode(memory, image);
         const std::string data = memory.str();

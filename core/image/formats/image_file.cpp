@@ -24,7 +24,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// Appends up to `size` bytes; returns false at the end of the file.
+// Appends up to `size` bytes of the file to `data`. Returns false if the file ended before.
 bool read_some(std::ifstream& file, Bytes& data, std::size_t size)
 {
     const std::size_t before = data.size();
@@ -48,7 +48,7 @@ constexpr std::array known_endings{KnownEnding{".bmp", ImageFormat::bmp},  Known
                                    KnownEnding{".jpg", ImageFormat::jpeg}, KnownEnding{".jpeg", ImageFormat::jpeg},
                                    KnownEnding{".exr", ImageFormat::exr}};
 
-constexpr int largest_jpeg = 65'500;  // pixels per side; limit of libjpeg
+constexpr int largest_jpeg = 65'500;  // libjpeg's max width and height, pixels
 
 bool is_pnm(const Bytes& data)
 {
@@ -127,7 +127,7 @@ Image read_image(const std::string& path)
     if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a directory");
     std::ifstream file(path, std::ios::binary);
     if (!file) refuse(path, std::strerror(errno));
-    constexpr std::size_t first = 4;  // bytes that determine the format
+    constexpr std::size_t first = 4;  // number of bytes that determine the format
     Bytes data;
     read_some(file, data, first);
     auto* const decode = begins_with(data, "\x89PNG")            ? decode_png

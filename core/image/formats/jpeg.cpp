@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // JPEG through libjpeg: quality 95, no chroma subsampling, rows from the top down.
-// clang-format off: jpeglib.h needs what stdio.h declares
+// clang-format off: jpeglib.h needs declarations of stdio.h
 #include <cstdio>
 #include <jpeglib.h>
 // clang-format on
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int jpeg_quality = 95;
 
-// libjpeg reports an error by a call that must not return.
+// Handles an error of libjpeg. The handler must not return, so it jumps back to compress().
 struct JpegErrors {
     jpeg_error_mgr manager;
     std::jmp_buf back;
@@ -32,7 +32,8 @@ struct JpegErrors {
     }
 };
 
-// Receives libjpeg's output. Stores the first file error, because exceptions must not pass through C code.
+// Receives libjpeg's output and writes it to the file. Exceptions must not pass through C code, so the first file error
+// is stored.
 struct JpegSink {
     jpeg_destination_mgr manager;
     OutputFile* file;
@@ -73,7 +74,8 @@ struct JpegSink {
     }
 };
 
-// Returns false if libjpeg reported an error. Uses no destructors, which the long jump would skip.
+// Compresses the picture. Returns false if libjpeg reported an error. Has no objects with destructors, because the long
+// jump would skip these.
 bool compress(jpeg_compress_struct& info, JpegErrors& errors, const Image& image)
 {
     if (setjmp(errors.back) != 0) return false;

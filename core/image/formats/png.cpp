@@ -21,7 +21,7 @@ struct Sink {
     std::exception_ptr error;
 };
 
-// Writes to the OutputFile behind a C stream; stores the first error, because the caller is C code.
+// Writes data from a C stream to the OutputFile. Exceptions must not pass through C code, so the first error is stored.
 ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
 {
     auto& sink = *static_cast<Sink*>(cookie);
@@ -72,7 +72,7 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
                        .decoder = 0,
                        .layers = Image::Layers::bytes});
     header.format = PNG_FORMAT_RGB;
-    // Otherwise libpng interprets 16 bits as linear light.
+    // Without this flag, libpng would interpret 16-bit values as linear light.
     header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
     Image image(static_cast<int>(header.width), static_cast<int>(header.height), Image::Layers::bytes);
     const png_color black{};

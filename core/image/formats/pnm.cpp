@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Netpbm pictures: a text header, then rows from the top down. Written as P6, 8 bits per channel; read as P2 and P3
-// (text), P5 and P6 (bytes), grey and colour, with any max value.
+// Netpbm pictures: a header as text, then the rows from the top down. Writes P6 with 8 bits per channel. Reads P2 and
+// P3 (pixels as text), P5 and P6 (pixels as bytes), in grey and colour, with any max value.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,8 @@ public:
         most_ = number();
         if (most_ < 1 || most_ > 0xffff) refuse_pnm(name_, fmt::format("its largest value is {}", most_));
         const std::size_t bytes = most_ < 256 ? 1 : 2;
-        // One blank follows the header; in text, each value takes at least a digit and a blank.
+        // If the pixels are bytes, one blank separates them from the header. If they are text, each value needs at
+        // least a digit and a blank.
         const std::size_t left = data_.size() - std::min(data_.size(), at_ + (text ? 0 : 1));
         check_claim(name_, {.width = width,
                             .height = height,
@@ -57,7 +58,7 @@ public:
 private:
     bool is_blank() const { return std::isspace(std::to_integer<unsigned char>(data_[at_])) != 0; }
 
-    // Reads the next integer, after any blanks and comments.
+    // Reads the next integer; skips blanks and comments before it.
     std::uint32_t number()
     {
         while (at_ < data_.size() && (is_blank() || data_[at_] == std::byte{'#'})) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel source, part 5: a quaternion Julia set, z -> z^2 + c (Norton, "Generation and display of geometric fractals in
-// 3-D", SIGGRAPH 1982), cut at k = 0. Its distance estimate is DE = 0.5 ln(r) r / dr, dr -> 2 r dr (Hart, Sandin and
-// Kauffman, "Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
+// 3-D", SIGGRAPH 1982), in its cross-section with the space k = 0. Its distance estimate is DE = 0.5 ln(r) r / dr with
+// dr -> 2 r dr (Hart, Sandin and Kauffman, "Ray tracing deterministic 3-D fractals", SIGGRAPH 1989).
 
-FN scalar julia_escape2(Scene scene) { return scene.fractal[4]; }  // escape radius^2
+FN scalar julia_escape2(Scene scene) { return scene.fractal[4]; }  // squared escape radius
 
-// a + i, j, k
+// The quaternion with real part `a` and imaginary parts i, j and k.
 struct Quaternion {
     real a;
     real i;
@@ -32,7 +32,8 @@ FN real quaternion_inner(Quaternion p, Quaternion q) { return p.a * q.a + p.i * 
 
 FN real vector_inner(Quaternion p, Quaternion q) { return p.i * q.i + p.j * q.j + p.k * q.k; }
 
-// |z|^2, at least 1e-30, so that no term that matters is flushed to zero. Near 0 the point is certainly inside.
+// Returns |z|^2, but at least 1e-30, so that no term that matters is flushed to zero. A point so close to 0 is
+// certainly inside.
 FN real julia_r2(Quaternion z) { return larger(quaternion_inner(z, z), R(1.0e-30)); }
 
 FN Quaternion julia_next(Scene scene, Quaternion z)
@@ -42,7 +43,8 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
 
-// The part of a ray that can meet the surface; the fractal's descriptor justifies the sphere.
+// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
+// set.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -54,7 +56,7 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     on = on && r2 <= julia_escape2(scene);
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        // Inside the set dr tends to zero; the limit keeps the quotient below finite.
+        // Inside the set, dr tends to zero. The lower bound keeps the quotient after the loop finite.
         dr = pick(on, larger(2 * root(r2) * dr, R(1.0e-20)), dr);
         z = quaternion_pick(on, julia_next(scene, z), z);
         r2 = pick(on, julia_r2(z), r2);
@@ -69,7 +71,7 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// Derivatives of z and of ln dr along one axis v of p.
+// Derivatives of z and of ln dr along one coordinate axis of the point p.
 struct JuliaTangent {
     Quaternion z;
     real ln_dr;
@@ -93,13 +95,13 @@ FN JuliaTangent julia_advance(mask on, JuliaTangent v, Quaternion z, real r2)
     return next;
 }
 
-// Returns the derivative of DE, times dr > 0.
+// Returns the derivative of DE along v, multiplied by dr, which is positive.
 FN real julia_slope(Quaternion z, real r, real ln_r, JuliaTangent v)
 {
     return (ln_r + 1) * quotient(quaternion_inner(z, v.z), r) - ln_r * r * v.ln_dr;
 }
 
-// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor. Differentiates estimate() in forward mode along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
@@ -123,11 +125,11 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     return vec3(julia_slope(z, r, ln_r, x), julia_slope(z, r, ln_r, y), julia_slope(z, r, ln_r, w));
 }
 
-// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
+// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 2, about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(2.0)); }
 
-// Min distances of the orbit of p from a = 0 and from j = 0, and min |z|^2, for colours. Few iterations, so that
-// colours are smooth at the scale of a picture.
+// Returns, for colours, the min distances of the orbit of p from the spaces a = 0 and j = 0, and the min of |z|^2. Uses
+// few iterations, so that colours are smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), with the running derivative of Buddhi and
-// Rrrola (Fractal Forums, 2010): z -> s * sphere_fold(box_fold(z)) + p, k -> k |s| f + 1. The escape test uses the
-// square of the FOLDED point, before the sphere fold. Lengths are in units of sqrt(|s|) rFixed, so the factor of the
-// sphere fold, including |s|, is 1 / r^2.
+// Kernel source, part 5: the Mandelbox (Lowe, "What is a Mandelbox?", 2010), z -> s * sphere_fold(box_fold(z)) + p,
+// with the running derivative of Buddhi and Rrrola (Fractal Forums, 2010), k -> k |s| f + 1, where f is the factor of
+// the sphere fold. The escape test uses the squared radius after the box fold and before the sphere fold. Lengths are
+// in units of sqrt(|s|) rFixed; in these units |s| f is 1 / r^2 in the shell between rMin and rFixed.
 
-// Refill pays here: step counts differ more between rays than iteration counts between neighbouring pixels.
+// Refill is useful here, because the number of steps differs much between rays, but the number of iterations little
+// between neighbouring pixels.
 #define MM_REFILL_LANES 1
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
@@ -13,13 +14,13 @@ FN scalar box_inner_radius2(Scene scene) { return scene.fractal[2]; }  // rMin^2
 FN scalar box_outer_radius2(Scene scene) { return scene.fractal[3]; }  // max of rMin^2 and rFixed^2
 FN scalar box_one(Scene scene) { return scene.fractal[4]; }            // the length 1, in these units
 FN scalar box_unit(Scene scene) { return scene.fractal[5]; }           // the unit, as a length
-FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // escape radius^2
-FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // radius^2 at which a tail begins
+FN scalar box_escape2(Scene scene) { return scene.fractal[6]; }        // squared escape radius
+FN scalar box_tail2(Scene scene) { return scene.fractal[7]; }          // squared radius at which a tail begins
 FN scalar box_offset(Scene scene) { return scene.fractal[8]; }         // |s - 1|
-FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), not in units
-FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // limit of a tail's first iteration; 0: no tails
+FN scalar box_remainder(Scene scene) { return scene.fractal[9]; }      // |s|^(1 - n), as a length, not in units
+FN int box_tail_end(Scene scene) { return scene.fractal_whole; }       // no tail begins from this iteration on; 0: none
 
-// Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c.
+// Returns 2 - c for c > 1, -2 - c for c < -1, otherwise c. `one` is the length 1 in the units of c.
 FN real folded(real c, scalar one) { return 2 * clipped(c, one) - c; }
 
 FN vec3 box_fold(Scene scene, vec3 z)
@@ -27,27 +28,28 @@ FN vec3 box_fold(Scene scene, vec3 z)
     return vec3(folded(z.x, box_one(scene)), folded(z.y, box_one(scene)), folded(z.z, box_one(scene)));
 }
 
-// Returns |s| times the factor of the sphere fold at squared radius r2, inside its outer sphere.
+// Returns |s| times the factor of the sphere fold, for a squared radius r2 inside the fold's outer sphere.
 FN real box_shell(Scene scene, real r2) { return quick_quotient(1, larger(r2, box_inner_radius2(scene))); }
 
-// The same at any radius.
+// Returns |s| times the factor of the sphere fold, for any squared radius r2.
 FN real box_growth(Scene scene, real r2)
 {
     return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
 
-// The part of a ray that can meet the surface; the fractal's descriptor justifies the cube.
+// Returns the part of a ray that can meet the surface. The hull is a cube; docs/hulls.md explains why it contains the
+// surface.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
 
 struct BoxOrbit {
     vec3 z;
     real k;
-    mask late;  // too close to the max iterations to have a tail
+    mask late;  // lanes that reached the iteration box_tail_end(), and so have no tail
     counter iterations;
 };
 
-// Iterates the orbit of p until it escapes or its tail begins. usual: a compile-time constant; 1 requires s > 0 and
-// rMin <= rFixed, when the factor is a max of two terms; 0 works for all.
+// Iterates the orbit of p until it escapes or its tail begins. `usual` is a compile-time constant. With 1 the factor is
+// the max of two terms, which requires s > 0 and rMin <= rFixed; 0 works for all scenes.
 FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
 {
     BoxOrbit a;
@@ -78,13 +80,13 @@ FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
     return a;
 }
 
-// One iteration far outside, where the sphere fold leaves the folded point f unchanged.
+// Returns the next point of an orbit far outside, where the sphere fold does not change the folded point f.
 FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(scene) * box_sign(scene)); }
 
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
-// The last three or four iterations of an orbit, from the tail's radius on. The descriptor chooses that radius so that
-// only the last iteration needs an escape test and none a sphere fold.
+// Computes the tail of an orbit: its last three or four iterations. The descriptor chooses the radius at which a tail
+// begins so that none of them needs a sphere fold, and only the last one an escape test.
 FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;
@@ -124,24 +126,25 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// Derivatives of z and of k along one axis v of p.
+// Derivatives of z and of k along one coordinate axis of the point p.
 struct BoxTangent {
     vec3 z;
     real k;
 };
 
-// Terms of an iteration that all tangents share. A folded component changes the sign of its slope.
+// Terms of one iteration that are the same for all three tangents. The box fold reverses the derivative of a component
+// that it folds; "with signs" below means: the folded components are negated.
 struct BoxStep {
     mask on;
-    vec3 f;       // the folded point
-    vec3 across;  // f with those signs
-    vec3 turned;  // c of the sphere fold, s included, with those signs
+    vec3 f;       // the point after the box fold
+    vec3 across;  // f, with signs
+    vec3 turned;  // (c, c, c), where c is s times the factor of the sphere fold; with signs
     real growth;  // |c|
-    real slope;   // -2 c/r2 in the shell, where 1/r2 is |c|; otherwise 0
-    real k;       // with the sign of s
+    real slope;   // in the shell, where |c| = 1/r2: -2 c/r2; otherwise 0
+    real k;       // k before the iteration, times the sign of s
 };
 
-// Returns a if c is not folded, otherwise -a.
+// Returns -a if the box fold changes the component c, otherwise a.
 FN real box_turned(Scene scene, real c, real a) { return pick(magnitude(c) > box_one(scene), -a, a); }
 
 FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
@@ -149,8 +152,8 @@ FN vec3 box_turned3(Scene scene, vec3 z, vec3 a)
     return vec3(box_turned(scene, z.x, a.x), box_turned(scene, z.y, a.y), box_turned(scene, z.z, a.z));
 }
 
-// One iteration of a tangent: c has the slope -2 c/r2 (f . d) in the shell and 0 elsewhere. Inactive lanes keep their
-// values, by masked instructions.
+// Computes one iteration of a tangent. For a derivative d of the folded point f, the derivative of c is turn.slope
+// times f . d. Inactive lanes keep their values.
 FN BoxTangent box_advance(BoxTangent v, vec3 axis, BoxStep turn)
 {
     real d_factor = turn.slope * dot3(turn.across, v.z);
@@ -172,17 +175,17 @@ FN BoxTangent box_tangent(vec3 axis)
     return v;
 }
 
-// State of a tail: far outside, an iteration acts on each component separately.
+// State of a tail. Far outside, an iteration maps each component separately.
 struct BoxFar {
     vec3 z;
-    real r2;      // of the last folded point
-    vec3 slope;   // derivative of each component by its value at the tail's beginning
-    vec3 direct;  // derivative of each component by that of p
+    real r2;      // squared radius after the last box fold
+    vec3 slope;   // derivative of each component with respect to its value at the beginning of the tail
+    vec3 direct;  // derivative of each component with respect to that component of p, through the tail's additions of p
     real k;
-    real growth;  // of k
+    real growth;  // derivative of k with respect to its value at the beginning of the tail
 };
 
-// One more iteration of the active lanes.
+// Computes one more iteration of the tail in the active lanes.
 FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
 {
     real factor = box_scale(scene) * box_sign(scene);
@@ -199,7 +202,8 @@ FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
     return b;
 }
 
-// Returns the derivative of DE, times k > 0. direct: derivative of z by p in the tail, times z.
+// Returns the derivative of DE along the tangent v, multiplied by k, which is positive. `direct`: the component of
+// end.direct along that axis, times the component of end.z.
 FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent v)
 {
     vec3 towards = vec3(end.z.x * end.slope.x, end.z.y * end.slope.y, end.z.z * end.slope.z);
@@ -207,7 +211,7 @@ FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent 
     return quick_quotient(outward - quick_quotient(length - box_offset(scene), end.k) * (v.k * end.growth), end.k);
 }
 
-// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor. Differentiates estimate() in forward mode along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);
@@ -249,7 +253,7 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     end.k = k;
     end.growth = 1;
     if (box_tail_end(scene) > 0) {
-        // The same iterations as in box_tail().
+        // These are the same iterations as in box_tail().
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
         end = box_farther(scene, q, end, tailed);
@@ -261,11 +265,11 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
                 box_slope(scene, end, end.z.z * end.direct.z, length, w));
 }
 
-// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
+// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 8, about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(8.0)); }
 
-// Min distances of the folded orbit of p from the plane x = 0 and (up to a factor) from the plane x = y, and min r^2,
-// for colours. Few iterations, so that colours are smooth at the scale of a picture.
+// Returns, for colours, the min distances of the folded orbit of p from the planes x = 0 and x = y (the latter up to a
+// factor), and the min of r^2. Uses few iterations, so that colours are smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(box_one(scene), p);

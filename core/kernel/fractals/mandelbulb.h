@@ -1,37 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009), z -> z^P + p, where z^P multiplies
-// the spherical angles by P. dr is the running derivative (Quilez, "Mandelbulb", 2009), DE = 0.5 ln(r) r / dr.
+// Kernel source, part 5: the Mandelbulb (White and Nylander, Fractal Forums, 2009), z -> z^P + p, where z^P
+// multiplies the spherical angles by P. The estimate is DE = 0.5 ln(r) r / dr with the running derivative dr (Quilez,
+// "Mandelbulb", 2009).
 
-// Registers of a wide pack with AVX-512: three hide the latency of an iteration and spill less than four
-// (docs/notes/experiments.md).
+// Number of registers of a wide pack with AVX-512. Three hide the latency of an iteration, and fewer are spilled than
+// with four (docs/notes/experiments.md).
 #define MM_WIDE_REGISTERS_AVX3 3
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
 FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
 FN scalar bulb_envelope(Scene scene) { return scene.fractal[2]; }     // c of conservative_growth(); 0: none
-FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P; 0: P is not an integer
+FN int bulb_whole_power(Scene scene) { return scene.fractal_whole; }  // P; 0 if P is not an integer
 
-// The growth of dr in an iteration. z -> z^P stretches by P r^(P-1) along the radius and the meridian, and by that
-// times |sin P0 / sin 0| along the parallel, where 0 is the polar angle. The running derivative uses P r^(P-1) only,
-// which near the poles is up to P times too small. The quotient has lobes, and an estimate with lobes changes faster
-// than the distance; its envelope min(P, 1 / sin 0) has none. A fraction c of the envelope suffices
-// (docs/notes/experiments.md). per_sine: 1 / sin 0.
+// Returns the factor by which dr grows in an iteration, for the conservative estimate. At the polar angle theta, z ->
+// z^P stretches lengths by P r^(P-1) along the radius and the meridian, and by |sin(P theta) / sin(theta)| times as
+// much along the parallel. The original running derivative uses P r^(P-1) only, which near the poles is up to P times
+// too small. The quotient of sines has lobes, and an estimate with lobes changes faster than the distance. Its
+// envelope min(P, 1 / sin(theta)) has no lobes, and a fraction c of the envelope suffices
+// (docs/notes/experiments.md). growth: P r^(P-1). per_sine: 1 / sin(theta).
 FN real conservative_growth(Scene scene, real growth, real per_sine)
 {
     return growth * larger(bulb_envelope(scene) * smaller(per_sine, bulb_power(scene)), 1);
 }
 
-// z^P = r^P (sin P0 cos P1, sin P0 sin P1, cos P0), with the polar angle 0 from the z axis and the azimuth 1.
+// z^P = r^P (sin(P theta) cos(P phi), sin(P theta) sin(P phi), cos(P theta)), where theta is the polar angle from the z
+// axis and phi the azimuth.
 struct BulbPower {
     real rho;         // sqrt(x^2 + y^2)
-    real per_rho;     // its reciprocal
+    real per_rho;     // 1 / rho
     real r_less;      // r^(P-1)
-    Complex polar;    // r^P (cos P0 + i sin P0)
-    Complex azimuth;  // cos P1 + i sin P1
+    Complex polar;    // r^P (cos(P theta) + i sin(P theta))
+    Complex azimuth;  // cos(P phi) + i sin(P phi)
 };
 
-// Lower limit of the squared distance from the z axis. It keeps every term that matters normal, so that devices that
-// flush subnormal numbers to zero render the same picture. The azimuth of points this close does not matter.
+// Returns the lower limit of the squared distance from the z axis. It keeps every term that matters a normal number, so
+// that devices that flush subnormal numbers to zero render the same picture. For points this close to the axis the
+// azimuth does not matter.
 FN real axis_radius2() { return BY_PRECISION(1.0e-290, 1.0e-30); }
 
 FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
@@ -47,7 +51,7 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
         power.azimuth = squared_within(squared_within(squared_within(direction, 1), 1), 1);
     } else if (bulb_whole_power(scene) > 0) {
-        // Without trigonometry: (z + i rho)^P and ((x + i y) / rho)^P.
+        // Without trigonometric functions: polar = (z + i rho)^P, azimuth = ((x + i y) / rho)^P.
         power.per_rho = scaled_inverse_root(rho2, 1);
         power.rho = quick_root(rho2);
         Complex direction = complex_number(z.x * power.per_rho, z.y * power.per_rho);
@@ -68,27 +72,28 @@ FN BulbPower bulb_raised(Scene scene, vec3 z, real r, real r2)
     return power;
 }
 
-// z^P + p
+// Returns z^P + p.
 FN vec3 bulb_next(BulbPower power, vec3 p)
 {
     return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
 
-// The part of a ray that can meet the surface; the fractal's descriptor justifies the sphere.
+// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
+// surface.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
-// For the eighth power lengths are in units of 2^(-1/7): the next point is then z^8 / 2 + p, and the factor 8 r^7 of
-// the derivative becomes 4 r^7.
-FN scalar eighth_one() { return R(1.1040895136738123); }  // the length 1, 2^(1/7)
+// For the eighth power, lengths are in units of 2^(-1/7). In these units the next point is z^8 / 2 + p, and the factor
+// 8 r^7 of the derivative becomes 4 r^7.
+FN scalar eighth_one() { return R(1.1040895136738123); }  // the length 1 in these units: 2^(1/7)
 
 struct BulbEighth {
     vec3 z;       // z^8 / 2 + p
     real growth;  // 4 r^7
 };
 
-// By double angles, cos 2v = 2 cos^2 v - 1. Polar: z^2 - rho^2 is r^2 cos 2v, followed by r^4 cos 4v and r^8 cos 8v;
-// r^8 sin 8v is 8 z rho times the first two. Azimuth: if a = 2 cos v, then a^2 - 2 is 2 cos 2v, and a times 2 sin v is
-// 2 sin 2v. rho2: x^2 + y^2.
+// Computes an iteration for the power 8 by doubling both angles three times, with cos 2v = 2 cos^2 v - 1.
+// Polar angle v: z^2 - rho^2 = r^2 cos 2v gives r^4 cos 4v and r^8 cos 8v; r^8 sin 8v is 8 z rho times r^2 cos 2v and
+// r^4 cos 4v. Azimuth v: if a = 2 cos v, then 2 cos 2v = a^2 - 2, and 2 sin 2v is a times 2 sin v. rho2: x^2 + y^2.
 FN BulbEighth bulb_eighth(Scene scene, vec3 z, real rho2, real r2, vec3 p)
 {
     real away2 = larger(rho2, axis_radius2());
@@ -119,7 +124,7 @@ FN BulbEighth bulb_eighth(Scene scene, vec3 z, real rho2, real r2, vec3 p)
 
 FN real rho2_of(vec3 z) { return z.x * z.x + z.y * z.y; }
 
-// The same as norm2(z).
+// Returns norm2(z), computed from rho2 = x^2 + y^2.
 FN real r2_of(vec3 z, real rho2) { return larger(z.z * z.z + rho2, axis_radius2()); }
 
 FN Estimate bulb_estimate(real r2, real dr, counter iterations)
@@ -131,7 +136,8 @@ FN Estimate bulb_estimate(real r2, real dr, counter iterations)
     return result;
 }
 
-// Power 8. A separate loop, because the other powers' terms would occupy its registers.
+// The estimate for the power 8. It has a loop of its own, because terms that only other powers need would occupy
+// registers.
 FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
 {
     vec3 q = times(eighth_one(), p);
@@ -144,7 +150,7 @@ FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        // z of inactive lanes is not used any more.
+        // Inactive lanes are updated, too, because their z is not used any more.
         BulbEighth next = bulb_eighth(scene, z, rho2, r2, q);
         dr = pick(on, dr * next.growth + 1, dr);
         z = next.z;
@@ -195,11 +201,12 @@ FN Estimate estimate(Scene scene, vec3 p, mask on)
 
 #include "core/kernel/fractals/mandelbulb/gradient.h"
 
-// Returns the fraction of light absorbed by haze over a length t: one half at about the fractal's size.
+// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 1.6, about the fractal's
+// size.
 FN real haze(real t) { return quotient(t, t + R(1.6)); }
 
-// Min |x|, |z| and r^2 along the orbit of p, for colours. Few iterations, so that colours are smooth at the scale of a
-// picture.
+// Returns, for colours, the min of |x|, |z| and r^2 along the orbit of p. Uses few iterations, so that colours are
+// smooth at the scale of a picture.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

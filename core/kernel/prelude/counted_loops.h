@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes loops count, after a C++ prelude: every iteration adds 1 to MM_LOOPS, an expression for the counter, and the
-// end of a loop adds one more. undefine.h removes this.
+// Counts loop iterations. Include it after a C++ prelude. Every iteration adds 1 to MM_LOOPS, an expression for the
+// counter, and the end of a loop adds one more. undefine.h ends the counting.
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Wkeyword-macro"
 #endif

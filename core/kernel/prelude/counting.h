@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in C++ for counting the operations of one lane. Define MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an
-// expression for an object with the counters `sums`, `products`, `quotients` and `roots`. Include it inside a
-// namespace, before the kernel source; undefine.h removes its macros.
+// Prelude in C++ that counts the operations of one lane. Before including it, define MM_REAL, MM_REAL_IS_FLOAT and
+// MM_OPERATIONS, an expression for an object with the counters `sums`, `products`, `quotients` and `roots`. Include it
+// inside a namespace and before the kernel source; undefine.h removes its macros.
 //
-// One operation: a + b, a - b, a * b, quotient(a, b) or root(a) of two per-lane numbers, or of one and a scene
-// parameter. Not counted: comparisons, picks, signs, absolute values, conversions, rounding to integers, exponents,
-// integer arithmetic, and operations on uniform values. A multiply-add is two operations.
+// An operation is a + b, a - b, a * b, quotient(a, b) or root(a), of numbers of the lane or of one such number and a
+// scene parameter. Operations on values that are the same in all lanes are not counted, nor are comparisons, picks,
+// signs, absolute values, conversions, rounding to integers, exponents and integer arithmetic. A multiply-add is two
+// operations.
 
 #define FN inline
 #define FN_CALLED inline

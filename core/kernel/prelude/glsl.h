@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in GLSL 460, one pixel per invocation. Define MM_REAL_IS_FLOAT (1 or 0) and MM_QUOTIENTS, the method for
-// float divisions and square roots: 0: the device's own; 1: in double, rounded once, which is correctly rounded even if
-// the double division is 2.5 ulp off, as Vulkan allows; 2: in float, corrected by exact residuals.
+// Prelude in GLSL 460; an invocation processes one pixel. Before it, define MM_REAL_IS_FLOAT (1 or 0) and MM_QUOTIENTS,
+// the method for float divisions and square roots. 0: the device's own. 1: in double, rounded once to float; the result
+// is correctly rounded even if the double division is 2.5 ulp off, as Vulkan allows. 2: in float, corrected by exact
+// residuals.
 
 #define FN
 #define FN_CALLED
@@ -43,19 +44,19 @@ real quick_root(real a) { return root(a); }
 
 real magnitude(real a) { return abs(a); }
 
-// Nearest integer, ties to even.
+// Returns the nearest integer, ties to even.
 real nearest(real a) { return roundEven(a); }
 
 #if MM_REAL_IS_FLOAT
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 real exponent_of(real a) { return real(((floatBitsToInt(a) >> 23) & 0xff) - 127); }
 
-// 2^n of an integer n in [-126, 127]
+// Returns 2^n for an integer n in [-126, 127].
 real two_to(real n) { return intBitsToFloat((int(n) + 127) << 23); }
 #else
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 real exponent_of(real a) { return real(int((unpackDouble2x32(a).y >> 20) & 0x7ffu) - 1023); }
 
-// 2^n of an integer n in [-1022, 1023]
+// Returns 2^n for an integer n in [-1022, 1023].
 real two_to(real n) { return packDouble2x32(uvec2(0u, uint(int(n) + 1023) << 20)); }
 #endif

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Correctly rounded float quotient and root for devices whose own are some ulp off: corrected by exact residuals, with
-// additions and multiplications of floats only. The device must neither fuse nor reorder these.
+// Correctly rounded float division and square root, for devices whose own are some ulp off. Corrects the device's
+// results by exact residuals, with additions and multiplications of floats only. The device must neither fuse nor
+// reorder these.
 //
-// A first result that is k ulp off is improved by a Newton step to less than one ulp. Its residual is a float (Boldo
-// and Daumas, "Representable correcting terms for possibly underflowing floating point operations", 2003), computed
-// from the exact low part of the product (Dekker, "A floating-point technique for extending the available precision",
-// 1971). The residual shows which neighbour is nearest: no quotient or root lies midway between two floats. If an
-// operand is subnormal, 0 or not finite, or the result is not normal, the device's result is returned.
+// The device's result may be k ulp off; a Newton step reduces the error to less than one ulp. The residual of that
+// result is a float (Boldo and Daumas, "Representable correcting terms for possibly underflowing floating point
+// operations", 2003). It is computed from the exact low part of the product (Dekker, "A floating-point technique for
+// extending the available precision", 1971). The residual shows which of two adjacent floats is nearest, because no
+// quotient or square root lies midway between two floats. If an operand is subnormal, 0 or not finite, or the result is
+// not normal, the device's result is returned.
 
-// Replaces the exponent of a normal number by that of 1, and its sign by plus.
+// Returns the mantissa of a normal number, as a float from 1 to below 2.
 float mantissa_of(int bits) { return intBitsToFloat((bits & 0x7fffff) | 0x3f800000); }
 
-// Returns the rounding error: a * b = product + result, for factors in [0.25, 4].
+// Returns the rounding error of a product: a * b = product + result. The factors must be in [0.25, 4].
 float low_part(float a, float b, float product)
 {
     float split_a = 4097.0f * a;
@@ -23,7 +25,7 @@ float low_part(float a, float b, float product)
     return rest_a * rest_b - (((product - high_a * high_b) - rest_a * high_b) - high_a * rest_b);
 }
 
-// Returns a - b * c, if the product is close to a.
+// Returns a - b * c exactly. The product must be close to a.
 float residual(float a, float b, float c)
 {
     float product = b * c;
@@ -64,7 +66,7 @@ real root(real a)
     s += residual(x, s, s) / (2.0f * s);
     float left = residual(x, s, s);
     float next = intBitsToFloat(floatBitsToInt(s) + (left > 0.0f ? 1 : -1));
-    float middle = abs(next - s) * s;  // omits the square of half a step, which is smaller than any residual
+    float middle = abs(next - s) * s;  // omits the squared half step, which is smaller than any residual
     if (left > 0.0f ? left > middle : -left >= middle) s = next;
     return s * intBitsToFloat((even / 2 + 127) << 23);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in C++ for counting loop iterations: real numbers are opaque values and all lanes stay active, so every loop
-// runs to its limit. Uniform values are computed, in double. Define MM_LOOPS, an expression for the counter, and
-// MM_REAL_IS_FLOAT as 0. Include it inside a namespace, before the kernel source; undefine.h removes its macros.
+// Prelude in C++ that counts loop iterations. Real numbers have no values and all lanes stay active, so every loop runs
+// to its limit. Values that are the same in all lanes are computed, in double. Before including it, define MM_LOOPS, an
+// expression for the counter, and MM_REAL_IS_FLOAT as 0. Include it inside a namespace and before the kernel source;
+// undefine.h removes its macros.
 #include "core/kernel/prelude/counted_loops.h"
 
 #define FN inline

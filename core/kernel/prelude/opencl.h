@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in OpenCL C 1.2. Compiler options define MM_REAL_IS_FLOAT (1 or 0), MM_LANES (pixels at once: 1, or the
-// length of a vector type), MM_EXACT (1 or 0) and MM_IN_DOUBLE (1: computes divisions and square roots of floats in
-// double, for devices on which they are not correctly rounded).
+// Prelude in OpenCL C 1.2. Compiler options define MM_REAL_IS_FLOAT (1 or 0); MM_LANES, the number of pixels processed
+// at once, which is 1 or the length of a vector type; MM_EXACT (1 or 0); and MM_IN_DOUBLE, which is 1 on devices whose
+// float divisions and square roots are not correctly rounded, and are therefore computed in double.
 
 #if MM_EXACT
 #pragma OPENCL FP_CONTRACT OFF
@@ -15,7 +15,7 @@
 #define MM_PASTE_(a, b) a##b
 #define MM_PASTE(a, b) MM_PASTE_(a, b)
 
-// MM_INT has the width of a real, so that comparisons of reals and of integers give the same type of mask.
+// MM_INT is as wide as a real, so that comparisons of reals and comparisons of integers give the same type of mask.
 #if MM_REAL_IS_FLOAT
 #define MM_SCALAR float
 #define MM_INT int
@@ -38,7 +38,7 @@ typedef double4 triple;
 
 typedef MM_SCALAR scalar;
 #if MM_LANES > 16
-// Vectors of Clang, which may be longer than those of OpenCL; each half is an OpenCL vector.
+// Vectors of clang, which can be longer than those of OpenCL. Each half is an OpenCL vector.
 typedef MM_SCALAR real __attribute__((ext_vector_type(MM_LANES)));
 typedef MM_INT Int __attribute__((ext_vector_type(MM_LANES)));
 #define MM_AS_INT(x) __builtin_astype(x, Int)
@@ -66,7 +66,7 @@ typedef MM_VECTOR(double) Double;
 #define FN static inline __attribute__((always_inline))
 #define FN_CALLED FN
 
-// A mask is a bool, or a vector of 0 and -1.
+// A mask is a bool, or a vector whose elements are 0 (inactive) or -1 (active).
 #if MM_LANES == 1
 typedef int whole;
 typedef int counter;
@@ -86,7 +86,7 @@ FN real pick(mask on, real a, real b) { return on ? a : b; }
 
 FN whole count(mask on) { return on & 1; }
 
-// By halves, because drivers test the lanes of their own any() one by one.
+// Combines the halves of a mask until two lanes are left. The any() of some drivers tests the lanes one by one.
 #undef any
 #define any(on) any_lane(on)
 
@@ -132,7 +132,7 @@ FN vec3 make_vec3(real x, real y, real z)
 }
 #define vec3(a, b, c) make_vec3(a, b, c)
 
-// Applies an OpenCL vector function.
+// Applies a function of OpenCL to a vector, which may be longer than OpenCL's vectors.
 #if MM_LANES > 16
 #define MM_BY_HALVES(type, function, a) ((type)(function((a).lo), function((a).hi)))
 #else
@@ -159,14 +159,14 @@ FN real quick_root(real a) { return root(a); }
 
 FN real magnitude(real a) { return MM_BY_HALVES(real, fabs, a); }
 
-// Nearest integer, ties to even.
+// Returns the nearest integer, ties to even.
 FN real nearest(real a) { return MM_BY_HALVES(real, rint, a); }
 
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 FN real exponent_of(real a)
 {
     return MM_TO_REAL(((MM_AS_INT(a) >> MM_MANTISSA_BITS) & MM_EXPONENT_MASK) - MM_EXPONENT_BIAS);
 }
 
-// 2^n of an integer n, if it is a normal number
+// Returns 2^n for an integer n. The result must be a normal number.
 FN real two_to(real n) { return MM_AS_REAL((MM_TO_INT(n) + MM_EXPONENT_BIAS) << MM_MANTISSA_BITS); }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude for packs of MM_REGISTERS native SIMD registers, on Google Highway. The registers of a pack are independent
-// and hide each other's latency. Define MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and MM_COUNTED (1 or 0: count work).
-// Include it inside a namespace in HWY_NAMESPACE, before the kernel source.
+// Prelude for packs of MM_REGISTERS native SIMD registers, written with Google Highway. The registers of a pack are
+// independent of each other, so the operations of one hide the latency of another's. Before including it, define
+// MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and MM_COUNTED (1: counts work, 0: does not). Include it inside a namespace
+// in HWY_NAMESPACE and before the kernel source.
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Avoids a copy of the scene per call of an estimator.
+// Passes the scene by reference, to avoid a copy in each call of an estimator.
 #define MM_SCENE_BY_REFERENCE
-// Without forced inlining, clang simplifies functions before it inlines them, and compiles in one half (clang 14) to
-// one eighth (clang 19) of the time. cmake/KernelVariants.cmake sets the inlining threshold that inlines the same
-// calls.
+// With clang, inlining is not forced. clang then simplifies functions before it inlines them, and compiles in one half
+// (clang 14) to one eighth (clang 19) of the time. cmake/KernelVariants.cmake sets an inlining threshold with which the
+// same calls are inlined.
 #ifdef __clang__
 #define FN static inline HWY_MAYBE_UNUSED
 #else
@@ -21,7 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 #else
 #define FN_SAMPLED FN
 #endif
-// Unrolled by hand: with constant indices the compiler keeps each register of a pack in a register.
+// EACH_REGISTER(statements) executes the statements for each register u of a pack. It is unrolled by hand: with
+// constant indices the compiler keeps every SIMD vector of a pack in a machine register, not in memory.
 #define MM_IN_REGISTER(number, ...) \
     {                               \
         constexpr int u = number;   \
@@ -69,7 +71,7 @@ struct whole {
 #if MM_COUNTED
 using counter = whole;
 #else
-// Empty counter for builds that do not count work.
+// An empty counter, for packs that do not count work.
 struct counter {
     HWY_INLINE counter() = default;
     HWY_INLINE counter(Int) {}
@@ -114,8 +116,8 @@ LANEWISE_MASK(whole, operator<, Lt)
 LANEWISE(mask, mask, operator&&, And)
 LANEWISE(mask, mask, operator||, Or)
 #if MM_FAST
-// Fast mode fuses a multiplication with the addition or subtraction of its result. Explicitly, because a compiler free
-// to fuse may decide differently for the registers of one pack.
+// A product that is not computed yet. In fast mode, a multiplication is fused with the addition or subtraction of its
+// result. The fusion is explicit, because a compiler that may fuse can decide differently for the registers of a pack.
 struct factors {
     real a, b;
 
@@ -177,7 +179,7 @@ FN real operator-(real a)
 FN bool any(const mask& on)
 {
 #if MM_REGISTERS > 1 && HWY_TARGET <= HWY_AVX3
-    // One instruction combines two masks and tests them.
+    // With AVX-512 a single instruction combines two masks and tests the result.
 #if MM_REAL_IS_FLOAT
     const auto any_of = [](__mmask16 a, __mmask16 b) HWY_ATTR { return !_kortestz_mask16_u8(a, b); };
 #else
@@ -200,7 +202,7 @@ FN real pick(const mask& on, const real& a, const real& b)
 }
 
 #if HWY_ARCH_X86
-// These instructions return their second operand if one is NaN, as the kernel requires.
+// These instructions of x86 return the second operand if an operand is NaN, as the kernel source requires.
 #define MM_HAS_LARGER
 FN real larger(const real& a, const real& b)
 {
@@ -217,7 +219,7 @@ FN real smaller(const real& a, const real& b)
 }
 #endif
 
-// 1 for active lanes, 0 for inactive ones.
+// Returns 1 for active lanes and 0 for inactive ones.
 FN whole count(const mask& on)
 {
     whole c;

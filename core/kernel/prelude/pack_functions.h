@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second half of pack.h: square roots, reciprocals and powers of two. Included by it.
+// The second half of pack.h, which includes it: square roots, reciprocals and powers of two.
 
 FN real root(real a)
 {
@@ -21,7 +21,7 @@ FN counter tally(counter a, const mask&) { return a; }
 
 #if HWY_TARGET <= HWY_AVX3
 #define MM_HAS_CLIPPED
-// VRANGEPS with 2: the smaller magnitude, with the sign of the first operand.
+// Returns, of a and `most`, the value with the smaller magnitude, with the sign of a. (Operation 2 of VRANGEPS.)
 FN real clipped(real a, scalar most)
 {
     const auto one = hn::Set(Reals(), most);
@@ -36,7 +36,8 @@ FN real clipped(real a, scalar most)
 
 #define MM_HAS_INVERSE_ROOT
 #if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
-// Refines the hardware's 12 or 14 bits by Newton steps, in a third of the time of a division or a square root.
+// Returns 1 / b. Newton steps refine the hardware's approximation of 12 or 14 bits. This takes a third of the time of a
+// division or a square root.
 FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
 {
     const auto two = hn::Set(Reals(), MM_REAL(2));
@@ -49,7 +50,7 @@ FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
     return hn::Mul(y, hn::NegMulAdd(b, y, two));
 }
 
-// s / sqrt(a); the last Newton step includes the factor s.
+// Returns s / sqrt(a). The last Newton step includes the factor s.
 FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a, MM_REAL s)
 {
 #if MM_REAL_IS_FLOAT
@@ -88,7 +89,8 @@ FN real quick_root(const real& a) { return root(a); }
 FN real scaled_inverse_root(const real& a, scalar s) { return quotient(s, root(a)); }
 #endif
 
-// Only with AVX-512: the 12 bits of earlier instruction sets cause visible errors.
+// Rough functions use the hardware's approximation without a Newton step. Only AVX-512's 14 bits are enough; the 12
+// bits of earlier instruction sets cause visible errors.
 #if MM_FAST && MM_REAL_IS_FLOAT && HWY_TARGET <= HWY_AVX3
 #define MM_HAS_ROUGH
 FN real rough_quotient(real a, const real& b)
@@ -103,8 +105,8 @@ FN real rough_root(real a)
     return a;
 }
 
-// ln x, x > 0: x = 2^e m, m in [0.75, 1.5); ln m = t P(t), t = m - 1. P has degree 4 and a relative error of 5.2e-5
-// (least squares with weights that equalise the error).
+// Returns ln x for x > 0. Uses x = 2^e m with m in [0.75, 1.5), and ln m = t P(t) with t = m - 1. The polynomial P has
+// degree 4 and a relative error of 5.2e-5; it was fitted by least squares, with weights that equalise the error.
 FN real rough_log(real x)
 {
     const auto set = [](double c) HWY_ATTR { return hn::Set(Reals(), static_cast<scalar>(c)); };
@@ -133,7 +135,7 @@ FN real magnitude(real a)
     return a;
 }
 
-// Nearest integer, ties to even.
+// Returns the nearest integer, ties to even.
 FN real nearest(real a)
 {
     EACH_REGISTER(a.of[u] = hn::Round(a.of[u]);)
@@ -141,7 +143,7 @@ FN real nearest(real a)
 }
 
 #if HWY_TARGET <= HWY_AVX3
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 FN real exponent_of(real a)
 {
 #if MM_REAL_IS_FLOAT
@@ -152,7 +154,7 @@ FN real exponent_of(real a)
     return a;
 }
 
-// 2^n of an integer n, if it is a normal number
+// Returns 2^n for an integer n. The result must be a normal number.
 FN real two_to(real n)
 {
     const auto one = hn::Set(Reals(), MM_REAL(1));
@@ -174,7 +176,7 @@ constexpr Int exponent_mask = 0x7ff;
 constexpr Int exponent_bias = 1023;
 #endif
 
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 FN real exponent_of(real a)
 {
     EACH_REGISTER(auto bits = hn::ShiftRight<mantissa_bits>(hn::BitCast(Wholes(), a.of[u]));
@@ -183,7 +185,7 @@ FN real exponent_of(real a)
     return a;
 }
 
-// 2^n of an integer n, if it is a normal number
+// Returns 2^n for an integer n. The result must be a normal number.
 FN real two_to(real n)
 {
     EACH_REGISTER(auto field = hn::Add(hn::ConvertTo(Wholes(), n.of[u]), hn::Set(Wholes(), exponent_bias));

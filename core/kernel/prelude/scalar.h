@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in scalar C++. Define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or 0). Include it inside a namespace,
-// before the kernel source; undefine.h removes its macros.
+// Prelude in scalar C++. Before including it, define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or 0). Include
+// it inside a namespace and before the kernel source; undefine.h removes its macros.
 
 #ifndef FN
 #define FN __attribute__((always_inline)) inline
@@ -19,8 +19,8 @@
 #define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
 #endif
 
-// Both round to the nearest integer, ties to even. nvptx has an instruction for the first, x86 a short sequence for the
-// second; the other one would be a call.
+// Both functions round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86 computes
+// rint with a short sequence of instructions; the respective other function would be a call.
 #if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else
@@ -54,10 +54,10 @@ FN real magnitude(real a) { return __builtin_fabsf(a); }
 
 FN real nearest(real a) { return MM_NEAREST(f)(a); }
 
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned, a) >> 23) & 0xff) - 127.0F; }
 
-// 2^n of an integer n in [-126, 127]
+// Returns 2^n for an integer n in [-126, 127].
 FN real two_to(real n) { return __builtin_bit_cast(real, (int(n) + 127) << 23); }
 #else
 FN real root(real a) { return __builtin_sqrt(a); }
@@ -66,10 +66,10 @@ FN real magnitude(real a) { return __builtin_fabs(a); }
 
 FN real nearest(real a) { return MM_NEAREST()(a); }
 
-// floor(log2 |a|) of a normal number
+// Returns floor(log2 |a|) of a normal number.
 FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned long long, a) >> 52) & 0x7ff) - 1023.0; }
 
-// 2^n of an integer n in [-1022, 1023]
+// Returns 2^n for an integer n in [-1022, 1023].
 FN real two_to(real n) { return __builtin_bit_cast(real, ((long long)(n) + 1023) << 52); }
 #endif
 

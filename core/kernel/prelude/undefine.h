@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removes the macros of a C++ prelude, so that another one, or other code, can follow.
+// Removes the macros of a C++ prelude, so that another prelude or other code can follow.
 #undef FN
 #undef FN_CALLED
 #undef vec3

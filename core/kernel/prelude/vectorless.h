@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Highway targets without pack kernels: its fallback for machines without vectors (named differently with g++ and with
-// clang++), and SSE2, which newer versions of Highway place below SSE4.
+// MM_VECTORLESS is not 0 for Highway's targets for which no packs are compiled: its fallback for machines without
+// vectors, whose name differs between g++ and clang++, and SSE2, which newer versions of Highway place below SSE4.
 #pragma once
 
 #ifdef HWY_SSE2

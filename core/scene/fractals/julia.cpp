@@ -15,10 +15,10 @@ constexpr std::string_view official =
 
 constexpr ParameterInfo::Slider part{-1, 1, 0.005};
 
-// Far outside, the estimate improves with the radius; this one keeps r^2 within float's range.
+// A larger escape radius makes the estimate more accurate; with 1000, r^2 of an escaped point still fits in a float.
 constexpr double escape_radius = 1000;
 
-// c = shape + escape k.
+// The quaternion c consists of the three values of `shape` and, as its k part, `escape`.
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
@@ -34,7 +34,7 @@ double hull(const Scene& scene, const ViewLimits& view)
     return radius_where(bound, 0.5 * (1 + std::sqrt(1 + 4 * c)), view);
 }
 
-// z^2 doubles lengths at |z| = 1, which is typical of the surface.
+// The surface is typically at |z| = 1, where z^2 doubles lengths.
 double growth(const Scene&) { return 2; }
 
 void random_shape(Scene& scene, SceneRandom& chance, bool)

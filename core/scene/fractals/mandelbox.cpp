@@ -13,10 +13,10 @@ constexpr std::string_view official =
 #include "official/paramsBox.dat"
     ;
 constexpr double huge = 1e6;
-constexpr double farthest_point = 1e4;  // of a sample's coordinates, with a margin
-constexpr double slow_growth = 1.8;     // below this, more orbits need a fifth iteration
+constexpr double farthest_point = 1e4;  // exceeds every coordinate of a sample, with a margin
+constexpr double slow_growth = 1.8;     // below this scale, more orbits would need a fifth iteration in their tail
 
-// As in the kernel source: the length at which the sphere fold's factor is 1.
+// Returns the kernel's unit of length: at this radius, |s| times the factor of the sphere fold is 1.
 double unit_of(const Scene& scene) { return std::sqrt(std::abs(scene.shape[0])) * scene.shape[2]; }
 
 std::string_view objection(const Scene& scene)
@@ -32,11 +32,11 @@ std::string_view objection(const Scene& scene)
     return {};
 }
 
-// Returns the radius at which tails of three or four iterations begin; 0: no tails. Outside, an iteration maps the
-// folded radius r to |s| r, minus the effect of the box fold, at most 2 |s| sqrt 3, plus p. The factor was found by
-// experiment: nearly all orbits escape in the third or fourth iteration from there. They rarely return to the spheres
-// if r is about twice the fractal's extent, which no coordinate of p exceeds by much. tests/unit/tail_test.cpp counts
-// the exceptions.
+// Returns the radius at which tails of three or four iterations begin; 0 if there are no tails. Outside this radius,
+// an iteration maps the folded point's radius r to |s| r, changed by the box fold by at most 2 |s| sqrt 3, and adds
+// p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from there.
+// They rarely return to the spheres of the sphere fold if r is about twice the fractal's extent, which the
+// coordinates of p exceed only a little. tests/unit/tail_test.cpp counts the exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
@@ -47,7 +47,7 @@ double tail_radius(const Scene& scene)
     return radius > std::max({1.9 * edge, 2 * inner, 2 * fixed}) ? radius : 0;
 }
 
-constexpr std::size_t tail2 = 7;  // index of the kernel's constant
+constexpr std::size_t tail2 = 7;  // index of box_tail2() among the kernel's constants
 
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
@@ -72,7 +72,7 @@ double hull(const Scene& scene, const ViewLimits& view)
     const auto [scale, inner, fixed] = scene.shape;
     const double s = std::abs(scale);
     if (s <= 1 || inner > fixed) return 0;
-    // DE >= share (X - edge) - less at a point whose largest coordinate is X > edge.
+    // DE >= share (X - edge) - less - remainder at every point whose largest coordinate is X > edge (docs/hulls.md).
     const double remainder = std::pow(s, 1 - scene.iterations);
     const double edge = scale > 0 ? 2 * (s + 1) / (s - 1) : 2;
     const double share = scale > 0 ? s * (s - 1) / (s * s + s + 1) : 1;
@@ -85,7 +85,7 @@ double hull(const Scene& scene, const ViewLimits& view)
 
 double growth(const Scene& scene) { return std::abs(scene.shape[0]); }
 
-// A cube of half edge 2 (s + 1)/(s - 1) for s > 1 and 2 for s < -1.
+// Returns a cube; half its edge is 2 (s + 1)/(s - 1) for s > 1, and 2 for s < -1.
 std::optional<Bounds> body(const Scene& scene)
 {
     const double s = scene.shape[0];
@@ -94,7 +94,7 @@ std::optional<Bounds> body(const Scene& scene)
     return {};
 }
 
-// Uses the 48 symmetries of the cube.
+// Uses the 48 symmetries of a cube.
 Vector representative(const Scene&, Vector p)
 {
     std::array<double, 3> c{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
@@ -107,7 +107,8 @@ bool worth_searching(const Scene&, const Bounds& body, Vector p)
     return std::min({p.x, p.y, p.z}) > -0.1 * body.size;
 }
 
-// The axis closest to up: floors, walls and ceilings are parallel to the cube's sides.
+// Returns the direction of the coordinate axis that is closest to `up`, because floors, walls and ceilings are parallel
+// to the sides of the cube.
 Vector upward(Vector, Vector up)
 {
     const std::array<double, 3> c{std::abs(up.x), std::abs(up.y), std::abs(up.z)};
@@ -117,7 +118,7 @@ Vector upward(Vector, Vector up)
     return {0, 0, std::copysign(1.0, up.z)};
 }
 
-// Scales above and below 0.
+// Draws scales above 0 for even scenes, and below 0 for others.
 void random_shape(Scene& scene, SceneRandom& chance, bool even)
 {
     scene.shape[0] = even ? chance.single_between(1.5, 3) : chance.single_between(-2.5, -1.2);
@@ -136,12 +137,13 @@ void extreme_shape(Scene& scene, SceneRandom& chance)
 
 constexpr std::array iterations{4, 8, 12, 18, 30, 60};
 
-// Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 600 random places directly before
-// the surface at which float and double agree. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
+// Of 600 random cameras close to the surface whose float and double pictures agree, the one with the most iterations in
+// fast mode at 270 x 270; selected by hand. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::CloseUp close_up{
     {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
 
-// The estimate is about 3.5 times too small, so free space appears narrower and allows faster flights.
+// The estimate is about 3.5 times too small. Free space therefore seems to be narrower than it is, which allows flights
+// that are faster relative to the estimated clearance.
 constexpr FlightMeasures measures{.roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24};
 constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 25};
 

@@ -15,11 +15,11 @@ constexpr std::string_view official =
 #include "official/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
-// Fraction c of the power map's envelope (core/kernel/fractals/mandelbulb.h), for the conservative estimate:
-// docs/notes/experiments.md.
+// Fraction c of the envelope of the power map's stretch (core/kernel/fractals/mandelbulb.h), for the conservative
+// estimate. docs/notes/experiments.md explains the value.
 constexpr double envelope_share = 0.7;
 
-// The bailout radius is limited so that r^3P stays finite: gradients contain products of r^P and its slope.
+// The bailout radius is limited so that r^3P is finite, because gradients contain products of r^P and its derivative.
 template <class Number>
 FractalConstants<Number> constants(const FractalInputs<Number>& of)
 {
@@ -33,13 +33,14 @@ double hull(const Scene& scene, const ViewLimits& view)
     const double escape = scene.shape[1];
     const double power = scene.shape[2];
     if (power <= 1) return 0;
-    // The estimator omits the last radius, so the orbit must escape one iteration earlier.
+    // The estimator does not compute the radius after the last iteration, so the orbit must escape one iteration
+    // earlier.
     const double stretch = scene.conservative ? std::max(1.0, envelope_share * power) : 1;
     const auto bound = [&](double r) { return least_estimate(r, power, stretch, r, 1, escape, scene.iterations - 1); };
     return radius_where(bound, std::pow(2, 1 / (power - 1)), view);
 }
 
-// Shorter steps at low powers, where longer ones miss thin features: docs/notes/experiments.md.
+// Steps are shorter at low powers, where longer steps miss thin features (docs/notes/experiments.md).
 template <class Number>
 Number step_factor(const FractalInputs<Number>& of)
 {
@@ -54,14 +55,15 @@ bool has_whole_power(const Scene& scene)
     return power == std::floor(power) && power >= 2;
 }
 
-// A sphere of radius 2^(1/(P - 1)).
+// Returns a sphere of radius 2^(1/(P - 1)).
 std::optional<Bounds> body(const Scene& scene)
 {
     if (!(scene.shape[2] > 1.2F)) return {};  // shapes have single precision
     return Bounds{Bounds::Shape::sphere, std::pow(2, 1 / (scene.shape[2] - 1))};
 }
 
-// Mirrored in y; integer P: (P - 1)-fold about z; odd P: also mirrored in z.
+// The fractal is symmetric under y -> -y. If P is an integer, it has a (P - 1)-fold rotation symmetry about the z axis;
+// if P is also odd, it is symmetric under z -> -z, too.
 Vector representative(const Scene& scene, Vector p)
 {
     const double power = scene.shape[2];
@@ -83,7 +85,7 @@ bool worth_searching(const Scene& scene, const Bounds&, Vector p)
     return std::abs(std::atan2(p.y, p.x)) < wedge;
 }
 
-// Integer and other powers.
+// Draws integer powers for even scenes, and any powers for others.
 void random_shape(Scene& scene, SceneRandom& chance, bool even)
 {
     scene.shape[1] = chance.single_between(2, 6);
@@ -97,12 +99,13 @@ void extreme_shape(Scene& scene, SceneRandom& chance)
     scene.shape[2] = chance.one_in(3) ? 8 : chance.one_in(2) ? std::max(1.0, std::floor(power)) : power;
 }
 
-// Chosen by hand by the iterations of fast mode at 270 x 270: the most expensive of 300 random places directly before
-// the surface and away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
+// Of 300 random cameras close to the surface and away from the poles, the one with the most iterations in fast mode at
+// 270 x 270; selected by hand. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
 constexpr FractalStudy::CloseUp close_up{
     {-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
 
-// A power that is not an integer is raised through angles; the picture is nearly the official one.
+// With a power that is not an integer, the kernel computes z^P with trigonometric functions. The power differs so
+// little from the official one that the pictures are nearly equal.
 constexpr FractalStudy::Variant angles{"angles", {0, 0, 1e-5}};
 
 }  // namespace
@@ -130,7 +133,7 @@ constexpr Fractal descriptors::mandelbulb{
                .representative = representative,
                .worth_searching = worth_searching},
     .random = {.extent = 1.2, .nearest = 1.1, .farthest = 2.5, .shape = random_shape, .extreme_shape = extreme_shape},
-    // Some pixels depend on the last bit of the trigonometry.
+    // In some pixels the picture depends on the last bit of trigonometric functions.
     .study = {.close_up = close_up, .variant = angles, .off_in_double = 0.01, .off_in_float = 0.1},
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gradient of the Mandelbulb's DE, for normals. Included by mandelbulb.h.
 
-// Derivatives of z and dr along one axis v of p.
+// Derivatives of z and of dr along one coordinate axis of the point p.
 struct BulbTangent {
     vec3 z;
     real dr;
@@ -15,16 +15,16 @@ FN BulbTangent bulb_tangent(vec3 axis)
     return v;
 }
 
-// Terms of an iteration that all tangents share.
+// Terms of one iteration that are the same for all three tangents. theta and phi are the angles of mandelbulb.h.
 struct BulbStep {
-    mask off_axis;
-    real cosine;  // of the azimuth
-    real sine;
+    mask off_axis;  // lanes whose point is not on the z axis
+    real cosine;    // cos(phi)
+    real sine;      // sin(phi)
     real rho;
     real z;
-    Complex polar;    // P r^(P-2) (cos P0 + i sin P0)
-    Complex azimuth;  // cos P1 + i sin P1
-    real spin;        // P r^P sin P0 / rho
+    Complex polar;    // P r^(P-2) (cos(P theta) + i sin(P theta))
+    Complex azimuth;  // cos(P phi) + i sin(P phi)
+    real spin;        // P r^P sin(P theta) / rho
     real growth;      // P r^(P-1)
     real bend;        // P (P-1) r^(P-3) dr
 };
@@ -47,14 +47,14 @@ FN BulbStep bulb_step(Scene scene, vec3 z, real r2, real dr, BulbPower power)
     return step;
 }
 
-// One iteration of a tangent: the chain rule through (r, 0, 1), with each slope computed from z and dz. On the axis the
-// azimuth is constant.
+// Computes one iteration of a tangent by the chain rule through (r, theta, phi). The changes of these three are
+// computed from z and its derivative, without the angles themselves. On the z axis the azimuth is taken as constant.
 FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
 {
     real d_rho = pick(step.off_axis, step.cosine * v.z.x + step.sine * v.z.y, v.z.x);
-    real turn = pick(step.off_axis, step.cosine * v.z.y - step.sine * v.z.x, R(0.0));  // rho d1
-    real outward = step.z * v.z.z + step.rho * d_rho;                                  // r dr
-    real across = step.z * d_rho - step.rho * v.z.z;                                   // r^2 d0
+    real turn = pick(step.off_axis, step.cosine * v.z.y - step.sine * v.z.x, R(0.0));  // rho times the change of phi
+    real outward = step.z * v.z.z + step.rho * d_rho;                                  // r times the change of r
+    real across = step.z * d_rho - step.rho * v.z.z;                                   // r^2 times the change of theta
     real im = step.polar.im * outward + step.polar.re * across;
     real spin = step.spin * turn;
     BulbTangent next;
@@ -65,14 +65,14 @@ FN BulbTangent bulb_advance(BulbTangent v, vec3 axis, BulbStep step)
     return next;
 }
 
-// Returns the derivative of DE, times dr > 0.
+// Returns the derivative of DE along v, multiplied by dr, which is positive.
 FN real bulb_slope(vec3 z, real r, real dr, real ln_r, BulbTangent v)
 {
     real d_r = quick_quotient(dot3(z, v.z), r);
     return quick_quotient((ln_r + 1) * d_r, dr) - quick_quotient(ln_r * r, dr) * quick_quotient(v.dr, dr);
 }
 
-// Returns the gradient of DE up to a positive factor, by forward differentiation of estimate() along the three axes.
+// Returns the gradient of DE up to a positive factor. Differentiates estimate() in forward mode along the three axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
