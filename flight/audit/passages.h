@@ -11,11 +11,11 @@
 namespace mandelmarch {
 
 struct Passage {
-    std::size_t frame;  // with the smallest clearance
+    std::size_t frame;  // the passage's frame with the smallest clearance
     double clearance;
 };
 
-// Returns the distance field of a frame.
+// A function that returns the distance field of a frame.
 using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
 
 // Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage that the
