@@ -39,8 +39,8 @@ std::string contents(int descriptor)
 
 constexpr const char* no_space = "No space left on device";
 
-// Returns the line of ffmpeg's errors that names the cause: the message of a full disk, if it is among them, else the
-// first line, as later ones are more general.
+// Returns the line of ffmpeg's error output that names the cause. This is the message of a full disk, if there is one,
+// else the first line, because later lines are more general.
 std::string cause_of(const std::string& errors)
 {
     std::string first;
@@ -71,7 +71,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
     posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    // This program ignores SIGPIPE, and the child must not inherit that.
+    // The child must not inherit that this program ignores SIGPIPE.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t usual;
@@ -111,7 +111,7 @@ ChildProcess::~ChildProcess()
 
 void ChildProcess::kill() { ::kill(child_, SIGKILL); }
 
-// Waits until the child reads. Kills it and returns false if it does not read within the limit.
+// Waits until the pipe accepts more data. If the child does not read within the limit, kills it and returns false.
 bool ChildProcess::ready()
 {
     pollfd pipe{.fd = input_, .events = POLLOUT, .revents = 0};
@@ -138,7 +138,7 @@ bool ChildProcess::write(const void* data, std::size_t size)
     return true;
 }
 
-// Waits for the child's end, at most for the limit, and returns its status.
+// Waits for the child to end and returns its status. Kills the child when the limit is over.
 int ChildProcess::wait()
 {
     const auto start = Clock::now();

@@ -26,7 +26,7 @@ constexpr const char* part_prefix = ".part-";
 constexpr const char* lock_name = "/lock";
 constexpr int most_tries = 100;
 
-// False if the open file is no longer the one with that name, because another run has removed it.
+// Returns true if `name` still names the open file. It does not if another run has removed the file.
 bool still_there(int descriptor, const std::string& name)
 {
     struct stat held {};
@@ -65,7 +65,7 @@ void SegmentStore::lock(bool shared)
         fs::create_directories(parts_, error);
         if (error) throw Error(fmt::format("{}: cannot make the folder: {}", parts_, error.message()));
         lock_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (lock_ < 0 && errno == ENOENT && tries < most_tries) continue;  // another run has just removed the folder
+        if (lock_ < 0 && errno == ENOENT && tries < most_tries) continue;  // another run has just removed it
         if (lock_ < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
         if (flock(lock_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
             if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
@@ -114,7 +114,8 @@ void SegmentStore::finish(const std::string& part, const std::string& file) cons
 {
     const std::string path = folder_ + "/" + part;
     const std::string finished = folder_ + "/" + file;
-    // Flushed to disk before the renaming, so that a file with the final name is complete even after a power cut.
+    // The part is flushed to disk before it is renamed, so that a file with the final name is complete even after a
+    // power cut.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
     const int why = errno;
@@ -149,7 +150,7 @@ void SegmentStore::close()
 {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
-    // Removes the folder of all parts unless another film's are in it.
+    // Removes the folder PARTS, unless it still contains another film's segments.
     fs::remove(parts_ + lock_name, ignored);
     fs::remove(parts_, ignored);
 }
