@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // demo: renders official scenes on every backend in both precisions and both modes, verifies that the pictures agree
-// and
-// prints a table of times. Scenes that the backend `reference` does not support are left out. The exit code is 1 if a
-// picture differs too much or a device fails.
+// and prints a table of times. Scenes that the backend `reference` does not support are left out. The exit code is 1 if
+// a picture differs too much or a device fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

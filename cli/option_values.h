@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parsers for values of command line options. They throw InputError if a value is invalid; the message names the
-// option,
-// the given value and the values that are allowed.
+// option, the given value and the values that are allowed.
 #pragma once
 
 #include <cstdint>

@@ -16,11 +16,11 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double spare = 0.0012;      // seconds of a frame kept free
-constexpr double patience = 1.5;      // frames to wait for a picture while moving
-constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
-constexpr int idle_wait = 100;        // milliseconds
-constexpr double notch = 1.2;         // factor on the speed per notch of the wheel
+constexpr double spare = 0.0012;      // seconds of each frame that are not used for rendering
+constexpr double patience = 1.5;      // screen frames; time limit for a picture while the camera moves
+constexpr double longest_step = 0.1;  // seconds; largest time step of the motion
+constexpr int idle_wait = 100;        // milliseconds to wait for an event if there is nothing to do
+constexpr double notch = 1.2;         // factor by which one notch of the wheel changes the speed
 constexpr double least_speed = 1.0 / 16, most_speed = 16;
 
 Clock::duration duration(double seconds)
@@ -100,7 +100,8 @@ void Explorer::move(double seconds)
     }
     moving_ = false;
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
-    // A flight continues with settings that a parameter file can hold, without those of films.
+    // The view may come from a path. As soon as the user flies, settings for films and others that a parameter file
+    // cannot contain are reset.
     if (moving_) {
         as_file(scene);
     }
@@ -117,8 +118,8 @@ void Explorer::move(double seconds)
     panes.look(scene, view_, area_);
 }
 
-// Returns the seconds for rendering while moving: the rest of one screen frame, or of two if pictures would otherwise
-// have less than 3/8 of the width.
+// Returns the time for rendering in seconds while the camera moves. It is the part of a screen frame that other work
+// leaves. If pictures would then have less than 3/8 of the full width, a second screen frame is added.
 double Explorer::budget() const
 {
     const double period = 1 / window.rate();
@@ -147,7 +148,7 @@ void Explorer::tick(Script* script)
     const Moment build = Clock::now();
     window.begin();
     show_panels(*this);
-    // Initially no panel has the keyboard, so that keys move the camera.
+    // At the start no panel has the keyboard, so that keys move the camera.
     if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);
     const double building = seconds_since(build);
     const double wait = moving_ ? std::max(given + building, patience * period - showing_) : period - showing_ - spare;
@@ -164,7 +165,7 @@ void Explorer::tick(Script* script)
                   first.share});
     presented_ = end;
     if (window.waits()) return wait_if_idle();
-    // present() does not wait, so the screen's rate is kept with a timer.
+    // Here present() does not wait for the screen, so a timer limits the frame rate to the screen's.
     due_ = std::max(due_ + duration(period), end);
     std::this_thread::sleep_until(due_);
     wait_if_idle();

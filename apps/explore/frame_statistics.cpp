@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double graph = 10;         // seconds
-constexpr double screen = 1.0 / 60;  // seconds of a frame at 60 Hz
+constexpr double graph = 10;         // seconds that the graph of frame times shows
+constexpr double screen = 1.0 / 60;  // duration of a screen frame at 60 Hz, seconds
 
-// Returns the percentile by the nearest rank; 0 without values.
+// Returns a percentile of the values by the nearest-rank method; 0 if there are no values.
 double percentile(std::vector<double> values, double percent)
 {
     if (values.empty()) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frame statistics of scripted flights, for --stats.
+// Frame statistics: the times of the window's frames, measured in sections of a script for --stats.
 #pragma once
 
 #include <deque>
@@ -10,13 +10,13 @@
 
 namespace mandelmarch::explore {
 
-// Timing of one frame of the window; times in seconds.
+// Timing of one frame of the window. Times are in seconds.
 struct FrameTiming {
-    double seconds;   // from its events to its presentation
-    double interval;  // since the last frame's presentation
-    double drawing;   // render time of its new picture; 0: no new picture
+    double seconds;   // from the beginning of the frame to the end of its presentation
+    double interval;  // from the end of the last frame's presentation to the end of this one's
+    double drawing;   // render time of a new picture; 0: the frame shows no new picture
     double showing;   // uploading, scaling, panels, presentation
-    double share;     // pixels of its picture, as a fraction of the window's
+    double share;     // number of the picture's pixels divided by that of the pane
 };
 
 class FrameStatistics {
@@ -25,23 +25,24 @@ public:
     void end();
     bool on() const { return on_; }
 
-    // Records that an event in frame `frame` created a view.
+    // Records that a new view was requested in frame `frame`. `view`: its version, which grows with every change.
     void asked(std::uint64_t view, std::uint64_t frame);
-    // Records that a picture of the view was presented at the end of frame `frame`.
+    // Records that a picture of this view was presented at the end of frame `frame`.
     void shown(std::uint64_t view, std::uint64_t frame);
     void note(const FrameTiming& frame);
 
-    // Returns the statistics as JSON. `window`: its size; `how`: Window::how().
+    // Returns the statistics as JSON. `window`: the window's size in pixels; `how`: Window::how(); `rate`: the screen's
+    // rate in Hz.
     std::string json(std::pair<int, int> window, const std::string& how, double rate, const Pane& pane) const;
 
-    // The intervals of the last ten seconds' frames, seconds.
+    // Returns the intervals between the frames of the last ten seconds, in seconds.
     const std::deque<float>& last() const { return last_; }
 
 private:
     struct Section {
         std::string name;
         std::vector<FrameTiming> frames;
-        std::vector<double> latencies;  // frames
+        std::vector<double> latencies;  // frames from the request of a view to its presentation
     };
 
     bool on_ = false;

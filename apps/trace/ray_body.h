@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traces a ray by calling the kernel's functions in the same order as its draw(). This file is included after the
-// kernel
-// source in the same namespace, once per variant of the kernel; it must not have an include guard.
+// kernel source in the same namespace, once per variant of the kernel; it must not have an include guard.
 
 inline std::array<double, 3> three(const vec3& v) { return {v.x, v.y, v.z}; }
 

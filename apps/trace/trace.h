@@ -32,8 +32,7 @@ enum class Refined {
 };
 
 // One sample of a ray. Lengths are in the scene's units. `tolerance` is the tolerance used for the decision; for a
-// sample
-// that is taken back, it is the tolerance at the previous sample.
+// sample that is taken back, it is the tolerance at the previous sample.
 struct TracedSample {
     double t, distance, tolerance;
     Decision decision;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double in_solid = 1e-5;         // fractal sizes; points whose estimate is not larger count as solid
 constexpr double most_wall_step = 0.25;   // clearances per frame; limit on the change of DE caused by a changing shape
-constexpr double turn_cap = 1.2;          // degrees per frame
+constexpr double turn_cap = 1.2;          // degrees per frame; largest turn of the camera
 constexpr double aside = 60;              // degrees between gaze and motion; a larger angle counts as looking aside
 constexpr double stillness = 0.25;        // clearances; a camera stands still while it stays within this radius
 constexpr double official_seconds = 240;  // the flight time for which the threshold of passages is given
@@ -185,7 +185,7 @@ private:
     }
 
     const Path& path_;
-    std::size_t stride_;  // frames between views
+    std::size_t stride_;  // frames from one view to the next
     Runs runs_;
     std::vector<double> clearances_;
     std::vector<Vector> places_;

@@ -6,7 +6,7 @@ namespace mandelmarch {
 Stand longest_stand(std::span<const Vector> places, std::span<const double> radii)
 {
     Stand longest;
-    std::size_t outside = 0;  // index of the place that ended the last stand
+    std::size_t outside = 0;  // index of the first place outside the last stand's radius
     for (std::size_t i = 0; i + longest.steps + 1 < places.size(); ++i) {
         const auto within = [&](std::size_t j) {
             ++longest.distances;

@@ -13,7 +13,7 @@ namespace mandelmarch {
 struct Stand {
     std::size_t first = 0;      // index of the first frame
     std::size_t steps = 0;      // number of consecutive frames after it that lie within its radius
-    std::size_t distances = 0;  // number of distances computed
+    std::size_t distances = 0;  // number of distances that the search computed
 };
 
 // Returns the longest stand, or the first of several equally long ones. places[first + 1] to places[first + steps] are

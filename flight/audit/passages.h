@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passages: places where a path's clearance falls to at most half and then doubles again.
+// Passages: places at which a path's clearance falls to half or less and then becomes at least twice as large again.
 #pragma once
 
 #include <functional>

@@ -60,7 +60,7 @@ public:
     {
     }
 
-    // Returns the percentage of a frame's pixels that differ visibly.
+    // Returns the percentage of a frame's pixels that differ visibly from the converged picture.
     double off(std::size_t frame) const
     {
         Scene scene = frame_scene(path_, frame, picture_);

@@ -75,7 +75,7 @@ double ffmpeg_timeout(double usual)
 
 std::vector<std::string> time_scale(int rate)
 {
-    constexpr int ticks = 512;  // per frame
+    constexpr int ticks = 512;  // units of time per frame
     return {"-video_track_timescale", fmt::format("{}", ticks * rate)};
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned middle = 6;  // weight of the pixel itself, in tenths; each of its four neighbours has one tenth
 constexpr unsigned whole = 10;
-constexpr std::size_t grain = 16;  // rows
+constexpr std::size_t grain = 16;  // rows that a thread takes at once
 
 }  // namespace
 

@@ -211,7 +211,7 @@ void Balls::keep_outside_component()
 {
     if (balls_.empty()) return;
     std::vector<char> reached(balls_.size(), 0);
-    std::vector<int> stack{0};  // the largest ball lies outside
+    std::vector<int> stack{0};  // begins with the largest ball, which lies outside the fractal
     reached[static_cast<std::size_t>(stack[0])] = 1;
     while (!stack.empty()) {
         const int at = stack.back();

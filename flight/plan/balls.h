@@ -11,7 +11,7 @@ namespace mandelmarch {
 
 struct Ball {
     Vector centre;
-    double clearance;  // the distance estimate at the centre; the ball's radius is safety times this
+    double clearance;  // the distance estimate at the centre; the ball's radius is DistanceField::safety() times this
 };
 
 // An edge of the graph: a free way from one ball to another.

@@ -30,10 +30,10 @@ constexpr double too_far_off = 20;               // cost at twice that angle, in
 constexpr double turning = 0.6;                  // cost of a turn by farthest_turn
 
 // Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
-constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view
+constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view that hit something
 constexpr double enough_middle = 0.6;                    // fraction of the central part that hits something
 constexpr double wall_distance = 2.2, much_wall = 0.65;  // a wall is closer (clearances); fraction of the view
-constexpr double enough_depths = 0.55;                   // standard deviation of the depths' logarithms
+constexpr double enough_depths = 0.55;                   // standard deviation of the logarithms of the depths
 
 const Sphere& sphere()
 {

@@ -20,8 +20,7 @@ public:
     // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
     // The trajectory should have look_ahead more frames. The gaze at every tenth frame is chosen by dynamic programming
     // (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle to the motion, and
-    // of
-    // the turn. In between, the gaze is interpolated. The result is not smooth; see smoothed_gaze().
+    // of the turn. In between, the gaze is interpolated. The result is not smooth; see smoothed_gaze().
     std::vector<Vector> gaze(const Trajectory& ride, int frames) const;
 
     // Returns the median motion of the picture's pixels from one frame to the next, in picture heights. It is computed

@@ -23,7 +23,7 @@ constexpr int sweeps = 12;                             // for each stride
 // For shapes that change in flight:
 constexpr double parts_a_step = 10;  // a change of the shape by one step (see smooth()) is divided into so many stages
 constexpr int most_parts = 60;
-constexpr int pushes = 2;             // in each stage
+constexpr int pushes = 2;             // calls of push_off() in each stage
 constexpr double clock_reach = 12.0;  // the shape time is averaged over so many clearances on either side
 
 // The band's points. `value`: the shape parameter at each point.
@@ -205,8 +205,7 @@ void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
         };
         for (std::size_t i = 0; i < way.size(); ++i) {
             // The window is symmetric and becomes shorter towards the ends of the band. Therefore the values at the
-            // ends
-            // do not change, and a time that grows at a constant rate does not change either.
+            // ends do not change, and a time that grows at a constant rate does not change either.
             const double reach = std::min({clock_reach, way[i] - way.front(), way.back() - way[i]});
             if (reach > 1e-9) band.clock[i] = (integral(way[i] + reach) - integral(way[i] - reach)) / (2 * reach);
         }

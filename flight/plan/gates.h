@@ -29,8 +29,7 @@ struct GateSearch {
 };
 
 // Searches for gates around all points of `also` and around points of narrows(), which are chosen at random with a
-// fixed
-// seed. Returns the `known` gates followed by the new ones.
+// fixed seed. Returns the `known` gates followed by the new ones.
 std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, const GateSearch& search,
                              std::vector<Gate> known = {}, std::span<const Ball> also = {});
 

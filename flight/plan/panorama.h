@@ -28,8 +28,7 @@ private:
 };
 
 // Returns the depths along all of the sphere's directions, place after place, in the scene's units. A depth is
-// +infinity
-// if the ray hits nothing within the length `end`. `values`: the shape parameter's value at each place.
+// +infinity if the ray hits nothing within the length `end`. `values`: the shape parameter's value at each place.
 std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
                              std::span<const double> values, double end);
 

@@ -25,7 +25,7 @@ namespace {
 constexpr double least_clearance = 0.0034;  // fractal sizes; the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
 constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows down if the gaze turns faster
-constexpr double turn_limit = 1.17;     // degrees per frame; the promise is 1.2
+constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
 constexpr int retimings = 7;            // times that speed and gaze are computed, each adapted to the other

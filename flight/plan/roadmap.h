@@ -31,7 +31,8 @@ struct Roadmap {
     Roadmap& operator=(const Roadmap&) = delete;
 };
 
-// A stretch of time in which a tour uses one roadmap.
+// A stretch of time in which a tour uses one roadmap. Time is measured as shape time: the frame of the schedule that
+// gives the fractal its shape at a point of the tour.
 struct RoadmapSpan {
     const Roadmap* roads;
     double until = std::numeric_limits<double>::infinity();  // shape time at its end, frames

@@ -57,8 +57,7 @@ public:
     // the place; an empty node if there is none either.
     Node near(int stretch, Vector place) const;
 
-    // Marks the ball and the linked balls as visited, and so those at the same place in the roadmaps of later
-    // stretches.
+    // Marks a ball and the balls linked to it as visited. Does the same for the balls at its place in later stretches.
     void see(Node node);
     // Marks the gate's kind, and the kinds of gates at the same place in other shapes, as flown.
     void mark_flown(Entry entry);

@@ -23,7 +23,7 @@ struct Polyline {
 struct Tour {
     Polyline way;
     int gates = 0;
-    double cost = 0;   // in clearances
+    double cost = 0;   // of the whole tour, in clearances
     double clock = 0;  // shape time at the tour's end, in frames
 };
 
