@@ -57,8 +57,8 @@ struct Flythrough {
 // Throws InputError if an argument is invalid.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
-// Returns the number of threads for one of `local` processes on this machine. It is the number of core/base/cores.h. If
-// this process may run on all cores and OMP_NUM_THREADS is not set, that number is divided by `local`.
+// Returns the number of threads that one of `local` processes on this machine should use: Cores::threads() of
+// core/base/cores.h, divided by `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
 int threads_for(int local);
 
 // Throws Error with a message of one line if ffmpeg or the title's font is missing or cannot be used for `film`.

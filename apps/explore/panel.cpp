@@ -15,7 +15,7 @@ namespace {
 
 constexpr float width_in_letters = 44;   // width of the panel
 constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
-constexpr float graph_height = 48;  // pixels
+constexpr float graph_height = 48;       // pixels
 
 // Must be called after each item that edits the scene. When the user begins to use the item, saves the scene as it was
 // before, for undo(). `is_new`: the item has changed the scene.

@@ -18,7 +18,7 @@ constexpr double most_step = 0.85;  // largest step between frames, as a fractio
 constexpr double most_turn = 1.0;   // degrees per frame; largest turn. The audit's limit is 1.2
 constexpr int retimings = 4;        // number of passes that reduce steps and turns
 constexpr int easing = 12;          // frames over which the flight slows down and speeds up
-constexpr int bend = 45;            // so many frames on either side move with a moved camera
+constexpr int bend = 45;            // frames on either side of a moved camera that move with it
 
 struct Look {
     Vector eye, forward, up;

@@ -18,7 +18,7 @@ struct Seen {
 
 Row motion_row(const Path& path, const Seen& seen);
 
-// Returns the percentage of dull frames, and the longest time without a frame that is not dull. `clearances`: one for
+// Returns the percentage of dull frames, and the longest time during which all frames are dull. `clearances`: one for
 // each frame of the path; `stride`: frames from one view to the next.
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
 

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t worth_a_forecast = 10;  // segments; the total time of fewer is not estimated
 constexpr std::size_t forecast_frames = 8;    // frames rendered for the estimate
-constexpr int least_side = 16;  // pixels: the minimum of libx264
+constexpr int least_side = 16;                // pixels: the minimum of libx264
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 

@@ -18,13 +18,13 @@ constexpr double freedom = 0.45;      // largest move of a point in one round, i
 constexpr double pin_freedom = 0.08;  // largest move of a pinned point, in the same unit
 constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
 constexpr int rounds = 7;
-constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // a point is moved between the points so many places away
+constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // relax() moves a point between the points this far away
 constexpr int sweeps = 12;                             // for each stride
 // For shapes that change in flight:
-constexpr double parts_a_step = 10;  // a change of the shape by one step (see smooth()) is divided into so many stages
+constexpr double parts_a_step = 10;  // number of stages for a change of the shape by one step (see smooth())
 constexpr int most_parts = 60;
 constexpr int pushes = 2;             // calls of push_off() in each stage
-constexpr double clock_reach = 12.0;  // the shape time is averaged over so many clearances on either side
+constexpr double clock_reach = 12.0;  // clearances; the shape time is averaged over this distance on either side
 
 // The band's points. `value`: the shape parameter at each point.
 struct Band {

@@ -8,7 +8,8 @@
 
 namespace mandelmarch {
 
-// The control points of a curve. At each point the fractal has the shape of a point in time, the shape time.
+// The control points of a curve. When the camera is at a point, the fractal has the shape that the schedule gives for
+// the point's shape time.
 struct ControlPoints {
     std::vector<Vector> at;
     // The shape time in frames of the schedule, and the shape parameter's value at that time.

@@ -62,8 +62,8 @@ public:
     }
 
 private:
-    // Sets gate.axis to the line through the centre along which there is most space. It is the principal axis of the
-    // openness of 13 lines; the openness is the smaller estimate at the two ends of a line.
+    // Sets gate.axis to the direction in which there is most space. For this, 13 lines through the centre are compared.
+    // The openness of a line is the smaller of the estimates at its two ends, in clearances.
     void find_axis(Gate& gate) const
     {
         static const auto directions = compass();

@@ -19,7 +19,7 @@ struct Gate {
     // along +axis, the second along -axis.
     std::array<std::vector<Vector>, 2> ways;
     std::array<int, 2> balls;  // the balls in which the polylines end
-    int kind;  // 0, 1, ...; the same for gates that the fractal's symmetry maps onto each other
+    int kind;                  // 0, 1, ...; the same for gates that the fractal's symmetry maps onto each other
 };
 
 // Limits of a gate's clearance, and the approximate number of points of Balls::narrows() at which searches start.

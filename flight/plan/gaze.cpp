@@ -14,7 +14,7 @@ namespace {
 constexpr double blur = 24;               // frames; standard deviation of the smoothing in time
 constexpr std::size_t middle_until = 90;  // frames; from then on the gaze is no longer drawn to the fractal's centre
 
-constexpr double most_roll = 0.25;     // degrees per frame; together with the largest turn within the promised 1.2
+constexpr double most_roll = 0.25;     // degrees per frame; with the largest turn, the rotation stays within 1.2
 constexpr double roll_share = 0.02;    // fraction of the tilt that is corrected per frame
 constexpr double clear_horizon = 0.5;  // the first frame whose Tilt::horizon is larger sets the initial roll
 

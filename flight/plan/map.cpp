@@ -21,7 +21,7 @@ constexpr const char* format_name = "mandelmarch flight map 1";
 // Limits that keep the file small. A drawing could not show more.
 constexpr std::size_t most_balls = 2500;
 constexpr std::size_t most_gates = 1000;
-constexpr double beside = 0.12;        // fractal sizes; farther balls and gates are left out
+constexpr double beside = 0.12;        // fractal sizes; balls and gates farther from the path are left out
 constexpr std::size_t path_every = 4;  // frames; positions in between are not compared with balls and gates
 
 // Formats a number with five digits, which are enough for a drawing.

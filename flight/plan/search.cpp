@@ -16,7 +16,7 @@ constexpr double outside_penalty = 6;  // factor for ways outside the bounds
 constexpr double seen_penalty = 3;     // factor for ways to balls that the tour has visited
 constexpr double whole_turn = 30;      // cost of a turn by 180 degrees
 constexpr double gate_reach = 400;     // largest cost of the way to the next gate
-constexpr int choices = 10;            // the search ends when so many gate entries have been found
+constexpr int choices = 10;            // number of gate entries after which the search ends
 constexpr double whim = 1.0;           // largest random increase of a gate's cost, as a multiple of the cost
 // For shapes that change in flight:
 constexpr double changing_reach = 70;  // clearances without penalties; gates farther away will have moved
@@ -24,7 +24,7 @@ constexpr double stroll_reach = 40;    // clearances; largest distance of the fa
 constexpr double same_gate = 0.03;     // fractal sizes; gates of two shapes closer to each other count as one
 // near() accepts a ball that does not contain the place under three conditions:
 constexpr double over = 4;          // - its centre is closer to the place than this, in clearances of the ball;
-constexpr std::size_t tried = 24;   // - it is one of the closest balls, of which so many are tried;
+constexpr std::size_t tried = 24;   // - it is one of this number of closest balls;
 constexpr double free_share = 0.3;  // - all estimates in between exceed this fraction of the roadmap's least clearance.
 
 double angle_between(Vector a, Vector b)

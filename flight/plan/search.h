@@ -41,9 +41,10 @@ public:
     // far; the turn from them towards a gate adds to the gate's cost.
     Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
-    // These return results of the last search. stroll(): the ball to fly to if there is no gate, which lies inside the
-    // bounds at some distance; leg_to(): the balls on the way to a node; cost(): the way's cost in clearances; clock():
-    // the shape time at the node.
+    // These functions return results of the last search:
+    // - stroll(): a ball inside the bounds at some distance, to which the tour can lead if there is no gate,
+    // - leg_to(): the balls on the way to a node,
+    // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
     double cost(Node node) const { return cost_[index(node)]; }

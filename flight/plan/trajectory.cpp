@@ -13,11 +13,11 @@ namespace {
 
 constexpr int samples_per_span = 6;
 constexpr double gentle = 0.03;       // per frame; largest change of the logarithm of speed: speed doubles in 0.8 s
-constexpr double smooth_frames = 15;  // the speed is smoothed over so many frames on either side
-constexpr double foresight = 1;       // the smallest clearance within 0.3 times so many clearances limits the speed
+constexpr double smooth_frames = 15;  // frames; the speed is smoothed over this time on either side
+constexpr double foresight = 1;       // the smallest clearance within 0.3 * foresight clearances limits the speed
 constexpr int fits = 12;              // attempts to meet the keyframes
 constexpr double in_time = 0.25;      // frames; accepted time error at a keyframe
-constexpr std::ptrdiff_t even_frames = 45;  // the shape time is averaged over so many frames on either side
+constexpr std::ptrdiff_t even_frames = 45;  // frames; the shape time is averaged over this time on either side
 
 // Returns a speed without kinks that is nowhere larger than `speed`. It is computed in two steps: the minimum within
 // smooth_frames on either side, then the weighted mean of the minima over the same range.
@@ -63,7 +63,8 @@ double clock_at(const Curve& track, double sample)
 }
 
 // Returns the moving average of the values over `reach` values on either side. At the ends, the values are continued by
-// point reflection, so that the first and the last value do not change, nor values with a constant slope.
+// point reflection. Therefore the first and the last value do not change, and values with a constant slope do not
+// change either.
 std::vector<double> mean_around(const std::vector<double>& values, std::ptrdiff_t reach)
 {
     const std::ptrdiff_t last = std::ssize(values) - 1;
