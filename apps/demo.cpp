@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// demo: renders official scenes on every backend, in both precisions and modes, verifies that the pictures agree and
-// prints a table of times. Scenes that the backend `reference` does not support are left out. Exit code 1 if a picture
-// or a device fails.
+// demo: renders official scenes on every backend in both precisions and both modes, verifies that the pictures agree
+// and prints a table of times. Scenes that the backend `reference` does not support are left out. The exit code is 1 if
+// a picture differs too much or a device fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,8 +24,9 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr int repetitions = 5;  // the table shows the fastest
-// Seconds for one row. A second picture is rendered in any case, as drivers compile during the first one.
+constexpr int repetitions = 5;  // largest number of pictures per row; the table shows the fastest
+// Seconds after which no more pictures are rendered for a row. A second picture is always rendered, because drivers
+// compile kernels during the first one.
 constexpr double enough = 1.0;
 
 // Returns the percentage of pixels that may differ visibly from the reference's picture in the same mode.
@@ -64,7 +65,7 @@ public:
         flush_stdout();
     }
 
-    // Prints the row of a backend without a device.
+    // Prints the row of a backend that does not have a device.
     void absent(const Backend& backend, const Scene& scene, const Listing& listing)
     {
         DemoRow row;
@@ -126,7 +127,7 @@ private:
         row.ok = percent <= allowed_percent(scene, options);
         row.said = fmt::format("{:.3f} % off the reference", percent);
         if (options.mode != Mode::exact) return;
-        // All backends must produce the same bits in exact mode; the first picture sets them.
+        // In exact mode all backends must produce the same bits as the first one.
         const auto [first, is_first] = exact_.try_emplace({row.fractal, options.precision}, image);
         const bool same = compare(first->second, image).same();
         row.ok = row.ok && same;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The output folder of demo: pictures as PNG, and the table as demo.json, from which the report's page is made.
+// The output folder of demo: pictures as PNG files, and the table as demo.json. The report's page is made from them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,23 +19,25 @@ struct DemoRow {
     int pack = 0;  // RendererOptions::pack
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    bool drawn = false;   // false: unavailable, or the device failed
-    bool ok = true;       // false: the picture is wrong, or the device failed
-    std::string said;     // the result of the comparison, or the reason why there is no picture
+    bool drawn = false;   // false: the backend is unavailable, or the device failed
+    bool ok = true;       // false: the picture differs too much, or the device failed
+    std::string said;     // the result of the comparison, or the reason why no picture was rendered
     std::string device;   // name of the device used
-    double seconds = 0;   // wall time of the fastest picture
-    double speed_up = 0;  // relative to the reference in exact mode
-    std::string picture;  // file name in the folder; empty: none
+    double seconds = 0;   // wall time of the row's fastest picture
+    double speed_up = 0;  // wall time of the reference in exact mode divided by `seconds`
+    std::string picture;  // name of the picture's file in the folder; empty: none
 };
 
 class DemoFolder {
 public:
-    // Creates the folder if it is missing. With an empty path, nothing is written. Throws Error.
+    // Creates the folder if it does not exist. If `path` is empty, nothing is written. Throws Error if the folder
+    // cannot be created.
     explicit DemoFolder(std::string path);
 
     // Writes the row's picture and sets row.picture.
     void picture(DemoRow& row, const Image& image) const;
-    // Writes demo.json. `side`: of a picture, pixels; `repetitions`: the largest number of pictures per row.
+    // Writes demo.json. `side`: width and height of the pictures in pixels; `repetitions`: the largest number of
+    // pictures rendered per row.
     void table(const std::vector<DemoRow>& rows, int side, int repetitions) const;
 
 private:

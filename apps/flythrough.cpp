@@ -33,10 +33,10 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr std::size_t long_flight = 20'000;  // frames from which an audit is announced, as it takes long
+constexpr std::size_t long_flight = 20'000;  // frames; the audit of a longer flight takes long and is announced
 
-// Returns the scene to fly through: a parameter file's, or the official one. Its camera is not used.
-// `warns`: print the warnings about the file.
+// Returns the scene to fly through: that of the parameter file, or the official one. Its camera is not used.
+// `warns`: warnings about the file are printed.
 Scene scene_of(const Flythrough& options, bool warns = false)
 {
     const Fractal& fractal = fractal_named(options.fractal);
@@ -61,16 +61,17 @@ void check_shape(const Flythrough& options, const Scene& scene)
     throw InputError(options.parameters.empty() ? objection : fmt::format("{}: {}", options.parameters, objection));
 }
 
-// Prints the first line of a planner's message to stderr, without the tables of tours.
+// Prints the first line of the planner's message to stderr. The other lines are a table of the tour's audit.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
-// Returns the number of frames to plan. Every flight is planned at frames_per_second and then resampled.
+// Returns the number of frames to plan. Flights are planned at frames_per_second and then converted to --fps.
 int planned_frames(const Flythrough& options)
 {
     return std::max(2, frames_at_rate(options.frames, frames_per_second, options.rate));
 }
 
-// Returns the changes of the fractal in flight. Throws InputError if its shape cannot be flown through.
+// Returns the schedule by which the fractal changes in flight, from --power or --scale. Throws InputError if the shape
+// cannot be flown through.
 Schedule schedule_of(const Flythrough& options)
 {
     if (!options.power.empty() && !options.scale.empty()) {
@@ -97,7 +98,7 @@ void tell_audit(const Path& path)
     if (path.frames.size() >= long_flight) say("audit: {} frames\n", path.frames.size());
 }
 
-// True if the file is the one that stdout is connected to, and not a terminal or other character device.
+// Returns true if stdout writes to this file, unless that is a terminal or another character device.
 bool goes_to_stdout(const std::string& file)
 {
     struct stat named {};
@@ -106,8 +107,8 @@ bool goes_to_stdout(const std::string& file)
            named.st_dev == standard.st_dev && named.st_ino == standard.st_ino;
 }
 
-// Prints the audit on stdout, or on stderr if an output file goes to stdout, and writes it to the JSON file, if any.
-// Returns true if every promise is kept.
+// Audits the path, prints the result and writes it to the file of --json, if given. Prints to stdout, or to stderr if
+// an output file goes to stdout. Returns true if every promise is kept.
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
                 const RendererOptions& renderer)
 {
@@ -131,8 +132,8 @@ void write_map(const Flythrough& options, const Plan& made)
     if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
 }
 
-// Checks, before any work, that every output file can be written and is not the same as another file, and that the
-// shape's changes can be flown through. Throws InputError.
+// Throws InputError if an output file cannot be written or is the same as another file, or if the fractal cannot be
+// flown through. Called before any work is done.
 void check_outputs(const Flythrough& options)
 {
     const std::vector<NamedFile> written = options.written();
@@ -153,7 +154,8 @@ int plan_command(const Flythrough& options, const Backend& backend, const Render
     return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_success : exit_failure;
 }
 
-// Returns the renderer's options for this rank, with its own GPU, if any, and its part of the machine's cores.
+// Returns the renderer's options for this rank. The ranks on a machine use different GPUs, if there are several, and
+// share its cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
     RendererOptions renderer = options.renderer;
@@ -190,7 +192,7 @@ FilmOptions film_options(const Flythrough& options, const RendererOptions& rende
             renderer,       options.segments, options.chosen};
 }
 
-// Checks, before any work, that the film or the stills can be made.
+// Throws InputError if the film or the stills cannot be made. Called before any work is done.
 void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames, int rate)
 {
     if (options.stills.empty()) {
@@ -200,7 +202,7 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
     }
 }
 
-// Plans or reads the path and returns it as text; on rank 0 only.
+// Plans or reads the path and returns it as text. Called on rank 0 only.
 std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_film_tools(options.output);
@@ -253,14 +255,14 @@ int run(const Registry& registry, const Flythrough& options)
         if (ranks->rank() == 0) check_outputs(options);
         const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0);
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
-        // Fails early if the device is missing.
+        // Throws here, before planning, if the device is missing.
         static_cast<void>(backend.create(renderer));
         const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, backend, renderer) : "");
         const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
         return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
-        // Prints this rank's error, then ends all ranks.
+        // run_program() prints this rank's error and returns its exit code; then all ranks are ended.
         const int code = run_program(
             "flythrough", [](int, char**) -> int { std::rethrow_exception(std::current_exception()); }, 0, nullptr);
         ranks->abort(code);
@@ -270,7 +272,8 @@ int run(const Registry& registry, const Flythrough& options)
 
 int body(int argc, char** argv)
 {
-    // Backends come first: they fork processes for drivers, which must happen before threads and MPI start.
+    // Backends are created first, because they fork processes for drivers. This must happen before threads are started
+    // and MPI is initialised.
     const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Flythrough options = parse_flythrough(registry, argc, argv, done);

@@ -37,7 +37,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--fractal", options.fractal, names)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
-    app.add_option("--seed", texts.seed, "choose the tour")->capture_default_str();
+    app.add_option("--seed", texts.seed, "random seed of the planned route (default 1)");
     const std::string changing = " in flight: A, A:B (first to last frame) or 0s=A,60s=B (at seconds)";
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
@@ -204,7 +204,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
 int threads_for(int local)
 {
     const Cores mine = cores();
-    // A limit by affinity or OMP_NUM_THREADS applies to each rank, so it is not divided.
+    // A limit by processor affinity or OMP_NUM_THREADS already applies to each rank, so it is not divided.
     if (mine.asked || mine.given < mine.machine) return mine.threads();
     return std::max(1, mine.threads() / std::max(1, local));
 }

@@ -15,7 +15,7 @@
 
 namespace mandelmarch {
 
-// The default look of a film.
+// The default look (colouring type) of a film.
 inline constexpr int film_look = 3;
 
 enum class Command { plan, render, film, audit };
@@ -26,20 +26,20 @@ struct Flythrough {
     std::string parameters;  // a parameter file with the fractal
     std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
-    int frames = 7200;             // plan, film: of the flight
+    int frames = 7200;             // plan, film: length of the flight
     int rate = frames_per_second;  // plan, film: frames per second
     std::optional<Range> chosen;   // render: only these frames of the path
     int width = 1920, height = 1080;
     double samples = 1;
     Projection projection = Projection::perspective;
     bool stereo = false;
-    bool conservative = true;  // plan, film: the kind of estimate; path files have their own
+    bool conservative = true;  // plan, film: the kind of estimate; a path file contains its own
     std::string backend = "auto";
     RendererOptions renderer;
     bool device_given = false;
     int threads = 0;
     std::optional<int> look;
-    std::string power, scale;  // changes of that shape parameter in flight (flight/plan/schedule.h)
+    std::string power, scale;  // schedules of these shape parameters as text, see parse_schedule(); empty: not given
     std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;
     std::size_t every = 1;
@@ -47,20 +47,21 @@ struct Flythrough {
     bool force = false;
 
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
-    // Return the files that the command writes or reads, with their options; a name is empty if it is not given.
+    // Return the files that the command writes, and those that it reads, with their options. The name of a file is
+    // empty if its option is not given.
     std::vector<NamedFile> written() const;
     std::vector<NamedFile> read() const;
 };
 
-// Parses the command line. Sets `done` to an exit code if the program should end at once (--help, --version). Throws
-// InputError.
+// Parses the command line. After --help or --version, sets `done` to the exit code with which the program should end.
+// Throws InputError if an argument is invalid.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
-// Returns the number of threads for one of `local` processes on this machine: that of core/base/cores.h, divided by
-// `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
+// Returns the number of threads that one of `local` processes on this machine should use: Cores::threads() of
+// core/base/cores.h, divided by `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
 int threads_for(int local);
 
-// Throws Error, in one line, if this machine lacks a tool for films.
+// Throws Error with a message of one line if ffmpeg or the title's font is missing or cannot be used for `film`.
 void check_film_tools(const std::string& film);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// imgdiff A B: compares two pictures. Exit code 0: same, 1: different.
+// imgdiff A B: compares two pictures. The exit code is 0 if they are the same, 1 if they differ.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,8 +20,8 @@ namespace {
 
 using namespace mandelmarch;
 
-// Returns the command that traces the first differing pixel. FRACTAL and PARAMS stand for what a picture does not
-// record.
+// Returns the command that traces the first differing pixel. The words FRACTAL and PARAMS stand for the fractal and the
+// parameter file, which a picture does not record.
 std::string trace_command(const Image& image, const Comparison& c)
 {
     return fmt::format("bin/render --fractal FRACTAL PARAMS.dat --size {}x{} --pixel {},{} --trace", image.width(),
@@ -82,7 +82,7 @@ int body(int argc, char** argv)
     std::string map;
     bool json = false;
     app.add_option("A", first, "first picture; -: standard input")->required();
-    app.add_option("B", second, "second picture")->required();
+    app.add_option("B", second, "second picture; -: standard input")->required();
     app.add_option("--map", map, "write a map of differences (white: equal) to this .png, .bmp, .ppm or .jpg");
     app.add_flag("--json", json, "print the result as JSON");
     app.footer(

@@ -36,12 +36,12 @@
 namespace mandelmarch {
 namespace {
 
-// Memory apart from the picture: the program, its libraries, the threads' stacks, one row of a file.
+// Memory that the program needs in addition to the picture: code, libraries, the threads' stacks, one row of a file.
 constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
-// An EXR for a pipe is built in memory: nine channels of four bytes, in two copies.
+// An EXR file that is written to a pipe is built in memory, in two copies of nine channels of four bytes.
 constexpr std::uint64_t exr_stream_memory = 72;  // bytes per pixel
 constexpr int most_samples = 8;                  // per pixel side
-constexpr int largest_whole = 1'000'000;         // largest side of a picture rendered in regions, pixels
+constexpr int largest_whole = 1'000'000;         // pixels; largest side of a picture of which a region is rendered
 
 struct Options {
     std::string parameters;
@@ -56,14 +56,14 @@ struct Options {
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
-    int samples = 0;  // per pixel side; 0: as the parameter file says
+    int samples = 0;  // per pixel side; 0: not given, the parameter file decides
     bool trace = false;
     bool list_devices = false;
     bool list_fractals = false;
     bool json = false;
     bool print_scene = false;
 
-    // True if the program only lists devices or fractals.
+    // Returns true if the program only lists devices or fractals.
     bool lists() const { return list_devices || list_fractals; }
 };
 
@@ -174,7 +174,7 @@ void apply_size(const Options& options, Scene& scene)
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// Returns the format for a file name. `commented`: the name comes from a line of a parameter file with a comment.
+// Returns the format for a file name. `commented`: the name comes from a parameter file, from a line with a comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
@@ -184,7 +184,7 @@ ImageFormat format_of(const std::string& path, bool commented)
                     commented ? " (the name ends before a # behind a blank, which begins a comment)" : ""));
 }
 
-// The scene and the region to render; sizes are in samples, not pixels.
+// The scene and the region to render. Their sizes are counted in samples, not in pixels.
 struct Drawing {
     Scene scene;
     Region region;
@@ -251,14 +251,14 @@ bool list_devices(const Registry& registry)
     return ok;
 }
 
-// `off`: the fraction of a trial's pixels that shorter steps still change.
+// Warns that the picture would change with shorter steps. `off`: the fraction of a trial's pixels that would change.
 void warn_unsettled(const char* program, double off, Precision precision)
 {
     say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
-// Prints the trace of a pixel's ray; in fast mode, with the step factor chosen by a trial on the backend.
+// Prints the trace of a pixel's ray. In fast mode, a trial on the backend first chooses the step factor.
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
 {
     const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",

@@ -27,8 +27,8 @@ FractalInputs<Formula> named_inputs()
             .conservative = Formula::input("conservative")};
 }
 
-// The slider is null if the parameter is unused. If the fractal's descriptor does not set one, it covers values around
-// the official one.
+// Returns a shape parameter with its slider in the report's viewer. If the fractal's descriptor does not set a slider,
+// the slider covers values around the official one; it is null if the parameter is unused.
 Json of(const ParameterInfo& meaning, double official)
 {
     Json slider;
@@ -80,7 +80,7 @@ Json of(const Fractal& fractal)
 template <class Layout>
 Json json_of(const Layout& k)
 {
-    // JSON cannot represent infinity.
+    // JSON cannot represent infinity, so a string stands for it.
     const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json("Infinity"); };
     return {{"width", k.width},
             {"height", k.height},

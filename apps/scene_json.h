@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON of all fractals with their formulas, and of a scene as passed to kernels. The report's viewer uses the former
-// and is tested against the latter (docs/report-internals.md).
+// JSON of all fractals with their formulas, which the report's viewer uses, and JSON of a scene as passed to kernels,
+// against which the viewer is tested (docs/report-internals.md).
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace mandelmarch {
 
-// Returns {"scene": constants of all scenes, "fractals": [one object per fractal]}. Formulas are strings, as
-// core/scene/formula.h writes them, in shape[0] to shape[2], escape, iterations and largest.
+// Returns {"scene": constants of all scenes, "fractals": [one object per fractal]}. Formulas are strings as written by
+// core/scene/formula.h; their variables are shape[0] to shape[2], escape, iterations, largest and conservative.
 std::string fractals_json();
 
-// Returns a list of the fractals and their parameters, for people.
+// Returns a list of the fractals and their parameters as text for the user.
 std::string fractals_text();
 
-// Returns the fields of the kernel's Scene. The technique `tail` is off, as only packs support it. Throws InputError as
-// kernel_scene() does.
+// Returns the fields of the kernel's Scene. The technique `tail` is disabled, because only packs support it. Throws
+// InputError as kernel_scene() does.
 std::string scene_json(const Scene& scene, const RendererOptions& options);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that complete a parameter file's scene: --estimate and --projection.
+// The options --estimate and --projection, which set properties of a scene that a parameter file does not contain.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace mandelmarch {
 
-// `name`: holds the default, and receives the value.
+// Adds --estimate. `name`: contains the default, and receives the value.
 inline void add_estimate_option(CLI::App& app, std::string& name)
 {
     app.add_option("--estimate", name,
@@ -27,13 +27,13 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
     app.add_option("--projection", projection, "perspective, or equirectangular (all directions, 360 x 180 degrees)")
         ->transform(CLI::Transformer(std::map<std::string, Projection>{
             {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
-        // Runs before the Transformer, which accepts other words.
+        // This check runs before the Transformer, which would accept other words.
         ->transform(CLI::IsMember({"perspective", "equirectangular"}))
         ->default_str("perspective");
 }
 
-// Throws InputError if an equirectangular picture is not twice as wide as high. `pictures`: 2 for two eyes, whose
-// pictures stand side by side.
+// Throws InputError if an equirectangular picture is not twice as wide as high. `pictures`: number of pictures side by
+// side, which is 2 for stereo.
 inline void check_panorama(Projection projection, int width, int height, int pictures = 1)
 {
     if (projection != Projection::equirectangular || width == 2 * pictures * height) return;

@@ -17,8 +17,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double many_out_of_steps = 0.02;  // fraction of the rays
-constexpr double much_lost = 0.1;           // fraction of the pixels
+constexpr double many_out_of_steps = 0.02;  // fraction of the rays above which the user is warned
+constexpr double much_lost = 0.1;           // fraction of the pixels above which the user is warned
 
 Image drawn_by(Renderer& renderer, const Scene& scene)
 {
@@ -27,8 +27,8 @@ Image drawn_by(Renderer& renderer, const Scene& scene)
     return image;
 }
 
-// True if the eye is inside the solid, from the first sample of a ray traced in double and exact mode, which lies at
-// the eye.
+// Returns true if the eye is inside the solid: if the orbit of the first sample of a ray does not escape. The ray is
+// traced in double and exact mode, in which the first sample lies at the eye.
 bool stands_in_solid(Scene scene)
 {
     scene.limits = {};

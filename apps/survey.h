@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detects empty and wrong pictures of a scene from a small picture of about a thousand rays.
+// Detects whether the picture of a scene is empty or wrong, by rendering a small picture of about a thousand rays.
 #pragma once
 
 #include <string>
@@ -14,22 +14,24 @@ struct Survey {
     double hit = 0;           // fraction of rays that hit the surface
     double out_of_steps = 0;  // fraction of rays that used up all their steps and hit nothing
     bool inside = false;      // the eye is inside the solid: the orbit of its position does not escape
-    double lost = 0;          // in float: fraction of pixels that differ visibly from the picture in double; else 0
+    double lost = 0;          // float: fraction of pixels that differ visibly from the picture in double; double: 0
 };
 
-// Surveys the scene as rendered by `renderer`. `options` are the renderer's. If their precision is float, `other` also
-// renders the scene in double. `eyes`: the distance between two eyes, whose results are averaged; 0: one eye.
+// Surveys the scene as rendered by `renderer`, which was created with `options`. If the precision is float, the backend
+// `other` renders the scene in double for comparison. `eyes`: distance of the two eyes, over which results are
+// averaged;
+// 0: one eye.
 Survey survey_of(const Scene& scene, double eyes, const RendererOptions& options, Renderer& renderer,
                  const Backend& other);
 
-// Throws InputError if the camera is inside the solid and the picture shows nothing. `one_colour`: the whole picture
-// has one colour. The message begins with `where`.
+// Throws InputError if the camera is inside the solid and the whole picture has one colour (`one_colour`). The message
+// begins with `where`.
 void refuse_solid(const Survey& survey, bool one_colour, const std::string& where);
 
 // Returns warnings for the user, one line each.
 std::vector<std::string> words_of(const Survey& survey, const Scene& scene, bool one_colour);
 
-// True if all pixels have the same three bytes.
+// Returns true if all pixels have the same three bytes.
 bool has_one_colour(const Image& image);
 
 }  // namespace mandelmarch

@@ -26,7 +26,7 @@ void ProgressBar::show(double share, const std::string& detail)
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const std::string left = share > 0 ? fmt::format(", {:.0f} s left", elapsed / share - elapsed) : "";
-    // With a detail, the bar is shorter so that the line fits into 80 columns.
+    // If there is a detail, the bar is shorter, so that the line fits into 80 columns.
     const int width = detail.empty() ? bar_width : bar_width / 2;
     const int full = static_cast<int>(share * width);
     say("\r{} [{:#<{}}{:.<{}}] {:3.0f} %{}{}{} \033[K", title_, "", full, "", width - full, 100 * share,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A progress bar on stderr. Shows nothing if stderr is not a terminal.
+// A progress bar on stderr. If stderr is not a terminal, nothing is printed.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,8 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     bool on_terminal() const { return terminal_; }
-    // `share`: finished fraction, 0 to 1. `detail`: text after the bar, such as "round 3 of 40".
+    // Draws the bar, at most every 0.1 s. `share`: the finished fraction, from 0 to 1. `detail`: text after the bar,
+    // such as "round 3 of 40".
     void show(double share, const std::string& detail = "");
     // Erases the bar.
     void finish();

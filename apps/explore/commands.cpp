@@ -19,8 +19,8 @@ void set(Explorer& explorer, const Setup& setup)
     explorer.say(name_of(setup));
 }
 
-// Selects the next device of the backend, or the first one of the next backend. Backends without devices are skipped
-// once the devices have been listed.
+// Selects the next device of the backend or, after its last device, the next backend. As soon as all devices have been
+// listed, backends without devices are skipped.
 void next_backend(Explorer& explorer)
 {
     const auto& backends = explorer.registry.backends();
@@ -72,7 +72,7 @@ void next_colouring(Explorer& explorer)
     explorer.changed();
 }
 
-// Adds a pane with another precision or mode; after four panes, goes back to one.
+// Adds a pane with another precision or mode. If there are four panes already, only the first one stays.
 void more_panes(Explorer& explorer)
 {
     explorer.remember();

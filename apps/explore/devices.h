@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of all backends' devices, made in the background because drivers can be slow.
+// The list of all backends' devices. It is made in the background, because drivers can be slow.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ public:
 
     const Registry& registry() const { return registry_; }
 
-    // One listing per backend, in the registry's order; empty until all drivers have answered.
+    // Returns one listing per backend, in the registry's order. Empty until the devices of all backends are listed.
     const std::vector<Listing>& listings()
     {
         std::string failure;

@@ -101,7 +101,8 @@ void Explorer::move(double seconds)
     }
     moving_ = false;
     guarded([&] { moving_ = motion.move(scene, wish, seconds); });
-    // A flight continues with settings that a parameter file can hold, without those of films.
+    // The view may come from a path. As soon as the user flies, settings for films and others that a parameter file
+    // cannot contain are reset.
     if (moving_) {
         as_file(scene);
     }
@@ -117,8 +118,8 @@ void Explorer::move(double seconds)
     panes.look(scene, view_, area_);
 }
 
-// Returns the seconds for rendering while moving: the rest of one screen frame, or of two if pictures would otherwise
-// have less than 3/8 of the width.
+// Returns the time for rendering in seconds while the camera moves. It is the part of a screen frame that other work
+// leaves. If pictures would then have less than 3/8 of the full width, a second screen frame is added.
 double Explorer::budget() const
 {
     const double period = 1 / window.rate();
@@ -147,7 +148,7 @@ void Explorer::tick(Script* script)
     const Moment build = Clock::now();
     window.begin();
     show_panels(*this);
-    // Initially no panel has the keyboard, so that keys move the camera.
+    // At the start no panel has the keyboard, so that keys move the camera.
     if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);
     const double building = seconds_since(build);
     const double wait = moving_ ? std::max(given + building, patience * period - showing_) : period - showing_ - spare;
@@ -160,7 +161,7 @@ void Explorer::tick(Script* script)
     note_interval(std::chrono::duration<double>(end - presented_).count());
     presented_ = end;
     if (window.waits()) return wait_if_idle();
-    // present() does not wait, so the screen's rate is kept with a timer.
+    // Here present() does not wait for the screen, so a timer limits the frame rate to the screen's.
     due_ = std::max(due_ + duration(period), end);
     std::this_thread::sleep_until(due_);
     wait_if_idle();

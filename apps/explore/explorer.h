@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's state and its main loop.
+// The state of explore and its main loop.
 #pragma once
 
 #include <deque>
@@ -28,11 +28,11 @@ public:
 
     void run(Script* script);
 
-    // State that panels and commands use.
+    // Members that panels and commands use directly.
     const Registry& registry;
     Window& window;
     Settings settings;
-    std::string folder;  // for files that explore names itself
+    std::string folder;  // for saved files, whose names explore chooses; empty: the current folder
     Panes panes;
     Motion motion;
     PathEditor path_editor;
@@ -46,11 +46,11 @@ public:
     int picture_width = 1920, picture_height = 1080;
     int tour_seed = 1, tour_frames = 1800;
 
-    // Shows a message to the user until the next one.
+    // Shows a message to the user until the next message.
     void say(const std::string& text);
     const std::string& said() const { return said_; }
 
-    // Calls `work` and shows the message of an exception.
+    // Calls `work`. If it throws an exception, catches it and shows its message to the user.
     template <class Work>
     void guarded(const Work& work)
     {
@@ -61,19 +61,19 @@ public:
         }
     }
 
-    // Must be called after changes of the view other than by flying.
+    // Must be called after every change of the view, except by flying. The panes are then rendered again.
     void changed() { dirty_ = true; }
     void set_scene(const Scene& scene);
     void set_setup(const Setup& setup);
-    // Saves the current state for undo().
+    // Saves the current state, so that undo() can restore it. Called before a change.
     void remember();
     void undo();
     void redo();
 
-    // Sets the view to the path's current frame.
+    // Sets the view to the current position in the path.
     void show_path();
 
-    // Opens a parameter file or a path. Shows errors as messages.
+    // Opens a parameter file or a path file. Errors are shown as messages.
     void open(const std::string& file);
     void save_view();
     void copy_view();
@@ -91,9 +91,9 @@ public:
     std::uint64_t view() const { return view_; }
     double clearance() const { return clearance_; }
     bool wants_panel_focus() { return std::exchange(focus_, false); }
-    // Writes a screenshot to `file` at the end of this frame.
+    // Requests that a screenshot is written to `file` at the end of this frame.
     void shoot(const std::string& file) { shot_ = file; }
-    std::string told() const;  // the state as one line of JSON
+    std::string told() const;  // returns the state as one line of JSON
 
 private:
     struct State {
@@ -121,7 +121,7 @@ private:
     bool flew_ = false;
     std::uint64_t view_ = 0;
     std::uint64_t frame_ = 0;
-    SDL_Rect area_{0, 0, 1, 1};  // of the pictures
+    SDL_Rect area_{0, 0, 1, 1};  // part of the window for pictures
     double clearance_ = 0;
     double intervals_seconds_ = 0;
     double showing_ = 0.004;  // seconds per frame apart from rendering, averaged

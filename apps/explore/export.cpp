@@ -19,7 +19,7 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes kept free for everything else
+constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes that a picture must leave free
 
 std::string lower(std::string text)
 {
@@ -27,8 +27,8 @@ std::string lower(std::string text)
     return text;
 }
 
-// Returns the fractal whose name occurs in the file, where to_parameters() writes it as a comment, or in the file's
-// name; else `hint`.
+// Returns the fractal whose name occurs in the file's text (to_parameters() writes it as a comment) or, failing that,
+// in the file's name. Returns `hint` if neither contains a name.
 const Fractal& guess(const std::string& text, const std::string& name, const Fractal& hint)
 {
     for (const std::string& where : {lower(text), lower(std::filesystem::path(name).filename().string())}) {
@@ -89,7 +89,7 @@ Scene read_view(const std::string& file, const Fractal& hint)
 {
     std::ifstream in(file, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(in), {});
-    // read_parameters() throws the right error for a file that cannot be read.
+    // If the file cannot be read, read_parameters() throws the error with the right message.
     if (!in.good() && text.empty()) return read_parameters(file, hint).scene;
     return view_of_text(text, file, hint);
 }
@@ -108,7 +108,7 @@ void PictureTask::start(const Registry& registry, const Setup& setup, Scene scen
     }
     OutputFile::check(name + ".png");
     const std::string text = view_text(scene);
-    // Renders the scene as rounded in the file.
+    // The scene is read back, so that its numbers are rounded as in the file.
     const Scene read = view_of_text(text, name + ".dat", *scene.fractal);
     write_file(name + ".dat", text);
     share_ = std::make_shared<std::atomic<double>>(0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Export: the view as a parameter file, and pictures of any size, identical to those that bin/render makes of that
-// file.
+// Export: writes the view as a parameter file, and pictures of any size. The pictures are identical to those that
+// bin/render makes from that file.
 #pragma once
 
 #include <atomic>
@@ -14,32 +14,35 @@
 
 namespace mandelmarch::explore {
 
-// Resets everything that a parameter file does not contain, such as settings of films, except the kind of estimate.
+// Resets the properties of a scene that a parameter file does not contain, such as those of films. The kind of estimate
+// is kept.
 void as_file(Scene& scene);
 
-// Returns the content of the view's parameter file. A conservative estimate is recorded in a comment.
+// Returns the text of the view's parameter file. If the estimate is conservative, a comment records it.
 std::string view_text(const Scene& scene);
 
-// Returns the bin/render command that makes the same picture.
+// Returns the command of bin/render that makes the same picture. `file`: the scene's parameter file.
 std::string command_of(const Scene& scene, const Setup& setup, const std::string& file);
 
-// Returns the first name FOLDER/STEM-NNN for which no .dat, .png, .json or .mp4 exists.
+// Returns the first of FOLDER/STEM-001, FOLDER/STEM-002, ... for which no file with the extension .dat, .png, .json or
+// .mp4 exists.
 std::string free_name(const std::string& folder, const std::string& stem);
 
-// Return the scene of a parameter file. Its fractal is guessed from the file's comments or name; `hint` if that fails.
-// Throw InputError with a message that begins with the file's line.
+// Return the scene of a parameter file. The fractal is found by its name in the file's text or in the file's name; if
+// neither contains one, it is `hint`. Throw InputError with a message that begins with the file's name and line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
 
-// Renders a picture file in its own thread.
+// Renders a picture to a file in a background thread.
 class PictureTask {
 public:
-    // Writes NAME.dat, renders the scene as read from it, and writes NAME.png. Throws if it cannot start.
+    // Writes NAME.dat, then renders the scene of this file in the background and writes NAME.png. Throws if a picture
+    // is being rendered already, the backend does not exist, memory is insufficient or a file cannot be written.
     void start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name);
     bool running() const { return task_.running(); }
     double progress() const { return share_ != nullptr ? share_->load() : 0; }
     void cancel() { stop_.request_stop(); }
-    // Returns a message about the end of the task, once; else "".
+    // Returns a message once after the task has ended; otherwise "".
     std::string take_news();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening, saving and exporting.
+// The functions of Explorer that open, save and export files.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

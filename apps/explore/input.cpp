@@ -9,14 +9,14 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double dead_zone = 0.15;  // of a stick
+constexpr double dead_zone = 0.15;  // deflections of a stick (0 to 1) below this are ignored
 
 struct Held {
     SDL_Keycode key;
     Vector way, turn;
 };
 
-// The same keys as in the report's viewer.
+// The keys are the same as in the report's viewer.
 constexpr std::array keys{
     Held{SDLK_w, {0, 0, 1}, {}},     Held{SDLK_s, {0, 0, -1}, {}},    Held{SDLK_a, {-1, 0, 0}, {}},
     Held{SDLK_d, {1, 0, 0}, {}},     Held{SDLK_r, {0, 1, 0}, {}},     Held{SDLK_f, {0, -1, 0}, {}},

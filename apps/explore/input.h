@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input: converts keys held down, the mouse and a game pad to motion.
+// Converts the user's input to motion: keys that are held down, the mouse and a game pad.
 #pragma once
 
 #include <SDL.h>
@@ -17,13 +17,15 @@ public:
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    // `over_panel`, `in_panel`: a panel has the mouse or the keyboard. `radians`: angle of a pixel.
+    // Processes an event. `over_panel`: a panel uses the mouse. `in_panel`: a panel uses the keyboard. `radians`: the
+    // angle by which the camera turns if the mouse is dragged by one pixel.
     void take(const SDL_Event& event, bool over_panel, bool in_panel, double radians);
-    // Returns the motion since the last call, without the wheel.
+    // Returns the requested motion. Dragging is counted since the last call.
     MotionInput wish();
-    // Returns the notches of the wheel since the last call.
+    // Returns the notches by which the wheel has been turned since the last call.
     double take_notches();
     bool dragging() const { return dragging_; }
+    // Treats all keys and buttons as released.
     void let_go();
 
 private:

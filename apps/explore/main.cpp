@@ -69,7 +69,7 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
 
 Settings settings_of(const Options& options, const std::string& file, std::string& said)
 {
-    // A script does not depend on settings of earlier runs.
+    // With a script, the settings of earlier runs are not used.
     Settings settings = options.script.empty() ? read_settings(file, said) : Settings();
     if (!options.backend.empty()) settings.setup = {options.backend, 0, settings.setup.precision, settings.setup.mode};
     if (!options.device.empty()) settings.setup.device = whole_option("device", options.device, 0, 1'000'000);
@@ -80,7 +80,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
     return settings;
 }
 
-// Ends the process without cleanup, as a driver may hang.
+// Ends the process without calling destructors, because a driver that does not respond could block them.
 [[noreturn]] void leave(int code)
 {
     std::fflush(nullptr);
@@ -89,7 +89,8 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
 
 int body(int argc, char** argv)
 {
-    // Backends come first: they fork processes for drivers, which must happen before there are threads or a window.
+    // Backends are created first, because they fork processes for drivers. This must happen before threads are started
+    // and the window is opened.
     static const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);

@@ -10,10 +10,10 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr double turning = 0.8;      // radians per second, as in the report's viewer
-constexpr double inertia = 0.12;     // time constant of velocities, seconds
-constexpr double nearest = 1e-5;     // fractal sizes: minimum clearance for the speed, also inside solid
-constexpr double most_of_way = 0.5;  // largest step, as a fraction of the free distance
-constexpr double still = 1e-3;       // velocity below which the camera stops
+constexpr double inertia = 0.12;     // seconds; time constant with which velocities follow the input
+constexpr double nearest = 1e-5;     // fractal sizes; the speed is computed with at least this clearance
+constexpr double most_of_way = 0.5;  // largest step, as a fraction of the distance that is certainly free
+constexpr double still = 1e-3;       // a smaller velocity is set to 0 if no motion is requested
 
 Vector towards(Vector now, Vector wish, double share)
 {
@@ -21,7 +21,7 @@ Vector towards(Vector now, Vector wish, double share)
     return length(next) < still && length(wish) == 0 ? Vector{} : next;
 }
 
-// Returns v turned about a unit axis by an angle in radians.
+// Returns v rotated about a unit axis by an angle in radians.
 Vector turned(Vector v, Vector axis, double angle)
 {
     const double c = std::cos(angle);
@@ -78,12 +78,12 @@ bool Motion::move(Scene& scene, const MotionInput& wish, double seconds)
         if (collides) {
             const double most = most_of_way * known.safety() * clearance;
             if (clearance > least && length(step) > most) step = (most / length(step)) * step;
-            // At a wall, only steps away from it are allowed.
+            // If the camera touches a wall, only steps away from the wall are allowed.
             if (clearance <= least && known.distance(scene.eye + step) <= clearance) step = {};
         }
         scene.eye = scene.eye + step;
     }
-    // The target keeps its distance.
+    // The target keeps its distance from the eye.
     scene.target = scene.eye + std::max(length(scene.target - scene.eye), 1e-6) * forward;
     return true;
 }

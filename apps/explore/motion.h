@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion of the camera by keys, mouse and game pad, with collision.
+// The motion of the camera that keys, mouse and game pad request, with collision.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace mandelmarch::explore {
 
-// Requested motion.
+// The motion that the user requests.
 struct MotionInput {
-    Vector way;        // velocity to the right, up and forward: -1 to 1
-    Vector turn;       // rate of turning right, up and roll: -1 to 1
-    double yaw = 0;    // immediate turn by dragging, radians
-    double pitch = 0;  // immediate turn by dragging, radians
+    Vector way;        // velocities to the right, up and forward, as fractions of the speed
+    Vector turn;       // rates of turning to the right, turning up and rolling, as fractions of the largest rate
+    double yaw = 0;    // radians; immediate turn to the right by dragging the mouse
+    double pitch = 0;  // radians; immediate turn upwards by dragging the mouse
     bool any() const
     {
         return way.x != 0 || way.y != 0 || way.z != 0 || turn.x != 0 || turn.y != 0 || turn.z != 0 || yaw != 0 ||
@@ -24,13 +24,13 @@ struct MotionInput {
 
 class Motion {
 public:
-    double speed = 1;      // distance estimates per second
-    bool collides = true;  // stops at walls
+    double speed = 1;      // per second, in units of the distance estimate at the eye
+    bool collides = true;  // the camera stops at walls
 
-    // Moves the scene's camera for `seconds`; returns false if it does not move. Velocities follow the requested ones
-    // with a delay, so that flights are smooth.
+    // Moves the scene's camera for `seconds`. The velocities follow the requested ones with a delay, so that flights
+    // are smooth. Returns false if the camera does not move.
     bool move(Scene& scene, const MotionInput& wish, double seconds);
-    // Stops immediately.
+    // Stops the camera immediately.
     void stop() { way_ = turn_ = {}; }
 
     // Returns the conservative distance estimate at the scene's eye; 0 inside solid.

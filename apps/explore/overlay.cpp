@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text over the pictures, and the help.
+// The text that is drawn over the pictures, and the help.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr ImU32 ground = IM_COL32(0, 0, 0, 170);
 constexpr ImU32 edge = IM_COL32(90, 160, 255, 255);
 constexpr float margin = 4;  // pixels
 
-// Draws text wrapped to the width; returns the y below it.
+// Draws text with lines of at most `width` pixels. Returns the y coordinate below it.
 float line(const std::string& text, float x, float y, float width, ImU32 colour)
 {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -13,11 +13,12 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr float width_in_letters = 44;
-constexpr float most_of_window = 0.55F;
-constexpr float graph_height = 48;  // pixels
+constexpr float width_in_letters = 44;   // width of the panel
+constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
+constexpr float graph_height = 48;       // pixels
 
-// Called after an item that edits the scene. Saves the state before the first change for undo().
+// Must be called after each item that edits the scene. When the user begins to use the item, saves the scene as it was
+// before, for undo(). `is_new`: the item has changed the scene.
 void follow(Explorer& explorer, bool is_new, const Scene& before)
 {
     if (ImGui::IsItemActivated()) {
@@ -32,14 +33,14 @@ void number(Explorer& explorer, const std::string& name, double& value, const Pa
 {
     if (meaning.name == ignored_number.name) return;
     const Scene before = explorer.scene;
-    // Same as in fractals_json(): a range around the official value if the descriptor does not set one.
+    // If the descriptor does not set a range, the slider covers values around the official one, as in fractals_json().
     const double around = std::max(1.0, 0.5 * std::abs(official));
     const double low = meaning.slider ? meaning.slider->low : std::max(meaning.low, official - around);
     const double high = meaning.slider ? meaning.slider->high : std::min(meaning.high, official + around);
     double wanted = value;
     const bool is_new = ImGui::SliderScalar(name.c_str(), ImGuiDataType_Double, &wanted, &low, &high, "%.6g");
     const bool allowed = meaning.open_low ? wanted > meaning.low : wanted >= meaning.low;
-    // Parameter files have single precision.
+    // The value is rounded to single precision, as in parameter files.
     if (is_new && allowed && wanted <= meaning.high) value = static_cast<float>(wanted);
     follow(explorer, is_new, before);
 }
@@ -55,7 +56,7 @@ void whole(Explorer& explorer, const char* name, int& value, int low, int high, 
 void vector(Explorer& explorer, const char* name, Vector& value)
 {
     const Scene before = explorer.scene;
-    // Shows rounding errors such as 4.4e-16 as 0, as the field has no room for an exponent.
+    // Rounding errors such as 4.4e-16 are shown as 0, because the field is too narrow for an exponent.
     const auto shown = [](double c) { return std::abs(c) < 1e-12 ? 0 : c; };
     double numbers[3] = {shown(value.x), shown(value.y), shown(value.z)};
     const bool is_new = ImGui::InputScalarN(name, ImGuiDataType_Double, numbers, 3, nullptr, nullptr, "%.9g");
@@ -218,7 +219,7 @@ void graph(const Explorer& explorer)
 float panel_width(const Explorer& explorer)
 {
     if (!explorer.settings.panel) return 0;
-    // Computed from the font's size, as ImGui's letters have size 0 before the first frame.
+    // The width follows from the font's nominal size, because the size that ImGui returns is 0 before the first frame.
     const float letter = 13 * ImGui::GetIO().FontGlobalScale;
     const auto [width, height] = explorer.window.size();
     return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(width)));

@@ -11,13 +11,14 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double again = 1;                          // seconds until a failed picture is tried again
-constexpr double long_silence = 3;                   // seconds without progress until trouble() reports that
-constexpr double short_silence = 1;                  // seconds without progress until an obsolete request is abandoned
+constexpr double again = 1;                          // seconds until a failed pane is rendered again
+constexpr double long_silence = 3;                   // seconds without progress after which trouble() reports it
+constexpr double short_silence = 1;                  // seconds without progress after which a request that is
+                                                     // no longer needed is abandoned
 constexpr int gap = 2;                               // pixels between panes
 constexpr std::uint32_t mark_visible = 0xFFFF00FFU;  // colour of pixels that differ by more than 2 of 255
-constexpr std::uint32_t mark_any = 0xFFFFFF00U;
-constexpr int visible = 2;  // of 255: the threshold of core/image/compare.h
+constexpr std::uint32_t mark_any = 0xFFFFFF00U;      // colour of other pixels that differ
+constexpr int visible = 2;                           // of 255: the threshold of core/image/compare.h
 
 }  // namespace
 
@@ -58,7 +59,7 @@ SDL_Rect Panes::place(std::size_t number) const
     const int column = static_cast<int>(number) % columns;
     const int row = static_cast<int>(number) / columns;
     const auto edge = [](int side, int count, int at) { return at * (side + gap) / count; };
-    // All panes have the size of the first, so that pictures can be compared.
+    // All panes have the size of the first one, so that their pictures can be compared.
     return {area_.x + edge(area_.w, columns, column), area_.y + edge(area_.h, rows, row),
             std::max(1, edge(area_.w, columns, 1) - gap), std::max(1, edge(area_.h, rows, 1) - gap)};
 }
@@ -180,7 +181,7 @@ void Panes::mark(SDL_Renderer* renderer)
         const std::size_t width = static_cast<std::size_t>(pixels.width);
         const std::size_t height = static_cast<std::size_t>(pixels.height);
         for (std::size_t at = 0; marks && at < pixels.of.size(); ++at) {
-            // Rows of a picture begin at the bottom, rows of a window at the top.
+            // Row 0 of a picture is at the bottom, row 0 of the window at the top.
             const std::size_t byte = 3 * ((height - 1 - at / width) * width + at % width);
             int most = 0;
             for (std::size_t c = byte; c < byte + 3; ++c) {

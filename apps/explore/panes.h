@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Up to four pictures of one view, side by side, each with its own setup, and their differences from the first one.
+// Panes: up to four pictures of one view side by side. Each has its own setup (backend, device, precision, mode), and
+// the others are compared with the first one.
 #pragma once
 
 #include <array>
@@ -21,15 +22,15 @@ struct Pane {
     Setup setup;
     ResolutionControl resolution;
     PictureTexture sheet;
-    std::uint64_t view = 0;              // version of the view shown
-    int samples = 0;                     // per pixel side; 0: rendered while moving
-    double share = 0;                    // the picture's pixels, as a fraction of the pane's
+    std::uint64_t view = 0;              // version of the view that the picture shows
+    int samples = 0;                     // per pixel side; 0: rendered while the camera moved
+    double share = 0;                    // number of the picture's pixels divided by that of the pane
     Image whole;                         // the last picture at rest with one sample per pixel, for comparison
-    std::uint64_t whole_view = 0;        // version of its view
-    std::optional<Comparison> compared;  // with the first pane's picture
+    std::uint64_t whole_view = 0;        // version of the view that `whole` shows
+    std::optional<Comparison> compared;  // comparison of `whole` with that of the first pane
     RenderStats report;
-    double seconds = 0;
-    std::string failure;
+    double seconds = 0;   // render time of the picture
+    std::string failure;  // error message of the last attempt; empty: success
     Moment failed_at{};
 };
 
@@ -44,19 +45,20 @@ public:
     void set_count(std::size_t count);
     void set(Pane& pane, const Setup& setup);
 
-    bool marks = true;  // mark differing pixels
+    bool marks = true;  // pixels that differ from the first pane are marked
 
     // Returns the rectangle of pane `number` in the window.
     SDL_Rect place(std::size_t number) const;
 
-    // Sets the view and the part of the window for pictures; all panes are rendered again. The scene's size is unused.
+    // Sets the view, its version and the part of the window for pictures. All panes are rendered again if the version
+    // is new. The scene's size is unused.
     void look(const Scene& scene, std::uint64_t view, const SDL_Rect& area);
     // Renders the missing pictures, at most until `until`. If `moving`, their size is such that all take `budget`
     // seconds; else they have full size and, one after the other, all of samples_at_rest.
     void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
     // True while a picture at rest is missing.
     bool missing() const;
-    // Returns a message if a device has not responded for some time, else "".
+    // Returns a message if a device has not responded for three seconds, else "".
     std::string trouble() const;
     double progress() const { return render_thread_.progress(); }
     bool drawing() const { return render_thread_.current() != nullptr; }

@@ -17,7 +17,7 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr std::size_t least_audited = 4;  // frames
+constexpr std::size_t least_audited = 4;  // frames; shorter paths are not audited
 
 Frame frame_of(const Path& path, const Scene& scene)
 {
@@ -209,7 +209,7 @@ std::optional<std::size_t> PathEditor::next_broken() const
     std::optional<std::size_t> next;
     for (const Row& row : rows_) {
         if (row.kept()) continue;
-        // Parses the text of at_frame(), "frame 12".
+        // The text was made by at_frame(), such as "frame 12".
         const std::size_t place = row.worst.find("frame ");
         if (place == std::string::npos) continue;
         const auto frame = static_cast<std::size_t>(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));

@@ -69,7 +69,7 @@ void show_paths(Explorer& explorer)
     const float wanted = 26 * ImGui::GetFontSize();
     const float left = std::max(0.0F, std::max(panel_width(explorer), size.x - wanted));
     const float width = size.x - left;
-    // Covers the other panel if there is no room next to it.
+    // This panel covers the other one if there is not enough room next to it.
     const bool beside = width > 12 * ImGui::GetFontSize();
     ImGui::SetNextWindowPos({beside ? left : 0, 0.0F});
     ImGui::SetNextWindowSize({beside ? width : size.x, size.y * 0.7F});

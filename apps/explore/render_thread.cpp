@@ -35,9 +35,9 @@ struct RenderThread::Shared {
 
 namespace {
 
-constexpr auto parting = std::chrono::milliseconds(50);
+constexpr auto parting = std::chrono::milliseconds(50);  // time that the destructor waits for the thread
 
-// Renderers and pictures that are reused by later requests.
+// Renders requests. Keeps its renderers and its picture, so that later requests can reuse them.
 class Easel {
 public:
     explicit Easel(const Registry& registry) : registry_(registry) {}
@@ -63,7 +63,7 @@ public:
         drawn.seconds = seconds_since(start);
     }
 
-    // Discards the renderers of a setup after a failure.
+    // Discards the renderers of a setup. Called after a failure.
     void forget(const Setup& setup)
     {
         std::erase_if(renderers_, [&](const auto& known) { return known.first.first == setup; });
@@ -88,7 +88,7 @@ private:
         if (renderer != nullptr) return *renderer;
         const Backend* backend = registry_.find(order.setup.backend);
         if (backend == nullptr) throw Unavailable("there is no backend " + order.setup.backend);
-        // Throws the driver's error if it failed while listing its devices.
+        // unavailable() throws the driver's error if the driver failed when its devices were listed.
         if (const auto why = backend->unavailable()) throw Unavailable(order.setup.backend + ": " + *why);
         const RendererOptions options = options_of(order.setup);
         renderer = backend->create(order.moving ? without_trial(options) : options);
@@ -165,7 +165,7 @@ void RenderThread::draw(RenderRequest order)
 {
     if (shared_ == nullptr) {
         shared_ = std::make_shared<Shared>();
-        // Detached, as it may hang in a driver.
+        // The thread is detached, because a driver that does not respond could block it for ever.
         std::thread([shared = shared_, &registry = registry_] { work(shared, registry); }).detach();
     }
     const std::scoped_lock lock(shared_->mutex);

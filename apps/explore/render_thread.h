@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The render thread: renders one request at a time, which can be cancelled. If a device does not respond, its thread is
-// abandoned.
+// The render thread. It renders one request at a time, which can be cancelled. If a device does not respond, the thread
+// can be abandoned; it is then replaced by a new one.
 #pragma once
 
 #include <chrono>
@@ -19,14 +19,14 @@ using Moment = std::chrono::steady_clock::time_point;
 
 struct RenderRequest {
     int pane = 0;
-    std::uint64_t view = 0;  // version of the view
+    std::uint64_t view = 0;  // version of the view that `scene` shows
     Setup setup;
     Scene scene;
     int samples = 1;      // per pixel side
-    bool moving = false;  // the camera moves: no trial
+    bool moving = false;  // the camera moves; the picture is rendered without a trial
 };
 
-// A picture in the window's format: 0xFFRRGGBB, from the top row.
+// A picture in the window's format: 0xFFRRGGBB, top row first.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<std::uint32_t> of;
@@ -35,7 +35,7 @@ struct Pixels {
 struct RenderedPicture {
     RenderRequest order;
     Pixels pixels;
-    Image image;  // the original picture if it has one sample per pixel and the camera is at rest; else empty
+    Image image;  // the picture as rendered, if it has one sample per pixel and the camera is at rest; else empty
     RenderStats report;
     double seconds = 0;   // render time
     std::string failure;  // error message; empty on success and after cancellation
@@ -49,22 +49,22 @@ class RenderThread {
 public:
     // The registry must outlive all threads of the process, because abandoned threads use it.
     explicit RenderThread(const Registry& registry);
-    ~RenderThread();  // cancels, and waits briefly
+    ~RenderThread();  // cancels the request and waits for the thread's end, but for 50 ms at most
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
     // Starts a request. Must not be called while another one is in progress.
     void draw(RenderRequest order);
-    // The request in progress; nullptr: none.
+    // Returns the request in progress, or nullptr if there is none.
     const RenderRequest* current() const { return current_ ? &*current_ : nullptr; }
     void cancel();
-    // Waits for the result of the current request; nullopt if it is not available by `until`.
+    // Waits for the result of the current request. Returns nullopt if it is not complete at the time `until`.
     std::optional<RenderedPicture> wait(Moment until);
-    // Returns the finished fraction of the current request, 0 to 1.
+    // Returns the finished fraction of the current request, from 0 to 1.
     double progress() const;
-    // Returns the seconds since the current request's last progress message; 0 without a request.
+    // Returns the time in seconds since the last progress message of the current request; 0 without a request.
     double silence() const;
-    // Abandons the thread with its request; the next request starts a new thread.
+    // Abandons the thread together with its request. The next request starts a new thread.
     void abandon();
 
 private:

@@ -7,10 +7,10 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr int parts = 24;  // of a side
-constexpr int least_parts = 2;
-constexpr int first_parts = 6;
-constexpr double fixed = 0.0003;  // seconds of overhead per picture: threads, communication
+constexpr int parts = 24;         // sizes are multiples of 1/24 of the full width and height
+constexpr int least_parts = 2;    // smallest size
+constexpr int first_parts = 6;    // size of the first picture
+constexpr double fixed = 0.0003;  // seconds; overhead per picture for threads and communication
 
 }  // namespace
 

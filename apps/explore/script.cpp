@@ -19,9 +19,9 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr int longest = 1'000'000;  // frames
+constexpr int longest = 1'000'000;  // frames; largest duration of a command
 
-// The minimum and maximum number of words after each verb.
+// The commands. For each: the smallest and the largest number of words after it.
 const std::map<std::string, std::pair<std::size_t, std::size_t>> verbs{
     {"size", {2, 2}},    {"open", {1, 1}},  {"scene", {1, 1}}, {"key", {1, 2}},  {"press", {1, 1}}, {"release", {1, 1}},
     {"drag", {3, 3}},    {"wheel", {1, 1}}, {"wait", {1, 1}},  {"rest", {0, 0}}, {"tasks", {0, 0}}, {"audited", {0, 0}},
@@ -145,7 +145,7 @@ bool Script::carry_out(Explorer& explorer, const Line& line)
         if (frames_ == 0) {
             SDL_SetWindowSize(explorer.window.handle(), whole(line, 0, 1, max_side), whole(line, 1, 1, max_side));
         }
-        return frames_ >= 3;  // gives the window manager time to resize
+        return frames_ >= 3;  // leaves the window manager time to resize the window
     }
     if (verb == "open") explorer.open(line.words[0]);
     if (verb == "scene") explorer.set_scene(official_scene(fractal_named(line.words[0])));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that simulate the user: keys, mouse, and waiting for results. docs/explore.md lists the commands.
+// Scripts that simulate the user. Their commands press keys, move the mouse and wait for results; docs/explore.md lists
+// them.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +13,11 @@ class Explorer;
 
 class Script {
 public:
-    // Throws InputError with a message that begins with `file:line: `.
+    // Reads a script. Throws InputError with a message that begins with `file:line: `.
     explicit Script(const std::string& file);
 
-    // Executes commands; called before each frame. Quits the explorer at the end of the script.
+    // Executes commands until one must wait for the next frame. Called before each frame. At the end of the script,
+    // makes the explorer quit.
     void step(Explorer& explorer);
 
 private:
@@ -25,7 +27,7 @@ private:
         std::vector<std::string> words;
     };
 
-    // Executes a line for one frame. Returns true if it is done, so that the next one may follow in the same frame.
+    // Executes a line in one frame. Returns true if the line is done, so that the next one follows in the same frame.
     bool carry_out(Explorer& explorer, const Line& line);
     int whole(const Line& line, std::size_t word, int low, int high) const;
     [[noreturn]] void fail(const Line& line, const std::string& why) const;
@@ -33,7 +35,7 @@ private:
     std::string file_;
     std::vector<Line> lines_;
     std::size_t at_ = 0;
-    int frames_ = 0;  // frames that the current line has taken
+    int frames_ = 0;  // number of frames since the current line began
 };
 
 }  // namespace mandelmarch::explore

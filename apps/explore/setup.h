@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The backend, device, precision and mode of a picture.
+// A setup: the backend, device, precision and mode with which a picture is rendered.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ inline std::string name_of(const Setup& setup)
                        mandelmarch::name_of(setup.precision), mandelmarch::name_of(setup.mode));
 }
 
-// Work is not counted, as in bin/render without --stats.
+// Returns the renderer's options for a setup. Work is not counted, as in bin/render without --stats.
 inline RendererOptions options_of(const Setup& setup)
 {
     RendererOptions options;

@@ -12,13 +12,13 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double tremor = 9;        // standard deviation of the smoothing Gaussian, frames
-constexpr double room = 0.6;        // smallest clearance of a smoothed position, relative to the original one
-constexpr double most_step = 0.85;  // relative to the audit's threshold
-constexpr double most_turn = 1.0;   // degrees per frame; the promise is 1.2 (flight/audit)
-constexpr int retimings = 4;        // passes that reduce steps and turns
-constexpr int easing = 12;          // frames over which the flight slows down
-constexpr int bend = 45;            // frames on either side that move with a moved camera
+constexpr double tremor = 9;        // frames; standard deviation of the smoothing Gaussian
+constexpr double room = 0.6;        // smallest clearance of a smoothed position, in clearances of the original one
+constexpr double most_step = 0.85;  // largest step between frames, as a fraction of the audit's limit
+constexpr double most_turn = 1.0;   // degrees per frame; largest turn. The audit's limit is 1.2
+constexpr int retimings = 4;        // number of passes that reduce steps and turns
+constexpr int easing = 12;          // frames over which the flight slows down and speeds up
+constexpr int bend = 45;            // frames on either side of a moved camera that move with it
 
 struct Look {
     Vector eye, forward, up;
@@ -38,7 +38,7 @@ Look mean(const std::vector<Look>& looks, std::size_t at)
     Look sum{};
     double weights = 0;
     const auto last = static_cast<std::ptrdiff_t>(looks.size()) - 1;
-    // The window shrinks on both sides near the ends, which stay in place.
+    // The window becomes shorter on both sides near the path's ends, so that the first and the last camera do not move.
     const auto here = static_cast<std::ptrdiff_t>(at);
     const std::ptrdiff_t reach = std::min({static_cast<std::ptrdiff_t>(3 * tremor), here, last - here});
     for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
@@ -87,7 +87,8 @@ std::vector<double> needed(const Path& path)
     return frames;
 }
 
-// Smooths those numbers, so that the flight slows down early and speeds up gradually.
+// Smooths the numbers of frames that needed() returns, so that the flight slows down early and speeds up gradually.
+// No number becomes smaller.
 std::vector<double> eased(const std::vector<double>& frames)
 {
     std::vector<double> most(frames.size());
@@ -149,7 +150,7 @@ Path smoothed(const Path& path)
     if (path.frames.size() < 3) return path;
     Path smooth = path;
     take_tremor_out(smooth);
-    // Smooths again after each pass, as slowing down makes kinks.
+    // The path is smoothed after each pass, because slowing down makes kinks.
     for (int round = 0; round < retimings && slow_down(smooth); ++round) take_tremor_out(smooth);
     slow_down(smooth);
     cut_digits(smooth);
@@ -162,7 +163,7 @@ Path bent(Path path, std::size_t at, const Frame& frame)
     const Look wanted = look_of(frame);
     for (std::size_t i = at < bend ? 0 : at - bend; i < std::min(path.frames.size(), at + bend + 1); ++i) {
         const double off = (static_cast<double>(i) - static_cast<double>(at)) / (bend + 1);
-        const double w = (1 - off * off) * (1 - off * off);  // 1 there, 0 with its slope at the ends
+        const double w = (1 - off * off) * (1 - off * off);  // 1 at the moved camera; 0, with slope 0, at both ends
         Look look = look_of(path.frames[i]);
         look.eye = look.eye + w * (wanted.eye - now.eye);
         look.forward = look.forward + w * (wanted.forward - now.forward);

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns a recorded flight into one that is suitable for a film.
+// Changes a recorded flight so that it is suitable for a film.
 #pragma once
 
 #include "flight/path/path.h"
 
 namespace mandelmarch::explore {
 
-// Returns the camera between two frames, with the scene changes of the nearer one.
+// Returns the camera between two frames: that of `a` for share 0, that of `b` for share 1. The changes to the scene are
+// those of the closer frame.
 Frame between(const Frame& a, const Frame& b, double share);
 
-// Returns the path smoothed, where there is room between walls, and slower where a step or a turn exceeds the audit's
-// promises. The number of frames may grow.
+// Returns a smoothed path. A camera moves less if there is not enough room between walls. The flight becomes slower,
+// and the number of frames grows, at places at which a step or a turn would be close to the audit's limit.
 Path smoothed(const Path& path);
 
-// Returns the path with the camera of `frame` at frame number `at`; cameras around it are moved accordingly.
+// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side are moved
+// accordingly, less with growing distance.
 Path bent(Path path, std::size_t at, const Frame& frame);
 
 }  // namespace mandelmarch::explore

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work in the background, in a detached thread that may be abandoned. The result is polled.
+// A task in the background. It runs in a detached thread, which may be abandoned; its result is polled.
 #pragma once
 
 #include <exception>
@@ -16,7 +16,7 @@ namespace mandelmarch::explore {
 template <class Result>
 class Task {
 public:
-    // Starts `work`, which must own everything that it uses. Must not be called while a task runs.
+    // Starts `work` in a thread. `work` must own everything that it uses. Must not be called while a task is running.
     void start(std::function<Result()> work)
     {
         auto shared = std::make_shared<Shared>();
@@ -38,7 +38,8 @@ public:
 
     bool running() const { return shared_ != nullptr; }
 
-    // Returns the result, once. Returns nullopt while the task runs, and if it failed; then sets `failure`.
+    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none;
+    // also if it has failed, and then sets `failure` to the error's message.
     std::optional<Result> take(std::string& failure)
     {
         if (shared_ == nullptr) return std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/window.h"
 
-// Dear ImGui has renamed its SDL part since 1.86 (Debian 12).
+// Versions of Dear ImGui after 1.86 (Debian 12) have another name for the header of its SDL part.
 #if __has_include(<backends/imgui_impl_sdl2.h>)
 #include <backends/imgui_impl_sdl2.h>
 #else
@@ -19,10 +19,11 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr int least_side = 160;    // pixels of the window
-constexpr double usual_rate = 60;  // Hz, if the screen's rate is unknown
+constexpr int least_side = 160;    // pixels; smallest width and height of the window
+constexpr double usual_rate = 60;  // Hz; assumed if the screen's rate is unknown
 
-// True if OpenGL is emulated on the CPU. It would take cores from rendering; SDL's software renderer needs less.
+// Returns true if OpenGL is emulated on the CPU. The emulation would need cores that rendering could use; SDL's
+// software renderer needs less.
 bool emulated(SDL_Renderer* renderer)
 {
     SDL_RendererInfo info{};
@@ -39,7 +40,7 @@ bool emulated(SDL_Renderer* renderer)
     return false;
 }
 
-// Returns a pixel format of 32 bits that needs no conversion, if possible.
+// Returns a pixel format of 32 bits; if possible, one that SDL need not convert.
 Uint32 format_of(SDL_Renderer* renderer)
 {
     SDL_RendererInfo info{};
@@ -79,7 +80,7 @@ void PictureTexture::show(SDL_Renderer* renderer, const SDL_Rect& where) const
 Window::Window(const std::string& title, int width, int height)
 {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    // Without a display, SDL would use a driver that shows nothing, so that the program would run invisibly.
+    // Without a display, SDL would choose a video driver that shows nothing, and the program would run invisibly.
     const auto named = [](const char* variable) {
         const char* value = std::getenv(variable);
         return value != nullptr && *value != '\0';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window: SDL, with Dear ImGui over the pictures.
+// The window, by SDL. Dear ImGui draws the panels over the pictures.
 #pragma once
 
 #include <SDL.h>
@@ -12,7 +12,7 @@
 
 namespace mandelmarch::explore {
 
-// A picture in the window.
+// The texture with which a picture is drawn in the window.
 class PictureTexture {
 public:
     PictureTexture() = default;
@@ -32,7 +32,7 @@ private:
 
 class Window {
 public:
-    // Throws Unavailable without a display.
+    // Opens the window; its size is in pixels. Throws Unavailable if there is no display.
     Window(const std::string& title, int width, int height);
     ~Window();
     Window(const Window&) = delete;
@@ -45,10 +45,10 @@ public:
     bool waits() const { return waits_; }  // present() waits for the screen
 
     static void take(const SDL_Event& event);  // passes an event to the panels
-    void begin();                              // begins a frame: clears the window, starts ImGui's frame
-    void draw_panels();                        // ends ImGui's frame and draws it
+    void begin();                              // begins a frame: clears the window and begins ImGui's frame
+    void draw_panels();                        // ends ImGui's frame and draws its panels
     void present() const;
-    // Writes the window's content after draw_panels() as a PNG file. Throws Error.
+    // Writes the window's content as a PNG file. Must be called after draw_panels(). Throws Error if that fails.
     void shoot(const std::string& file) const;
 
 private:

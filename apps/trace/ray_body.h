@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces a ray with the kernel's functions, in the order of its draw(). Included after the kernel source, in its
-// namespace; no include guard.
+// Traces a ray by calling the kernel's functions in the same order as its draw(). This file is included after the
+// kernel source in the same namespace, once per variant of the kernel; it must not have an include guard.
 
 inline std::array<double, 3> three(const vec3& v) { return {v.x, v.y, v.z}; }
 
-// Returns the decision of the step from `before` to `after`.
+// Returns the decision made at the sample of `before`; `after` is the ray after that sample.
 inline Decision decision(const Scene& scene, const Ray& before, const Ray& after)
 {
     if (marching(scene, after)) return after.last_t == before.t ? Decision::step : Decision::taken_back;
@@ -48,7 +48,7 @@ inline Hit traced_refine(const Scene& scene, Hit hit, Trace& trace)
     return hit;
 }
 
-// Returns the normal used by shade(), one tolerance before the hit.
+// Returns the normal that shade() uses. It is computed one tolerance before the hit.
 inline std::array<double, 3> traced_normal(const Scene& scene, const Hit& hit)
 {
     const ShadingPoint at = shading_point(scene, hit);

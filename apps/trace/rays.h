@@ -8,11 +8,11 @@
 
 namespace mandelmarch {
 
-// Traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`. `scene`: the kernel's Scene of that
-// precision.
+// A function that traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`. `scene` points to the
+// kernel's Scene in the function's precision.
 using TraceRay = void (*)(const void* scene, Trace& trace);
 
-// Returns nullptr if the fractal was not built.
+// Returns the function for a fractal, precision and mode, or nullptr if this build does not contain the fractal.
 TraceRay ray_of(std::string_view fractal, Precision precision, Mode mode);
 
 }  // namespace mandelmarch

@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the shortest decimal number with the same bits.
+// Returns the shortest decimal number that has the same bits as the value in the trace's precision.
 std::string number(const Trace& trace, double value)
 {
     return trace.precision == Precision::f32 ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value);
@@ -35,7 +35,8 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
                    number(trace, sample.tolerance), decided);
 }
 
-// Returns the decision in words. `from`: the sample from which the step is taken.
+// Returns a sample's decision in words. `from`: the sample from which the next step is made; it is an earlier one if
+// this sample is taken back.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
     std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);

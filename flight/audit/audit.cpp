@@ -17,12 +17,12 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double in_solid = 1e-5;         // fractal sizes: points with a smaller estimate count as solid
-constexpr double most_wall_step = 0.25;   // largest motion of the nearest wall by a change of shape, in clearances
-constexpr double turn_cap = 1.2;          // degrees per frame
-constexpr double aside = 60;              // degrees off the motion
-constexpr double stillness = 0.25;        // clearances within which a camera counts as standing still
-constexpr double official_seconds = 240;  // the flight time that the threshold of passages refers to
+constexpr double in_solid = 1e-5;         // fractal sizes; points whose estimate is not larger count as solid
+constexpr double most_wall_step = 0.25;   // clearances per frame; limit on the change of DE caused by a changing shape
+constexpr double turn_cap = 1.2;          // degrees per frame; largest turn of the camera
+constexpr double aside = 60;              // degrees between gaze and motion; a larger angle counts as looking aside
+constexpr double stillness = 0.25;        // clearances; a camera stands still while it stays within this radius
+constexpr double official_seconds = 240;  // the flight time for which the threshold of passages is given
 
 class Auditor {
 public:
@@ -68,7 +68,7 @@ private:
         return 100.0 * static_cast<double>(count) / static_cast<double>(places_.size());
     }
     double seconds(std::size_t frames) const { return static_cast<double>(frames) / path_.frames_per_second; }
-    // Converts a threshold per frame from the rate at which flights are planned to the path's rate.
+    // Converts a threshold per frame, given for the frame rate of planning, to the path's frame rate.
     double by_rate(double bar) const
     {
         return bar * (static_cast<double>(frames_per_second) / path_.frames_per_second);
@@ -104,7 +104,7 @@ private:
         add({"largest step between frames / DE", worst, by_rate(bar), true, true, "", at_frame(where)});
     }
 
-    // The motion of the nearest wall by the change of shape alone.
+    // Adds the largest relative change of DE between two frames that the change of shape alone causes.
     void walls()
     {
         std::vector<double> steps(places_.size(), 0);
@@ -128,7 +128,7 @@ private:
         add({"largest turn per frame", worst, cap, true, true, "deg", at_frame(where)});
     }
 
-    // The longest time that the camera stays within a quarter of its clearance of one point.
+    // Adds the longest time for which the camera stays within a quarter of its clearance from one point.
     void standing()
     {
         std::vector<double> radii(clearances_.size());
@@ -185,7 +185,7 @@ private:
     }
 
     const Path& path_;
-    std::size_t stride_;  // frames between views
+    std::size_t stride_;  // frames from one view to the next
     Runs runs_;
     std::vector<double> clearances_;
     std::vector<Vector> places_;

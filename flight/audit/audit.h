@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of a path: measures, on every frame and between frames, what docs/flight.md promises.
+// The audit of a path. It measures each item of the table in docs/flight.md at all frames and between consecutive
+// frames.
 #pragma once
 
 #include <string>
@@ -15,9 +16,9 @@ struct Row {
     double value = 0;
     double bar = 0;
     bool at_most = true;   // `bar` is an upper limit; false: a lower limit
-    bool promise = false;  // a path that misses `bar` is rendered only with --force
+    bool promise = false;  // true: a path that misses `bar` is rendered only with --force
     std::string unit;
-    std::string worst;  // the place of the worst value, for people; may be empty
+    std::string worst;  // the frame or frames with the worst value, as text for the user; may be empty
 
     bool kept() const { return at_most ? value <= bar : value >= bar; }
 };
@@ -29,11 +30,11 @@ struct Audit {
     int bars_missed() const;
 };
 
-// `threads`: 0 for one per core; the result does not depend on it. `planning`: planning time in seconds, an item of the
-// audit if > 0. `stride`: items about views use every N-th frame.
+// Measures all items. `threads`: 0 for one per core; the result does not depend on it. `planning`: planning time in
+// seconds; becomes an item of the audit if > 0. `stride`: items about views use every stride-th frame only.
 Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
 
-// Measures only the promises. This is faster, as promises need no views.
+// Measures only the promises. This is faster, because promises do not need views.
 Audit audit_promises(const Path& path, int threads);
 
 std::string table_of(const Path& path, const Audit& audit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An audit as a table and as JSON.
+// The output of an audit as a table and as JSON.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -6,9 +6,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double narrowing = 2;        // factor
-constexpr double same_clearances = 2;  // passages closer to each other than this count as one, clearances
-constexpr double same_size = 0.02;     // the same in fractal sizes; the larger one applies
+constexpr double narrowing = 2;        // ratio of the clearances outside and inside a passage
+constexpr double same_clearances = 2;  // clearances; passages closer to each other than this count as one
+constexpr double same_size = 0.02;     // fractal sizes; the same limit again: the larger of the two applies
 
 }  // namespace
 
@@ -17,8 +17,9 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
 {
     std::vector<Passage> passages;
     std::vector<Vector> known;
-    // The narrowest point since the last wide place becomes a passage once the clearance has doubled.
-    double widest = 0;  // since the last passage
+    // When the clearance has fallen to half of `widest` or less, `least` becomes the frame with the smallest clearance
+    // from there on. That frame is a passage as soon as the clearance has grown to twice its clearance.
+    double widest = 0;  // the largest clearance since the last passage
     bool narrowed = false;
     Passage least{0, 0};
     for (std::size_t i = 0; i < clearances.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passages: places where a path's clearance falls to at most half and then doubles again.
+// Passages: places at which a path's clearance falls to half or less and then becomes at least twice as large again.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@
 namespace mandelmarch {
 
 struct Passage {
-    std::size_t frame;  // with the smallest clearance
+    std::size_t frame;  // the passage's frame with the smallest clearance
     double clearance;
 };
 
-// Returns the distance field of a frame.
+// A function that returns the distance field of a frame.
 using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
 
 // Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage that the

@@ -9,9 +9,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;  // fractal sizes: points with a smaller estimate count as solid
-constexpr int deepest = 7;      // halvings of the time between two frames
-constexpr double even = 0.25;   // accepted deviation from linear change, in smaller clearances of the two ends
+constexpr double solid = 1e-5;  // fractal sizes; points whose estimate is not larger count as solid
+constexpr int deepest = 7;      // limit on how often the time between two frames is halved
+constexpr double even = 0.25;   // see free_between(); in units of the smaller clearance of the interval's ends
 
 Scene halfway(const Scene& from, const Scene& to)
 {
@@ -58,7 +58,7 @@ bool Runs::free_before(std::size_t frame, std::span<const double> clearances) co
     const Vector from = path_.frames[frame - 1].eye;
     const Vector to = path_.frames[frame].eye;
     const double way = length(to - from);
-    // True if the safe balls along the segment overlap.
+    // Returns true if the segment from a to b meets no solid of `shape`. `clearance`: the estimate at a.
     const auto straight = [&](const DistanceField& shape, Vector a, Vector b, double clearance) {
         const double floor = solid * shape.bounds().size;
         return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;

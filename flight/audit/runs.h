@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The successive shapes of a path's frames.
+// The successive shapes of a path, each with its frames and its distance field.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace mandelmarch {
 
-// Consecutive frames with the same fractal constants, with their distance field.
+// Consecutive frames whose shape, iterations and escape radius are the same, and their distance field.
 struct Run {
-    std::size_t first, last;  // [first, last)
+    std::size_t first, last;  // frames [first, last)
     std::unique_ptr<DistanceField> field;
 };
 
@@ -25,15 +25,16 @@ public:
     std::span<const Run> all() const { return runs_; }
     bool changes() const { return runs_.size() > 1; }
     const DistanceField& field(std::size_t frame) const { return *runs_[of_[frame]].field; }
-    // True if the frame's shape differs from that of the previous frame.
+    // Returns true if the frame belongs to another run than the previous frame.
     bool changed(std::size_t frame) const { return frame > 0 && of_[frame] != of_[frame - 1]; }
     int threads() const { return runs_.front().field->threads(); }
 
     // Returns the estimate at each frame's eye.
     std::vector<double> clearances() const;
 
-    // True if the motion from the previous frame meets no solid: on the segment in the shape of each of the two frames,
-    // and while position and shape are interpolated together.
+    // Returns true if the camera meets no solid on its way from the previous frame to this one. The straight segment is
+    // tested in the shapes of both frames. If these differ, moments in between are tested as well, with position and
+    // shape interpolated linearly. `clearances`: the estimates at all frames' eyes.
     bool free_before(std::size_t frame, std::span<const double> clearances) const;
 
     // Returns the change of the estimate at the frame's eye between the shapes of the previous frame and this one,
@@ -45,6 +46,8 @@ private:
         Scene scene;
         double clearance;
     };
+    // Returns true if the estimate is above `floor` halfway between the moments and, by recursion, halfway in both
+    // halves. The recursion ends when the estimate halfway is close to the mean of those at the ends.
     static bool free_between(const Moment& from, const Moment& to, double floor, int depth);
 
     const Path& path_;

@@ -13,13 +13,13 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double most_jerk = 0.3;         // relative to the cube of the pace, in clearances / s
-constexpr double most_angular_jerk = 30;  // degrees / s^3
-constexpr double some_horizon = 0.25;     // Tilt::horizon of a gaze 30 degrees from vertical
-constexpr double level = 30;              // degrees of tilt below which a picture looks level
+constexpr double most_jerk = 0.3;         // threshold, as a multiple of the cube of the pace in clearances / s
+constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
+constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
+constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
 
-// Returns the rotation from each frame's camera to the next as a vector along the axis, its length the angle in
-// radians.
+// Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
+// is the axis, its length is the angle in radians.
 std::vector<Vector> rotations(const Path& path)
 {
     const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };

@@ -9,11 +9,11 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double same_view = 0.95;  // correlation
-constexpr double moved_on = 0.5;    // correlation below which a view differs; a repeat needs one in between
+constexpr double same_view = 0.95;  // two views with a larger correlation are the same
+constexpr double moved_on = 0.5;    // two views with a smaller correlation differ
 constexpr double minute = 60;       // seconds
-constexpr double much_sky = 0.4;    // fraction of hits below which a view mostly shows the background
-constexpr double shown = 0.05;      // fraction of hits in the centre below which the subject is only at the edge
+constexpr double much_sky = 0.4;    // a view with a smaller fraction of hit pixels mostly shows the background
+constexpr double shown = 0.05;      // with a smaller fraction of hits in the centre, the fractal is only at the edge
 constexpr double view_every = 0.5;  // seconds between the views compared for repetition
 
 }  // namespace
@@ -44,7 +44,7 @@ Row motion_row(const Path& path, const Seen& seen)
 
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
 {
-    std::array<std::size_t, 4> counts{};  // for each Dullness
+    std::array<std::size_t, 4> counts{};  // number of views, indexed by Dullness
     std::size_t longest = 0;
     std::size_t where = 0;
     std::size_t on_end = 0;
@@ -103,7 +103,7 @@ Row again_row(const Seen& seen)
     std::size_t again = 0;
     std::string first;
     for (std::size_t i = 0; i < some.size(); ++i) {
-        bool other = false;
+        bool other = false;  // a view that differs from view i lies between i and j
         for (std::size_t j = i + 1;
              j < some.size() && static_cast<double>(frame(j) - frame(i)) <= minute * seen.frames_per_second; ++j) {
             const double like = likeness(seen.views[some[i]], seen.views[some[j]]);

@@ -18,14 +18,15 @@ struct Seen {
 
 Row motion_row(const Path& path, const Seen& seen);
 
-// Returns the percentage of dull frames, and the longest time with dull frames only. `clearances`: of every frame of
-// the path; `stride`: frames between views.
+// Returns the percentage of dull frames, and the longest time during which all frames are dull. `clearances`: one for
+// each frame of the path; `stride`: frames from one view to the next.
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
 
 // Returns the percentage of frames that mostly show the background, and the longest time in which the fractal is only
 // at the picture's edge.
 std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
 
+// Returns the number of views that are seen again within a minute, after a different view in between.
 Row again_row(const Seen& seen);
 
 // Returns "frame 12".

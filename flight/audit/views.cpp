@@ -10,12 +10,14 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double least_hits = 0.15;
-constexpr double one_depth = 1.25;  // ratio of the depths that bound 95 % of the picture
-constexpr double near_wall = 2;     // clearances
-constexpr double filling = 0.9;     // fraction of the picture
-constexpr double far = 12;          // length of rays, fractal sizes
-constexpr double coarse = 0.008;    // hit tolerance, as a fraction of t
+// The limits of Dullness.
+constexpr double least_hits = 0.15;  // fraction of the pixels
+constexpr double one_depth = 1.25;   // ratio of the depths between which 95 % of the pixels lie
+constexpr double near_wall = 2;      // clearances
+constexpr double filling = 0.9;      // fraction of the pixels
+
+constexpr double far = 12;        // fractal sizes; largest length of a ray
+constexpr double coarse = 0.008;  // hit tolerance, as a fraction of the ray's length so far
 
 Camera camera_at(const Frame& frame)
 {
@@ -29,11 +31,12 @@ Camera camera_at(const Frame& frame)
     return camera_of(scene);
 }
 
-// The centre of a pixel: coordinates from -1 to 1 over the view.
+// A position in a view. Both coordinates run from -1 to 1 over the view's width and height.
 struct Place {
     double u, v;
 };
 
+// Returns the centre of a pixel.
 Place place_of(int pixel)
 {
     const int row = pixel / view_width;
@@ -108,7 +111,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
 {
     const Camera before = camera_at(from);
     const Camera after = camera_at(to);
-    // Projects a direction into the picture: from -1 to 1 over width and height.
+    // Projects a direction into the camera's picture.
     const auto place_in = [](const Camera& camera, Vector seen) {
         const double ahead = dot(seen, camera.forward);
         return Place{dot(seen, camera.across) / (dot(camera.across, camera.across) * ahead),
@@ -116,7 +119,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
     };
     std::vector<double> moved;
     for (std::size_t k = 0; k < along.size(); ++k) {
-        // The background is infinitely far away.
+        // The background is treated as infinitely far away, so that only the camera's rotation moves it.
         const Vector seen_after =
             std::isfinite(depths[k]) ? from.eye + static_cast<double>(depths[k]) * along[k] - to.eye : along[k];
         if (!(dot(seen_after, after.forward) > 0)) {
@@ -150,7 +153,7 @@ double median_motion(const DepthView& seen, const Frame& from, const Frame& to)
 
 double likeness(const DepthView& a, const DepthView& b)
 {
-    // The background counts as twice as far away as the farthest hit.
+    // Pixels of the background are treated as twice as far away as the farthest hit.
     const auto logarithms = [](const DepthView& view) {
         float most = 0;
         for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
@@ -178,7 +181,8 @@ double likeness(const DepthView& a, const DepthView& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    // A view of constant depth is only similar to another such view.
+    // The correlation with a view of constant depth is undefined. Such a view counts as equal to another one of
+    // constant depth, and as unlike all others.
     return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 

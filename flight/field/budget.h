@@ -6,11 +6,11 @@ namespace mandelmarch {
 
 class Budget {
 public:
-    // `seconds`: processor time from now on, summed over the program's threads. Other load on the machine does not
-    // shorten a search.
+    // `seconds`: limit on the processor time of all threads of the program, measured from the construction. Other load
+    // on the machine therefore does not shorten a search.
     explicit Budget(double seconds);
 
-    // Throws InputError once the budget is spent.
+    // Throws InputError if the time is used up.
     void check() const;
 
 private:

@@ -12,9 +12,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t block = 256;  // points per call of the kernel; a multiple of every pack
+constexpr std::size_t block = 256;  // points per call of the kernel; a multiple of the number of lanes of every pack
 
-// Points as separate coordinate arrays, for the kernel. The last point is repeated to fill the last pack.
+// Points in three coordinate arrays, as the kernel reads them. The last point is repeated to fill the last pack.
 struct Block {
     std::array<double, block> x, y, z;
 

@@ -16,8 +16,8 @@ namespace mandelmarch {
 
 class DistanceField {
 public:
-    // `threads`: 0 for all that the process may use. `budget`, if not null, must outlive the field; it is checked in
-    // computations of many distances. Throws Unavailable if the fractal was not built.
+    // `threads`: 0 for as many as the process may use. `budget`, if not null, must outlive the field; computations of
+    // more than 256 distances or rays check it. Throws Unavailable if this build does not contain the fractal.
     DistanceField(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
@@ -25,28 +25,31 @@ public:
     int threads() const { return threads_; }
     const Budget* budget() const { return budget_; }
 
-    // The fraction of a distance estimate that is certainly free space.
+    // Returns the fraction of a distance estimate that is safe: a ball of that radius around the point is free space.
     double safety() const { return safety_; }
 
-    // Returns the same point for all points that the fractal's symmetry maps onto each other.
+    // Returns a point equivalent to p under the fractal's symmetry: the same one for all equivalent points.
     Vector representative(Vector p) const { return scene_.fractal->flight.representative(scene_, p); }
 
-    // True in a region that holds, for every point, an equivalent one under the fractal's symmetry.
+    // Returns true if p lies in the region to be searched. That region contains, for every point in space, an
+    // equivalent point under the fractal's symmetry.
     bool worth_searching(Vector p) const { return scene_.fractal->flight.worth_searching(scene_, bounds_, p); }
 
     // Returns the distance estimate at p, in the scene's units; 0 if it is negative or NaN.
     double distance(Vector p) const;
     void distances(std::span<const Vector> points, std::span<double> out) const;
 
-    // Writes t at the end of each ray to `out`. `along`: unit vectors.
+    // Marches rays and writes the length of each to `out`. `from`: their origins; `along`: their unit vectors; `reach`:
+    // where they end.
     void casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
                std::span<double> out) const;
 
-    // Returns the unit gradient of the distance by central differences of step h, or a zero vector if all are zero.
+    // Returns the direction in which the distance grows fastest, as a unit vector. It is the gradient by central
+    // differences with step h; a zero vector if the gradient is zero.
     Vector uphill(Vector p, double h) const;
 
-    // Returns the smallest estimate on the segment from a to b, sampled so densely that the samples' safe balls
-    // overlap. Stops at the first estimate that is not above `floor`.
+    // Returns the smallest of the estimates at samples on the segment from a to b. Each sample lies in the safe ball of
+    // the one before it. Stops at the first estimate that is not above `floor`.
     double least_between(Vector a, Vector b, double floor) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounds of a fractal: a body that contains it. Many lengths are in units of its size, "fractal sizes".
+// The bounds of a fractal: a body that contains it. The unit "fractal sizes" of many lengths is the size of this body.
 #pragma once
 
 #include <string>
@@ -11,18 +11,20 @@ namespace mandelmarch {
 
 class DistanceField;
 
-// Returns the reason why the scene's fractal cannot be flown through, in one line with the expected input; empty if it
-// can be. Depends on the scene's shape alone and computes no distance.
+// Returns a message of one line that says why the scene's fractal cannot be flown through and which input is expected;
+// empty if it can be flown through. Only the scene's shape matters; distances are not computed.
 std::string flight_objection(const Scene& scene);
 
-// Throws InputError with flight_objection(), if any.
+// Throws InputError with the text of flight_objection() if that is not empty.
 void check_flown(const Scene& scene);
 
-// Returns the bounds given by the fractal's descriptor, or else a sphere found by rays from far outside.
+// Returns the bounds that the fractal's descriptor gives. If it gives none, returns a sphere found by casting rays from
+// far outside.
 Bounds bounds_of(const Scene& scene, const DistanceField& field);
 
-// Returns the clearance above which the camera flies no faster: 0.1 fractal sizes. Costs are distances in clearances,
-// the integral of ds / min(clearance, this), because the camera's speed is proportional to min(clearance, this).
+// Returns the clearance above which the camera does not fly faster: 0.1 fractal sizes. The camera's speed is
+// proportional to m = min(clearance, fastest_clearance). Planning therefore measures the cost of a way by its duration,
+// the integral of ds / m: its length in clearances.
 inline double fastest_clearance(const Bounds& bounds) { return 0.1 * bounds.size; }
 
 }  // namespace mandelmarch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of every kernel_FRACTAL.cpp. Highway's foreach_target.h includes it once per instruction set, so it has no
-// include guard.
+// The body of every kernel_FRACTAL.cpp. It does not have an include guard, because Highway's foreach_target.h includes
+// it once per instruction set.
 #undef MM_REAL
 #undef MM_REAL_IS_FLOAT
 #undef MM_REGISTERS

@@ -40,7 +40,7 @@ void Shapes::distances(std::span<const Vector> points, std::span<const double> v
         return;
     }
     parallel(points.size(), 64, field_.threads(), [&](std::size_t first, std::size_t last) {
-        // Consecutive points with one value share a field.
+        // Consecutive points with the same value share a field.
         for (std::size_t at = first, end = first; at < last; at = end) {
             while (end < last && values[end] == values[at]) ++end;
             std::optional<DistanceField> room;

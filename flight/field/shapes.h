@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance fields of a fractal one of whose shape parameters changes in flight, such as the Mandelbulb's power.
+// Distance fields of a fractal for flights during which one shape parameter changes, such as the Mandelbulb's power.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@ namespace mandelmarch {
 
 class Shapes {
 public:
-    // `number`: index of the shape parameter that changes, in Scene::shape. The scene's own value is the usual one.
+    // `number`: index in Scene::shape of the parameter that changes. Its value in `scene` is called the usual value.
     Shapes(const Scene& scene, std::size_t number, int threads, const Budget* budget = nullptr);
 
-    // The field at the usual value.
+    // Returns the distance field of the shape with the usual value.
     const DistanceField& field() const { return field_; }
     double usual() const { return field_.scene().shape[number_]; }
     std::size_t number() const { return number_; }
@@ -22,11 +22,12 @@ public:
     const Budget* budget() const { return field_.budget(); }
 
     Scene scene(double value) const;
-    // Returns the field at a value. It is built in `room` if the value is not the usual one.
+    // Returns the distance field of the shape with this value. If that is not the usual value, the field is built in
+    // `room`, and the returned reference is valid as long as `room` is.
     const DistanceField& at(double value, std::optional<DistanceField>& room) const;
     Bounds bounds(double value) const;
 
-    // Writes the estimate at each point, for the shape at that point's value.
+    // Writes the estimate at each point. `values`: for each point, the parameter's value.
     void distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const;
 
 private:

@@ -27,8 +27,8 @@ constexpr std::array film_endings{FilmEnding{".mp4", Container::mp4}, FilmEnding
                                   FilmEnding{".gif", Container::gif}};
 constexpr int fastest_gif = 50;  // frames per second
 
-// Returns the size of a Matroska file, computed from the size of its segment; 0 if that is unknown, as in an unfinished
-// file.
+// Returns the size that a Matroska file must have according to its segment element; 0 if that does not give a size, as
+// in an unfinished file.
 std::uint64_t segment_end(std::ifstream& stream)
 {
     std::array<unsigned char, 64> head{};
@@ -74,8 +74,8 @@ void check_rate(Container container, const std::string& film, int rate)
 
 std::vector<std::string> video_codec(Container container)
 {
-    // sync-lookahead=0: with a separate lookahead thread, x264's output at the end of a clip sometimes depends on the
-    // machine's load.
+    // sync-lookahead=0 turns off x264's lookahead thread. With that thread, the end of a clip is sometimes encoded
+    // differently if the machine is busy.
     if (container != Container::webm)
         return {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-x264-params", "sync-lookahead=0"};
     return {"-c:v", "libvpx-vp9", "-deadline", "good", "-cpu-used", "4", "-crf", "24", "-b:v", "0", "-row-mt", "1"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formats of film files. The extension of a film's name decides its format.
+// The formats of film files. A film's format follows from the extension of its file name.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace mandelmarch {
 // MP4 and Matroska contain H.264, WebM contains VP9. A GIF has a palette of 256 colours for each frame.
 enum class Container { mp4, mkv, webm, gif };
 
-// Returns the container for a name's extension, in upper or lower case: .mp4, .m4v, .mkv, .webm or .gif; MP4 for a pipe
-// or device without an extension. Throws InputError for other names.
+// Returns the container for the extension of a film's name: .mp4, .m4v, .mkv, .webm or .gif, in upper or lower case. A
+// pipe or device without one of these extensions gets MP4. Throws InputError for all other names.
 Container container_of(const std::string& film);
 
 // Throws InputError if the container does not allow `rate` frames per second. A GIF's unit of time is 0.01 s, and
@@ -24,8 +24,8 @@ std::vector<std::string> video_codec(Container container);
 // Returns ffmpeg's options for joining the segments to the film.
 std::vector<std::string> joining(Container container);
 
-// True if the file has the length that its structure requires. Detects files truncated by a full disk, but no encoding
-// errors.
+// Returns true if the file has the length that its structure requires. This detects files truncated by a full disk, but
+// does not detect encoding errors.
 bool is_whole(const std::string& file, Container container);
 
 }  // namespace mandelmarch

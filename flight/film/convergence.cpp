@@ -15,18 +15,18 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t every = 100;  // frames
-constexpr int strata = 4;           // of a frame's width and height, with one patch in each
-constexpr int place_width = 48;     // pixels
-constexpr int place_height = 27;    // pixels
-constexpr double converged = 0.06;  // step factor; with a smaller one, far rays run out of steps
-// Percent of the pixels.
+constexpr std::size_t every = 100;  // distance of the compared frames, in frames
+constexpr int strata = 4;           // a frame is divided into strata x strata cells, each with one patch at random
+constexpr int place_width = 48;     // pixels; width of a patch
+constexpr int place_height = 27;    // pixels; height of a patch
+constexpr double converged = 0.06;  // step factor; with a smaller one, far rays reach the limit on the number of steps
+// Thresholds, in percent of a frame's pixels.
 constexpr double median_bar = 2;
 constexpr double most_frames_bar = 4;
 constexpr double worst_bar = 6;
 
-// Returns the options of a film, except that each pixel computes its own occlusion. Shared occlusion affects the light,
-// not the steps (its error is given in docs/flight.md).
+// Returns the options of a film, except that each pixel computes its own occlusion. Shared occlusion changes the
+// lighting but not the steps, so it is left out of this comparison.
 RendererOptions by_film_steps(const RendererOptions& options)
 {
     RendererOptions alone = without_trial(options);
@@ -34,7 +34,8 @@ RendererOptions by_film_steps(const RendererOptions& options)
     return alone;
 }
 
-// Returns options in which every ray marches from its beginning, not from near its neighbours' hits.
+// Returns options with which every ray marches from its beginning, instead of starting close to the hits of
+// neighbouring rays or of a cone.
 RendererOptions by_short_steps(const RendererOptions& options)
 {
     RendererOptions alone = by_film_steps(options);
@@ -59,7 +60,7 @@ public:
     {
     }
 
-    // Returns the percentage of a frame's pixels that differ visibly.
+    // Returns the percentage of a frame's pixels that differ visibly from the converged picture.
     double off(std::size_t frame) const
     {
         Scene scene = frame_scene(path_, frame, picture_);
@@ -80,7 +81,8 @@ public:
     }
 
 private:
-    // Returns the first pixel and the length of a patch, at random in a stratum of a side.
+    // Chooses a patch at random within one of the cells along a side of the frame. Returns the patch's first pixel and
+    // its length.
     static std::pair<int, int> place(int side, int stratum, int pixels, FlightRandom& random)
     {
         const int begin = side * stratum / strata;

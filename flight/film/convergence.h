@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Convergence of a film's frames: their difference from converged pictures, whose steps are so short that shorter ones
-// change nothing.
+// Convergence of a film's frames: how far they differ from converged pictures. A converged picture is rendered with
+// steps so short that shorter ones would not change it.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace mandelmarch {
 
-// Returns three promises about the percentage of a frame's pixels that differ visibly from the converged picture: its
-// median, its 95th percentile and its maximum over every hundredth frame. Of each frame, sixteen patches are rendered,
-// once as in the film and once with short steps. Throws as the renderer does.
+// Measures, at every hundredth frame, the percentage of pixels that differ visibly from the converged picture. Returns
+// three promises: the median, the 95th percentile and the maximum over these frames. Sixteen patches of each frame are
+// rendered, once as in the film and once with short steps. Throws as the renderer does.
 std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
                             const Picture& picture);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of a film's or still's inputs, by which finished files are recognised.
+// Descriptions of the inputs of a film or of stills. A finished file is reused only if its description is the same.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace mandelmarch {
 
-// Returns one line of JSON with everything that the pixels of a path's pictures depend on, and the names and values of
-// `more`. It includes the program's digest, because another build may render other bits.
+// Returns one line of JSON with everything that the pixels of a path's pictures depend on, followed by the names and
+// values in `more`. It includes the program's digest, because another build may render other bits.
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more);
 
-// Returns the differences of two descriptions for a message, "instructions: 'SCALAR', here 'AVX2'; ...", where `here`
-// is `ours`. Empty if they are equal.
+// Returns the differences between two descriptions as text for a message, for example "instructions: 'SCALAR', here
+// 'AVX2'; ...". The value after "here" is that of `ours`. Empty if the descriptions are equal.
 std::string differences(const std::string& theirs, const std::string& ours);
 
 }  // namespace mandelmarch

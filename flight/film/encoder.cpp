@@ -17,7 +17,7 @@
 namespace mandelmarch {
 namespace {
 
-// Returns ffmpeg's options for the output. bitexact omits metadata that changes from run to run.
+// Returns ffmpeg's options for the encoded file. bitexact leaves out metadata that changes from run to run.
 std::vector<std::string> encoding()
 {
     return words_of(
@@ -51,14 +51,14 @@ std::string ffmpeg()
 {
     const char* named = std::getenv("MANDELMARCH_FFMPEG");
     if (named == nullptr || *named == '\0') return "ffmpeg";
-    // A name without a folder is searched in PATH.
+    // A name without a slash stays as it is and is searched in PATH.
     const std::string name = named;
     return name.find('/') == std::string::npos ? name : std::filesystem::absolute(name).string();
 }
 
 double ffmpeg_timeout(double usual)
 {
-    constexpr double longest = 1e6;  // poll() takes milliseconds as an int
+    constexpr double longest = 1e6;  // seconds; its milliseconds fit into the int that poll() takes
     const char* text = std::getenv("MANDELMARCH_FFMPEG_TIMEOUT");
     const double seconds = text == nullptr ? usual : parse_real(text).value_or(usual);
     return seconds > 0 ? std::min(seconds, longest) : usual;
@@ -66,7 +66,7 @@ double ffmpeg_timeout(double usual)
 
 std::vector<std::string> time_scale(int rate)
 {
-    constexpr int ticks = 512;  // per frame
+    constexpr int ticks = 512;  // units of time per frame
     return {"-video_track_timescale", fmt::format("{}", ticks * rate)};
 }
 
@@ -134,7 +134,7 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
 
 Encoder::~Encoder()
 {
-    // Killing the child ends a write() that waits for it.
+    // The writer may be blocked in write(); killing the child makes it return.
     if (writer_.joinable()) {
         pipe_->process.kill();
         writer_.join();

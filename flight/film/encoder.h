@@ -21,44 +21,44 @@ std::vector<std::string> words_of(const std::string& text);
 // because ffmpeg runs in other folders.
 std::string ffmpeg();
 
-// Returns the seconds after which an inactive ffmpeg is killed: the environment variable MANDELMARCH_FFMPEG_TIMEOUT, or
-// `usual`.
+// Returns the time in seconds after which an ffmpeg that does not respond is killed: the value of the environment
+// variable MANDELMARCH_FFMPEG_TIMEOUT, or `usual` if it is not set or invalid.
 double ffmpeg_timeout(double usual);
-inline constexpr double encoding_seconds = 600;  // for the largest frame on a busy machine
+inline constexpr double encoding_seconds = 600;  // timeout while encoding; enough for the largest frame
 
-// Throws Error, in one line, if ffmpeg is missing or hangs, if it lacks the container's codec or drawtext, or if the
-// font is missing.
+// Throws Error with a message of one line if films cannot be encoded: if ffmpeg is missing or does not respond, if it
+// lacks the container's codec or the filter drawtext, or if the title's font is missing.
 void check_ffmpeg(Container container);
 
 // Returns ffmpeg's option that sets a track's time scale for `rate` frames per second.
 std::vector<std::string> time_scale(int rate);
 
-// Returns ffmpeg's version line. Films are bit-identical only for the same version.
+// Returns ffmpeg's version line. Two films of the same inputs are bit-identical only if this line is the same.
 std::string ffmpeg_version();
 
-// The container and the rate of a film.
+// The container and the frame rate of a film.
 struct Coding {
     Container container = Container::mp4;
     int frames_per_second = mandelmarch::frames_per_second;
 };
 
-// Encodes one segment: an MP4 file with the container's codec, yuv420p, BT.709. The number of encoding threads is
-// fixed, so that the same frames give the same bytes.
+// Encodes one segment as an MP4 file with the codec that the container uses (pixel format yuv420p, colours BT.709). The
+// number of encoding threads is fixed, so that the same frames give the same bytes.
 class Encoder {
 public:
-    // Writes `file` in `folder`. `filter` is an ffmpeg video filter before the conversion, or empty. width and height:
-    // pixels, even.
+    // Writes `file` in `folder`. `filter`: an ffmpeg video filter that is applied to the RGB frames; may be empty.
+    // `width`, `height`: pixels; must be even.
     Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
             const Coding& coding);
     ~Encoder();
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    // Adds one frame: RGB, from the top row. A background thread passes it to ffmpeg. Throws Error if that failed for
-    // an earlier frame.
+    // Adds one frame of RGB bytes, top row first. A background thread passes it to ffmpeg. Throws Error if that failed
+    // for an earlier frame.
     void add(std::vector<std::uint8_t> frame);
 
-    // Throws Error if the encoder failed or did not write all frames.
+    // Completes the file. Throws Error if the encoder failed or did not write all frames.
     void finish();
 
 private:
@@ -73,10 +73,11 @@ private:
     bool broken_ = false;
 };
 
-// Runs ffmpeg with these arguments in a folder and returns its standard output. Throws Error with `what` and the cause.
+// Runs ffmpeg with these arguments in a folder and returns its standard output. If it fails, throws Error with a
+// message of `what` and the cause.
 std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what);
 
-// Returns the final number of frames in ffmpeg's progress output, or -1.
+// Returns the last number of frames in ffmpeg's progress output, or -1 if it has none.
 std::int64_t frames_in(const std::string& progress);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A child process that reads from a pipe: ffmpeg.
+// A child process that reads its input from a pipe. It is used for ffmpeg.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ public:
     FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
                   double limit = ChildProcess::no_limit);
 
-    // Returns false if the child does not read any more; finish() reports the cause.
+    // Passes the data to the child. Returns false if the child has stopped reading; finish() then reports the cause.
     bool write(const void* data, std::size_t size);
     // Kills the child. A write() in another thread then returns.
     void kill() const { child_->kill(); }

@@ -29,9 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t worth_a_forecast = 10;  // segments
-constexpr std::size_t forecast_frames = 8;
-constexpr int least_side = 16;  // pixels: the minimum of libx264
+constexpr std::size_t worth_a_forecast = 10;  // segments; the total time of fewer is not estimated
+constexpr std::size_t forecast_frames = 8;    // frames rendered for the estimate
+constexpr int least_side = 16;                // pixels: the minimum of libx264
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 
@@ -61,7 +61,7 @@ public:
     {
     }
 
-    // Renders the missing segments of those chosen. Returns the numbers of segments and frames rendered.
+    // Renders those of the chosen segments that are not finished. Returns the numbers of segments and frames rendered.
     std::pair<std::size_t, std::size_t> render()
     {
         const auto [first, last] = chosen_segments(options_.segments, work_.frames());
@@ -92,14 +92,14 @@ public:
         const bool alone = ranks_.size() == 1;
         const auto body = [&](std::size_t number) { segment(*maker, todo[number], alone ? &progress : nullptr); };
         const auto done = [&](std::size_t number) {
-            // With several ranks, progress is counted in segments, not frames.
+            // With several ranks, progress is counted in finished segments, not in single frames.
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
         return {todo.size(), work_.last(last) - work_.first(first) - finished};
     }
 
-    // Joins title and segments to one file without re-encoding.
+    // Joins the title and the segments to the film (without re-encoding, except for GIF) and removes the segments.
     void join()
     {
         std::vector<std::string> pieces;
@@ -120,7 +120,7 @@ public:
         };
         add(mandelmarch::joining(coding_.container));
         if (coding_.container == Container::mp4) add(time_scale(coding_.frames_per_second));
-        // With "-strict unofficial", ffmpeg copies the tags of the first piece to the film.
+        // ffmpeg copies the tags of the first piece to the film if the option "-strict unofficial" is set.
         const Tags tags{options_.picture.projection == Projection::equirectangular, options_.picture.stereo};
         std::optional<TemporaryPath> tagged;
         if (!tags.none() && coding_.container != Container::gif) {
@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    // True if the piece exists and matches its stamp. Prints a message if it is damaged.
+    // Returns true if the segment or title `file` exists and matches its stamp. Prints a message if it is damaged.
     bool is_finished(const std::string& file) const
     {
         const FileState found = work_.state_of(file);
@@ -170,7 +170,8 @@ private:
         write_note(end_of_links(options_.output), work_.made_of(), hash.text());
     }
 
-    // Makes a part with `write`, checks that it is complete and passes it to `take`. Removes the part on any error.
+    // Writes a file with write(part), checks that it is complete and calls take(part). The file is removed at the end
+    // unless `take` has renamed it.
     template <class Write, class Take>
     void make(const std::string& part, Container container, Write write, Take take)
     {
@@ -188,7 +189,7 @@ private:
         make(part, Container::mp4, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
-    // Prints an estimate of the total time, from rendering and encoding a few frames spread over the film.
+    // Prints an estimate of the total time. For that, a few frames spread over the film are rendered and encoded.
     void foretell(FrameMaker& maker, const std::vector<std::size_t>& todo) const
     {
         const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
@@ -229,7 +230,7 @@ private:
     Coding coding_;
 };
 
-// Throws Error if the ranks would not all render the same bits.
+// Throws Error if this rank's description differs from rank 0's, as the ranks would then render different bits.
 void check_ranks(const std::string& description, Ranks& ranks)
 {
     const std::string first = ranks.share(description);
@@ -240,7 +241,7 @@ void check_ranks(const std::string& description, Ranks& ranks)
                     ranks.rank(), differences(first, description)));
 }
 
-// Reports unfinished films of the same name with another description, such as from before options changed.
+// Prints the unfinished films of the same name that have another description, for example other options.
 void name_leftovers(const SegmentStore& work, const std::string& description)
 {
     for (const auto& [folder, other] : work.others()) {
@@ -269,7 +270,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     } else if (options.segments) {
         throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }
-    // Throws if the folder for the film's parts is invalid.
+    // This throws if the folder for the film's segments is invalid.
     static_cast<void>(parts_folder(options.output, ""));
 }
 
@@ -293,7 +294,7 @@ FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions&
     if (ranks.share(complete() ? "x" : "").empty()) {
         if (ranks.rank() == 0) {
             if (stream) make_private_folder(parts);
-            // The tasks of an array job share one folder.
+            // The tasks of an array job (--segments) work in the same folder at the same time.
             work.open(options.segments.has_value());
             name_leftovers(work, description);
         }

@@ -18,42 +18,47 @@ using Range = std::pair<std::size_t, std::size_t>;
 
 struct FilmOptions {
     std::string output = "video.mp4";
-    std::string title;    // first line before the flight; empty: none
-    std::string authors;  // second line
+    std::string title;    // first line of the title before the flight; empty: none
+    std::string authors;  // second line of the title; empty: none
     Picture picture;
     RendererOptions renderer;
-    // For array jobs: renders only segments [first, second], without those beyond the film's end, and does not join.
+    // For array jobs. If set, only segments [first, second] are rendered, and the film is not joined. Segments beyond
+    // the film's end are ignored.
     std::optional<Range> segments;
-    // The frames [first, second] of the path that become the film; all if not set.
+    // The frames [first, second] of the path that the film shows; all if not set.
     std::optional<Range> frames;
 };
 
 // Statistics of make_film().
 struct FilmStats {
-    std::size_t segments = 0;  // in the film
+    std::size_t segments = 0;  // segments of the whole film
     std::size_t rendered = 0;  // segments rendered in this run, by all ranks
     std::size_t frames = 0;    // frames in these segments
     double seconds = 0;
-    bool joined = false;  // the film is complete
+    bool joined = false;  // true: the film is complete
 };
 
-// Returns the chosen frames of a path with `all` frames, by default all. Throws InputError if the path does not have
-// all of them.
+// Returns `frames`, or [0, all - 1] if not set. `all`: number of frames of the path. Throws InputError if the path does
+// not have all chosen frames.
 Range chosen_frames(const std::optional<Range>& frames, std::size_t all);
 
-// Returns the chosen segments of a film with `frames` frames, by default all, without those beyond its end. Throws
-// InputError if the film has none of them.
+// Returns `segments`, or all segments if not set, without those beyond the end of a film of `frames` frames. Throws
+// InputError if none are left.
 Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 
-// Throws InputError if a film cannot be made from a path of `frames` frames, `rate` per second, because its size is odd
-// or too large, the path does not have the chosen frames or segments, the title does not fit, or the output cannot be
-// written or has another extension than a film's. Does not change any file.
+// Throws InputError if the film cannot be made from a path of `frames` frames at `rate` frames per second:
+// - The width or height is odd, too small or too large.
+// - The container does not allow the frame rate.
+// - The path does not have the chosen frames or segments.
+// - The title does not fit.
+// - The output cannot be written, or its extension is not that of a film.
+// Does not change any file.
 void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
-// Makes the film: renders every unfinished segment, on all ranks, then the title, and joins them without re-encoding.
-// The output file appears only when it is complete; an interrupted run can be continued by another call. Damaged
-// segments are reported and rendered again. Prints progress to stderr. Throws InputError (check_film), Error (ffmpeg, a
-// full disk, another run that makes a film of this name), Unavailable.
+// Makes the film: renders every unfinished segment, on all ranks, then the title, and joins them (without re-encoding,
+// except for GIF). The output file appears only when it is complete. Another call continues an interrupted run. Damaged
+// segments are reported and rendered again. Prints progress to stderr. Throws InputError as check_film() does, Error
+// (ffmpeg failed, the disk is full, another run is making a film of this name) and Unavailable.
 FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 struct StillOptions {
@@ -62,16 +67,16 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // Restrict the stills to frames of segments [first, second] and to the range `frames`. Segments are counted from
-    // the first frame of `frames`.
+    // Only frames in the range `frames` and in the segments [first, second] become stills; all if not set. Segment 0
+    // begins at the first frame of `frames`.
     std::optional<Range> segments, frames;
 };
 
 // Throws InputError if stills cannot be made from a path of `frames` frames.
 void check_stills(const StillOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) and its stamp for every N-th frame. Files that are finished according to their
-// stamps are kept. Returns the number of stills, including those kept.
+// Writes frame-000123.png (or .jpg) and its stamp for every frame with a still, which is every `every`-th one. Keeps
+// files that are finished according to their stamps. Returns the number of stills, including those kept.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

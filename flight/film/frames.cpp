@@ -19,10 +19,10 @@ namespace mandelmarch {
 
 namespace {
 
-constexpr double eyes_distance = 1.0 / 30;  // clearances: comfortable for objects at one clearance (the 1/30 rule)
+constexpr double eyes_distance = 1.0 / 30;  // clearances; the 1/30 rule of stereo for objects one clearance away
 
-// Returns the camera of a frame whose picture shows all directions. Its pixels are as high as those of a perspective
-// picture whose plane at distance 1 is pi high.
+// Returns the frame with a level camera for a picture that shows all directions. The field of view only sets the
+// pixels' height: that of a perspective picture whose plane at distance 1 is pi high.
 Frame looking_everywhere(const Path& path, Frame frame)
 {
     const Frame& first = path.frames.front();
@@ -46,7 +46,7 @@ RendererOptions without_trial(RendererOptions options)
 
 Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
 {
-    // The detail level follows the picture's pixels, not its samples, as finer surfaces flicker more.
+    // The detail level is computed from the size in pixels, not in samples, because finer surfaces flicker more.
     const bool everywhere = picture.projection == Projection::equirectangular;
     const Frame& flown = path.frames[frame];
     Scene scene = picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);

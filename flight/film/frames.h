@@ -14,10 +14,10 @@ namespace mandelmarch {
 struct Picture {
     int width = 1920;         // pixels
     int height = 1080;        // pixels
-    double samples = 1;       // per pixel side, 1 or more: 2 renders twice the size and averages 2 x 2 samples
+    double samples = 1;       // per pixel side, at least 1; 2: renders twice the size and averages 2 x 2 samples
     std::optional<int> look;  // colouring type that replaces the path's
-    // Equirectangular pictures do not turn with the camera. Their centre is the horizontal direction of the first
-    // frame's gaze, and up is y.
+    // Equirectangular pictures do not turn with the camera: up is always y, and the centre is always the horizontal
+    // direction of the first frame's gaze.
     Projection projection = Projection::perspective;
     bool stereo = false;  // side by side; the eye distance is 1/30 of the clearance
 };
@@ -25,18 +25,20 @@ struct Picture {
 // Throws InputError if the picture needs more than the available memory, or if a side is too long.
 void check_picture(const Picture& picture);
 
-// Returns the options without trial renders, as the step factor must not change from frame to frame of a film.
+// Returns the options without trials, which would choose another step factor for each frame of a film.
 RendererOptions without_trial(RendererOptions options);
 
-// Returns the scene of a frame as it is rendered: at the size in samples, with rays through the samples' centres.
+// Returns the scene of a frame as it is rendered: its width and height are counted in samples, and rays go through the
+// samples' centres.
 Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture);
 
 class FrameMaker {
 public:
-    // Uses one renderer for all frames. Keeps a reference to `path`. Throws Unavailable, and as check_picture().
+    // Creates one renderer for all frames. `path` must outlive this object. Throws Unavailable if the backend cannot
+    // render with these options, and InputError as check_picture() does.
     FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture);
 
-    // Returns the frame's RGB bytes, from the top row.
+    // Returns the frame's RGB bytes, top row first.
     std::vector<std::uint8_t> draw(std::size_t frame);
 
 private:

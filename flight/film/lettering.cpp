@@ -15,8 +15,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int least_letter = 8;          // pixels, unless the wanted size is smaller
-constexpr double rather_broken = 0.6;    // of the wanted size: below it, breaking the line in two is tried
+constexpr int least_letter = 8;          // pixels; smallest legible size, but a smaller wanted size is allowed
+constexpr double rather_broken = 0.6;    // of the wanted size; if letters are smaller, the line is broken in two
 constexpr int tab_blanks = 4;            // as in ffmpeg's drawtext
 constexpr std::size_t most_lacking = 8;  // letters listed in a message
 constexpr std::string_view line_ends = "\n\r\f\v";
@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-// Returns the largest size in pixels at which the lines fit, at most the wanted one.
+// Returns the largest size of letters, in pixels, at which the lines fit; at most the wanted size.
 int fitting(const Font& font, const std::vector<std::string>& lines, int wanted, double width, double height)
 {
     double widest = 0;

@@ -36,9 +36,9 @@ struct Lettering {
 
 inline constexpr double line_height = 1.3;  // in units of the letters' size
 
-// Lays out the text at the wanted size in pixels, or as large as width and height (pixels) allow. A long line is broken
-// in two if that makes the letters larger. Throws InputError, with a message that begins with `option`, if the letters
-// would be illegible, and as Font::check().
+// Lays out the text in letters of the wanted size, or smaller ones if it would not fit into `width` x `height`; all in
+// pixels. A long line is broken in two if that makes the letters larger. Throws InputError if the letters would be
+// illegible, or as Font::check() does. The message begins with `option`.
 Lettering lettering(const Font& font, const std::string& option, const std::string& text, int wanted, double width,
                     double height);
 

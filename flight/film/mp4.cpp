@@ -35,7 +35,7 @@ bool whole_mp4(const std::string& file)
             if (!stream.read(reinterpret_cast<char*>(head + 8), 8)) return false;
             box = big_endian(head + 8, 8);
         }
-        // Size 0 means "to the end of the file". ffmpeg uses it for the box of frames until that is complete.
+        // Size 0 means "to the end of the file". ffmpeg gives this size to the box of frames until the box is complete.
         if (box < 8 || box > size - at) return false;
         movie = movie || std::memcmp(head + 4, "moov", 4) == 0;
         at += box;

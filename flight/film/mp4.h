@@ -6,9 +6,10 @@
 
 namespace mandelmarch {
 
-// True if boxes (ISO/IEC 14496-12, section 4.2: four bytes of size, four of name, eight more of size if the size is 1)
-// fill the file to its end and one of them is `moov`, which ffmpeg writes last. If the disk becomes full while it
-// writes `moov`, ffmpeg 5.1 leaves an unreadable file and returns exit code 0.
+// Returns true if the file is a sequence of complete boxes and one of them is `moov`, which ffmpeg writes last. The
+// exit code alone is not enough: if the disk becomes full while ffmpeg 5.1 writes `moov`, it leaves an unreadable file
+// and returns 0. A box begins with four bytes of size and four of name; a size of 1 means that the size is in the next
+// eight bytes (ISO/IEC 14496-12, section 4.2).
 bool whole_mp4(const std::string& file);
 
 }  // namespace mandelmarch

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int bar_width = 40;                          // characters
 constexpr auto look = std::chrono::milliseconds(200);  // between updates of the bar
-constexpr auto line = std::chrono::seconds(15);        // between lines without a terminal
+constexpr auto line = std::chrono::seconds(15);        // between lines if stderr is not a terminal
 
 }  // namespace
 

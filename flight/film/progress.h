@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress of a film on stderr: a bar on a terminal, else a line every 15 s.
+// Prints the progress of a film to stderr: a bar if stderr is a terminal, else a line every 15 s.
 #pragma once
 
 #include <chrono>
@@ -8,18 +8,18 @@
 
 namespace mandelmarch {
 
-// Returns hours, minutes and seconds: "1:02:03 h".
+// Returns a time as hours, minutes and seconds, such as "1:02:03 h".
 std::string clock_text(double seconds);
 
 class FilmProgress {
 public:
-    // `finished`: those of the `frames` frames that earlier runs have rendered.
+    // `frames`: number of frames in all. `finished`: number of those that earlier runs have rendered.
     FilmProgress(std::size_t frames, std::size_t finished);
     ~FilmProgress();
     FilmProgress(const FilmProgress&) = delete;
     FilmProgress& operator=(const FilmProgress&) = delete;
 
-    // Adds finished frames of this or another process. Any thread may call it.
+    // Adds a number of finished frames, rendered by this or another process. May be called from any thread.
     void add(std::size_t frames);
 
 private:

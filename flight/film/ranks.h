@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes that render one film: the ranks of an MPI program, or one process.
+// The processes that render a film together: the ranks of an MPI program, or a single process.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@ public:
 
     virtual int rank() const = 0;
     virtual int size() const = 0;
-    // This rank's index among those on the same machine, and their number.
+    // The index of this rank among the ranks on the same machine, and the number of those ranks.
     virtual int local_rank() const = 0;
     virtual int local_size() const = 0;
 
-    // Broadcasts rank 0's text: returns it on every rank. All ranks must call it.
+    // Returns rank 0's text on every rank (a broadcast). All ranks must call this function.
     virtual std::string share(const std::string& text) = 0;
 
-    // Distributes the numbers 0 to count - 1 among the ranks, in order, each when a rank is free: calls body(number) on
-    // this rank until none is left, and returns when all ranks are done. Calls done(number) on rank 0 after a number's
-    // body has returned.
+    // Distributes the numbers 0 to count - 1 among the ranks: each rank takes the next number when it is free and calls
+    // body(number). After that, done(number) is called on rank 0. Returns when the work of all ranks is done. All ranks
+    // must call this function.
     virtual void each(std::size_t count, const std::function<void(std::size_t)>& body,
                       const std::function<void(std::size_t)>& done) = 0;
 
@@ -32,8 +32,8 @@ public:
     virtual void abort(int code) = 0;
 };
 
-// Returns the ranks of this MPI program, or one process if it was not started by mpirun. Throws Unavailable if it was
-// started by mpirun but built without MPI.
+// Returns the ranks of this MPI program, or a single rank if the program was not started by mpirun. Throws Unavailable
+// if it was started by mpirun but built without MPI.
 std::unique_ptr<Ranks> make_ranks();
 
 }  // namespace mandelmarch

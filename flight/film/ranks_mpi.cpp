@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ranks of an MPI program. Rank 0 keeps the counter of work, and one of its threads serves the other ranks. It
-// polls with pauses, because a thread that waits inside MPI occupies a core. One-sided operations are not an
-// alternative, as they would wait for a rank that computes.
+// The ranks of an MPI program. Rank 0 holds the next number to be distributed, and one of its threads answers the
+// requests of the other ranks. That thread polls and sleeps in between, because a thread that waits inside MPI occupies
+// a core. One-sided operations on the counter are not an alternative: they could wait until rank 0 calls MPI again.
 #include <mpi.h>
 
 #include <atomic>
@@ -15,8 +15,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int ask_tag = 1;     // request for work, with the number just finished; -1: none yet
-constexpr int answer_tag = 2;  // the next number; -1: none left
+constexpr int ask_tag = 1;     // a request for work: the number that the rank has just finished, or -1 at first
+constexpr int answer_tag = 2;  // the answer: the next number, or -1 if none are left
 constexpr auto nap = std::chrono::milliseconds(2);
 
 void wait_for(MPI_Request& request)
@@ -55,7 +55,7 @@ public:
         std::uint64_t length = text.size();
         MPI_Bcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
         std::string copy = rank_ == 0 ? text : std::string(length, '\0');
-        // In pieces whose length fits into an int.
+        // The text is sent in pieces whose length fits into an int.
         constexpr std::uint64_t piece = 1U << 30;
         for (std::uint64_t at = 0; at < length; at += piece) {
             MPI_Bcast(copy.data() + at, static_cast<int>(std::min(piece, length - at)), MPI_CHAR, 0, MPI_COMM_WORLD);
@@ -68,7 +68,7 @@ public:
     {
         if (rank_ == 0) {
             std::atomic<long long> next = 0;
-            std::mutex guard;  // `done` is called from both threads
+            std::mutex guard;  // this thread and the server both call `done`
             const auto report = [&](std::size_t number) {
                 const std::scoped_lock lock(guard);
                 done(number);
@@ -91,7 +91,7 @@ public:
                 MPI_Irecv(&answer, 1, MPI_LONG_LONG, 0, answer_tag, MPI_COMM_WORLD, &request);
                 wait_for(request);
                 if (answer < 0) break;
-                // The checker does not see that wait_for() completes the request; the same below.
+                // clang-analyzer does not see that wait_for() completes the request, here and after the loop.
                 body(static_cast<std::size_t>(answer));  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
                 done_before = answer;
             }
@@ -104,7 +104,7 @@ public:
     void abort(int code) override { MPI_Abort(MPI_COMM_WORLD, code); }
 
 private:
-    // Serves requests until every other rank has been answered that no work is left.
+    // Answers requests until every other rank has got the answer that no work is left.
     template <class Take, class Report>
     void serve(const Take& take, const Report& report) const
     {

@@ -10,7 +10,7 @@ namespace mandelmarch {
 
 bool started_by_mpi()
 {
-    // Open MPI, MPICH and derivatives, PMIx (Slurm).
+    // Set by Open MPI, by MPICH and its derivatives, and by PMIx (Slurm).
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
         const char* value = std::getenv(name);
         if (value != nullptr && *value != '\0') return true;

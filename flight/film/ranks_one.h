@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks that consist of a single process.
+// The implementation of Ranks for a single process.
 #pragma once
 
 #include <cstdlib>
@@ -28,7 +28,7 @@ public:
 
 std::unique_ptr<Ranks> one_rank();
 
-// True if, according to the environment, mpirun or srun with MPI started this process.
+// Returns true if environment variables show that mpirun, or srun with MPI, started this process.
 bool started_by_mpi();
 
 }  // namespace mandelmarch

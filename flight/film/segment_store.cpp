@@ -26,7 +26,7 @@ constexpr const char* part_prefix = ".part-";
 constexpr const char* lock_name = "/lock";
 constexpr int most_tries = 100;
 
-// False if the open file is no longer the one with that name, because another run has removed it.
+// Returns true if `name` still names the open file. It does not if another run has removed the file.
 bool still_there(int descriptor, const std::string& name)
 {
     struct stat held {};
@@ -143,7 +143,7 @@ void SegmentStore::close()
 {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
-    // Removes the folder of all parts unless another film's are in it.
+    // Removes the folder PARTS, unless it still contains another film's segments.
     fs::remove(parts_ + lock_name, ignored);
     fs::remove(parts_, ignored);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The segment store: the folder of a film's segments, by which an interrupted run is continued.
+// The segment store: the folder with a film's finished segments. With it, a later run continues an interrupted one.
 #pragma once
 
 #include <cstddef>
@@ -15,38 +15,39 @@ inline constexpr std::size_t segment_frames = 60;
 
 class SegmentStore {
 public:
-    // Uses the folder PARTS/DIGEST, where DIGEST is that of the description. `film`: its name in messages. `frames`: in
-    // the film. Writes nothing.
+    // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description; does not create it. `film`: the
+    // film's name in messages. `frames`: number of frames of the film.
     SegmentStore(const std::string& film, const std::string& parts, const std::string& description, std::size_t frames);
 
     const std::string& folder() const { return folder_; }
-    // The description's digest, which stamps contain.
+    // Returns the digest of the description, which the stamps of the segments contain.
     const std::string& made_of() const { return digest_; }
     std::size_t frames() const { return frames_; }
     std::size_t segments() const;
-    // The frames [first, last) of a segment.
+    // Return the first frame of a segment, and the frame after its last one.
     std::size_t first(std::size_t segment) const { return segment * segment_frames; }
     std::size_t last(std::size_t segment) const;
 
-    // Creates and locks the folder, writes the description into it (manifest.json) and, unless `shared`, removes
-    // unfinished files of killed runs. Throws Error if that fails, or if another run makes a film of this name and not
-    // both are `shared`.
+    // Creates and locks the folder and writes the description to manifest.json in it. Several runs can open it at the
+    // same time if all set `shared`. Otherwise, unfinished files of killed runs are removed. Throws Error if another
+    // run holds the lock, or if the folder cannot be created.
     void open(bool shared);
 
-    std::string segment_file(std::size_t segment) const;  // its name in the folder
-    std::string part_file(std::size_t segment) const;     // its name while this process writes it
+    std::string segment_file(std::size_t segment) const;  // the finished segment's name in the folder
+    std::string part_file(std::size_t segment) const;     // the segment's name while this process writes it
     FileState state_of(const std::string& file) const;
-    // Renames a complete part to the finished file and writes its stamp. Throws Error.
+    // Renames the complete file `part` to `file` and writes its stamp. Throws Error if that fails.
     void finish(const std::string& part, const std::string& file) const;
 
-    // Returns unfinished films of the same name with other descriptions, by folder.
+    // An unfinished film of the same name with another description.
     struct Other {
         std::string description;
         std::size_t segments = 0;
     };
+    // Returns all of these; the keys are their folders.
     std::map<std::string, Other> others() const;
 
-    // Removes the segments, after the film is complete.
+    // Removes the segments. Called after the film is complete.
     void close();
 
 private:

@@ -9,13 +9,14 @@
 namespace mandelmarch {
 namespace {
 
+// The part of a sample that lies in a pixel.
 struct Share {
     std::size_t sample;
     std::uint64_t weight;
 };
 
-// Integer weights of `samples` in `pixels` along one side. Pixel i has the shares [first[i], first[i + 1]), whose
-// weights add up to `whole`.
+// The weights with which `samples` samples are averaged to `pixels` pixels along one side of the picture. Pixel i is
+// the weighted mean of the shares all[first[i]] to all[first[i + 1] - 1]; their weights add up to `whole`.
 struct Shares {
     std::vector<Share> all;
     std::vector<std::size_t> first;
@@ -24,7 +25,7 @@ struct Shares {
     Shares(int samples, int pixels)
     {
         const auto common = static_cast<std::uint64_t>(std::gcd(samples, pixels));
-        // A sample is `sample` units long, a pixel `whole` units.
+        // Lengths are integers in a common unit: a sample is `sample` long, a pixel is `whole` long.
         const std::uint64_t sample = static_cast<std::uint64_t>(pixels) / common;
         whole = static_cast<std::uint64_t>(samples) / common;
         for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(pixels); ++i) {

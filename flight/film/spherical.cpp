@@ -17,7 +17,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::size_t box_head = 8;      // bytes: size and type
-constexpr std::size_t entries_head = 8;  // bytes in a box of sample entries: version, flags and number of entries
+constexpr std::size_t entries_head = 8;  // bytes before the entries of the box stsd: version, flags, number of entries
 constexpr char left_and_right = 2;       // st3d's value for side by side
 constexpr std::string_view version_0{"\0\0\0\0", 4};
 
@@ -33,7 +33,8 @@ std::string box_of(std::string_view type, std::string_view content)
     return four_bytes(box_head + content.size()).append(type).append(content);
 }
 
-// Returns the boxes st3d and sv3d. Yaw, pitch and roll of the centre are 0, and the picture is not cropped.
+// Returns the boxes st3d and sv3d that describe the tags. They say that the picture's centre has yaw, pitch and roll 0
+// and that the picture is not cropped.
 std::string boxes_of(const Tags& tags)
 {
     std::string boxes;
@@ -54,7 +55,8 @@ std::size_t size_at(std::string_view data, std::size_t at)
     return size;
 }
 
-// Returns the offset of the first box of this type (empty: any type) in [begin, end) of the data, or `end` if none.
+// Returns the offset of the first box of a type in [begin, end) of the data, or `end` if there is none. An empty type
+// stands for any type.
 std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, std::string_view type)
 {
     for (std::size_t at = begin; at + box_head <= end;) {
@@ -78,7 +80,7 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
     std::vector<std::size_t> around;  // offsets of the boxes that contain the new ones
     std::size_t begin = 0;
     std::size_t end = data.size();
-    // The last type, which is empty, finds the codec's entry, avc1 or vp09.
+    // The empty type at the end finds the codec's entry, which is avc1 or vp09.
     for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
         const std::size_t at = box_in(data, begin, end, type);
         const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();

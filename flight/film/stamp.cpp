@@ -64,7 +64,7 @@ FileState state_of(const std::string& file, const std::string& made_of)
     if (!fs::exists(fs::symlink_status(file, error))) return FileState::missing;
     const std::string note = stamp_path(file);
     if (!fs::is_regular_file(file, error) || !fs::is_regular_file(note, error)) return FileState::damaged;
-    // Read one byte more than a stamp has; the file may be anything.
+    // Reads at most one byte more than a stamp has, because the file may be a large one that is not a stamp.
     const std::string likeness = stamp_text(made_of, digest(""));
     std::string text(likeness.size() + 1, '\0');
     std::ifstream stream(note, std::ios::binary);

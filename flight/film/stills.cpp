@@ -81,7 +81,7 @@ void check_stills(const StillOptions& options, std::size_t frames)
 {
     check_picture(options.picture);
     static_cast<void>(frames_of(options, frames));
-    // The nearest existing parent must be a folder in which this user can create files.
+    // The folder, or its nearest existing parent, must be a folder in which this user can create files.
     std::error_code error;
     fs::path folder = fs::absolute(options.folder);
     while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();

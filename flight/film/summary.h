@@ -8,8 +8,8 @@
 
 namespace mandelmarch {
 
-// Returns JSON with device, size, mode, frames rendered in this run, seconds, and seconds per frame (null if none was
-// rendered).
+// Returns JSON with the device, the size, the mode and the frames of this run with their times. `processes`: number of
+// ranks. The time per frame is null if this run did not render a frame.
 std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
                        int processes);
 

@@ -7,11 +7,11 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int directions = 24;
-constexpr std::size_t frames_apart = 30;
-constexpr double against = 0.5;  // weight of light against the camera, relative to light from behind
+constexpr int directions = 24;            // of the sun that are compared
+constexpr std::size_t frames_apart = 30;  // frames from one compared frame to the next
+constexpr double against = 0.5;           // weight of a sun in front of the camera; one behind it has weight 1
 
-// Returns 1 for light at right angles to the gaze, 0 along it.
+// Returns the quality of a frame's light: 1 for a sun at right angles to the gaze, 0 for one along it.
 double worth(Vector sun, Vector gaze)
 {
     const double cosine = dot(sun, gaze);

@@ -6,8 +6,9 @@
 
 namespace mandelmarch {
 
-// Returns a unit vector towards the sun for a path. Its height is that of Scene's sun. Its direction is chosen so that
-// most frames are lit from the side, which shows relief best, and from behind the camera rather than against it.
+// Returns the unit vector towards the sun for a path's film. The sun is as high as the default sun of Scene. Its
+// horizontal direction is chosen so that most frames are lit from the side, which shows relief best, and rather from
+// behind the camera than from the front.
 Vector sun_of(const Path& path);
 
 }  // namespace mandelmarch

@@ -9,9 +9,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr unsigned middle = 6;  // tenths; each of the four neighbours has one
+constexpr unsigned middle = 6;  // weight of the pixel itself, in tenths; each of its four neighbours has one tenth
 constexpr unsigned whole = 10;
-constexpr std::size_t grain = 16;  // rows
+constexpr std::size_t grain = 16;  // rows that a thread takes at once
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> softened(const Image& picture, int threads)
             const std::uint8_t* below = y + 1 < rows ? here - pitch : here;
             std::uint8_t* to = rgb.data() + y * pitch;
             const auto mixed = [&](std::size_t i, std::size_t left, std::size_t right) {
-                // 16 bits, so that a register holds many values.
+                // The sum has 16 bits, so that a vector register holds many sums.
                 const auto sum = static_cast<std::uint16_t>(middle * here[i] + here[left] + here[right] + above[i] +
                                                             below[i] + whole / 2);
                 return static_cast<std::uint8_t>(sum / whole);

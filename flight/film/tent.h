@@ -9,9 +9,10 @@
 
 namespace mandelmarch {
 
-// Returns RGB from the top row. Each byte is 6/10 of the picture's and 1/10 of each of its four neighbours', rounded,
-// halves up; edges are repeated. This removes flicker of single samples and costs a twentieth of the sharpness
-// (docs/notes/experiments.md). The picture has row 0 at the bottom, as all images. Uses up to `threads` threads.
+// Returns the filtered picture's RGB bytes, top row first. Each byte is 6/10 of the pixel's own value plus 1/10 of each
+// of its four neighbours' values, rounded to nearest (halves up). At the edges, the pixel itself replaces a missing
+// neighbour. The filter removes the flicker of single samples and costs a twentieth of the sharpness
+// (docs/notes/experiments.md). Uses up to `threads` threads.
 std::vector<std::uint8_t> softened(const Image& picture, int threads);
 
 }  // namespace mandelmarch

@@ -15,7 +15,7 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the text with a backslash before each of these characters.
+// Returns the text with a backslash before each character that is one of `characters`.
 std::string escaped(const std::string& text, std::string_view characters)
 {
     std::string made;
@@ -26,14 +26,14 @@ std::string escaped(const std::string& text, std::string_view characters)
     return made;
 }
 
-constexpr double brightening = 0.5;  // seconds
-// The fraction of a picture's width that a line may take. A panorama's width is the full circle.
+constexpr double brightening = 0.5;  // seconds at the end of the title
+// The fraction of the width that a line may take, in a perspective picture and in a picture of all directions.
 constexpr double share_of_width = 0.92;
 constexpr double share_of_circle = 0.25;
-constexpr double title_height = 0.4;  // of a picture's height, for all lines together
+constexpr double title_height = 0.4;  // as fractions of a picture's height, for all lines of the text together
 constexpr double authors_height = 0.3;
 
-// One line of the title; lengths in pixels. ffmpeg reads the text from a file, so it is not escaped.
+// One line of the title. Lengths are in pixels. The text is not escaped, because ffmpeg reads it from a file.
 struct TitleLine {
     std::string text;
     int size;
@@ -48,7 +48,8 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     std::vector<TitleLine> all;
     if (title.empty()) return all;
     const Font font(title_font());
-    // Line number `fixed` is at the position of a single line; the others are above and below it.
+    // Adds the lines of a text. Line number `fixed` is placed `below_middle` pixels below the picture's middle, the
+    // other lines above and below that one.
     const auto add = [&](const Lettering& letters, int below_middle, std::size_t fixed) {
         for (std::size_t i = 0; i < letters.lines.size(); ++i) {
             const double lines = static_cast<double>(i) - static_cast<double>(fixed);
@@ -66,7 +67,7 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     return all;
 }
 
-// Returns ffmpeg's filter that draws a line. `centre`: pixels from the left.
+// Returns the ffmpeg filter that draws a line. `centre`: the line's centre in pixels from the left.
 std::string line_filter(const std::string& file, const TitleLine& line, int centre)
 {
     return fmt::format(
@@ -86,7 +87,8 @@ std::string title_font()
 
 std::string font_option()
 {
-    // Escaped twice (ffmpeg-filters, "Notes on filtergraph escaping"): as a filter's option, and in a filter graph.
+    // The path is escaped twice: as a filter's option, and again as part of a filter graph (manual of ffmpeg-filters,
+    // "Notes on filtergraph escaping").
     return "fontfile=" + escaped(escaped(title_font(), "\\':\t\n "), "\\'[],;\t\n ");
 }
 
@@ -110,7 +112,7 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const auto frames = static_cast<int>(title_frames(coding.frames_per_second));
     const int bright = std::max(1, static_cast<int>(std::lround(brightening * coding.frames_per_second)));
     for (int i = 0; i < frames; ++i) {
-        // At the end, the picture brightens from a third of its light to that of the flight's first frame.
+        // The frame has a third of its brightness. During the last half second it brightens to its full brightness.
         const int light = bright + 2 * std::max(0, i - (frames - bright));
         std::vector<std::uint8_t> frame = first;
         for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * bright));

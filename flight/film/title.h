@@ -17,7 +17,8 @@ constexpr std::size_t title_frames(int rate)
     return static_cast<std::size_t>(title_seconds) * static_cast<std::size_t>(rate);
 }
 
-// Returns the font file's path: the environment variable MANDELMARCH_FONT, or a font of Debian's fonts-dejavu-core.
+// Returns the path of the font file: the value of the environment variable MANDELMARCH_FONT, or DejaVu Sans as
+// installed by Debian's package fonts-dejavu-core.
 std::string title_font();
 
 // Returns the font as an option of ffmpeg's drawtext, with special characters of its path escaped.
@@ -30,12 +31,13 @@ struct Title {
     bool empty() const { return title.empty() && authors.empty(); }
 };
 
-// Throws InputError if a text does not fit into such pictures in the smallest letters, or has letters that the font
-// lacks; Error if the font cannot be read.
+// Throws InputError if a text does not fit into the picture even in the smallest letters, or if it has letters that the
+// font lacks. Throws Error if the font cannot be read.
 void check_title(const Title& title, const Picture& picture);
 
-// Writes the title as a segment: `first` (RGB, from the top row) darkened, with both texts, once for each eye. Texts
-// shrink to fit; an empty text is left out. Throws as check_title() does, and Error if the encoder fails.
+// Writes the title as a video file of title_seconds. It shows the picture `first` (RGB, top row first) darkened, and
+// over it both texts, in stereo once for each eye. A text that is too long gets smaller letters; an empty one is left
+// out. Throws as check_title() does, and Error if the encoder fails.
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
                  const Picture& picture, const Title& title, const Coding& coding);
 

@@ -7,16 +7,16 @@
 namespace mandelmarch {
 
 struct Tilt {
-    double angle;    // roll in radians about the gaze (right-hand rule) that makes the frame level: -pi to pi
-    double horizon;  // 1: a horizon crosses the picture's centre, 0: the gaze is vertical and level is undefined
+    double angle;    // rolling the frame by this angle makes it level; radians, -pi to pi, see rolled()
+    double horizon;  // squared sine of the angle between gaze and vertical; 0: vertical gaze, `angle` is undefined
 };
 
-// Returns the tilt of a frame if `upward`, a unit vector, points upwards.
+// Returns the tilt of a frame. `upward`: the unit vector that counts as upward.
 Tilt tilt_of(const Frame& frame, Vector upward);
-// The same with the upward direction that the fractal defines at the frame's eye.
+// Returns the tilt of a frame, with the upward direction that the fractal defines at the frame's eye.
 Tilt tilt_of(const Frame& frame, const Fractal& fractal);
 
-// Returns the frame with its camera rolled about its gaze by `angle` radians.
+// Returns the frame with its camera rolled about its gaze by `angle` radians (right-hand rule).
 Frame rolled(Frame frame, double angle);
 
 }  // namespace mandelmarch

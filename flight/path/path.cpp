@@ -11,12 +11,12 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double footprint = 1;             // pixel heights
-constexpr double least_clearance = 0.0025;  // of the fractal's size: the smallest that a path should have
+constexpr double footprint = 1;             // pixel heights; size of the smallest detail
+constexpr double least_clearance = 0.0025;  // fractal sizes; the smallest clearance that a path should have
 constexpr int spare_iterations = 1;
 
-// Returns the number of iterations beyond which features seen from the smallest clearance are smaller than a pixel.
-// Further iterations add only noise, and are the slowest part of a close-up.
+// Returns the number of iterations that a picture can show. Even from the smallest clearance, the features of further
+// iterations are smaller than a pixel. They would only add noise, and they are the slowest part of a close-up.
 int iterations_in_sight(const Scene& scene)
 {
     const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path of a flight: every frame's camera and changes to the scene.
+// The path of a flight: for each frame, the camera and the changes to the scene.
 #pragma once
 
 #include <array>
@@ -38,27 +38,30 @@ struct Path {
     Scene scene;  // shared by all frames, including the kind of estimate; its camera and size are unused
     std::uint64_t seed = 0;
     int frames_per_second = mandelmarch::frames_per_second;
-    bool detail_by_size = true;  // the detail level follows from the picture size; false: it is the scene's
+    bool detail_by_size = true;  // the detail level follows from the picture size; false: from scene.detail
     std::vector<Frame> frames;
 };
 
-// Returns the scene of one frame at a picture size in pixels. If detail_by_size, its detail level is the decimal
-// logarithm of one pixel height at distance 1, unless the frame sets a level.
+// Returns the scene of one frame for a picture of width x height pixels. If detail_by_size and the frame does not set a
+// detail level, the level is the decimal logarithm of the height of a pixel at distance 1.
 Scene scene_of(const Path& path, const Frame& frame, int width, int height);
 
-// The same, tuned for rendering if detail_by_size: iterations are limited to those that such pixels can show, steps are
-// as long as the fractal's estimate allows in a close-up, hits are as exact as such pixels need, and normals ignore
-// features smaller than a pixel.
+// Returns the scene of scene_of(), tuned for rendering if detail_by_size:
+// - Iterations are limited to those that pixels of this size can show.
+// - Steps are as long as the fractal's estimate allows in a close-up.
+// - Hits are as exact as pixels of this size need.
+// - Normals ignore features smaller than a pixel.
 Scene picture_of(const Path& path, const Frame& frame, int width, int height);
 
-// Rounds every number of the path to the digits that a path file keeps, so that the audited path is the written one.
+// Rounds the camera numbers of all frames to the digits that a path file keeps, so that an audit measures the path as
+// it is written.
 void cut_digits(Path& path);
 
 // Returns the path as JSON, one line per frame. The same path gives the same bytes.
 std::string to_text(const Path& path);
 
-// Throws InputError if the JSON, a value or a frame (numbered from 0) is invalid. The message begins with `name`, the
-// file's.
+// Parses a path file. Throws InputError if the JSON or a value is invalid; the message begins with `name`, the file's
+// name, and counts frames from 0.
 Path path_from_text(const std::string& text, const std::string& name);
 Path read_path(const std::string& file);
 

@@ -23,9 +23,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
-constexpr std::size_t most_frames = 10'000'000;  // 92 hours
+constexpr std::size_t most_frames = 10'000'000;  // 92 hours at 30 frames per second
 constexpr const char* by_size = "by size";
-constexpr double usual_detail = -3;  // placeholder in the scene if the detail follows the size
+constexpr double usual_detail = -3;  // value of scene.detail if the detail level follows from the picture size
 constexpr ParameterInfo detail_meaning{"detail level", -37, 3};
 constexpr ParameterInfo brightness_meaning{"brightness", 0, 1e6};
 constexpr std::size_t longest_cause = 300;  // bytes of a parser's message
@@ -64,7 +64,7 @@ constexpr std::array<std::string_view, 7> scene_keys{"detail",    "shape",      
 constexpr std::array<std::string_view, 10> frame_keys{
     "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
 
-// Reads values of one JSON object; messages name the file and the object.
+// Reads and checks the values of one JSON object. Its messages begin with `place`, the file and the object in it.
 class PathReader {
 public:
     PathReader(const Json& object, std::string place, const Fractal& fractal)
@@ -77,7 +77,7 @@ public:
 
     bool has(const char* key) const { return object_.contains(key); }
 
-    // Throws InputError for unknown keys, which may be spelling mistakes.
+    // Throws InputError if the object has a key that is not one of `keys`, because it may be a spelling mistake.
     void know(std::span<const std::string_view> keys) const
     {
         for (const auto& [key, value] : object_.items()) {
@@ -96,7 +96,7 @@ public:
 
     double real(const char* key, const ParameterInfo& meaning) const { return checked(value(key), key, meaning); }
 
-    // Rounds to single precision, as the reader of parameter files does.
+    // Returns a number rounded to single precision, as the reader of parameter files rounds it.
     double single(const char* key, const ParameterInfo& meaning) const
     {
         return static_cast<float>(real(key, meaning));

@@ -28,14 +28,14 @@ Frame with_numbers(Frame frame, const CameraNumbers& n)
     return frame;
 }
 
-// Returns the second derivatives, per frame squared, of the natural cubic spline through the values:
-// M[i-1] + 4 M[i] + M[i+1] = 6 (v[i-1] - 2 v[i] + v[i+1]), solved by Thomas's algorithm.
+// Returns the second derivatives M (per frame squared) of the natural cubic spline through the values v. They satisfy
+// M[i-1] + 4 M[i] + M[i+1] = 6 (v[i-1] - 2 v[i] + v[i+1]), which is solved by Thomas's algorithm.
 std::vector<CameraNumbers> bends(const std::vector<CameraNumbers>& values)
 {
     const std::size_t count = values.size();
     std::vector<CameraNumbers> bend(count, CameraNumbers{});
     if (count < 3) return bend;
-    std::vector<double> share(count, 0);  // coefficient of the next derivative in each equation
+    std::vector<double> share(count, 0);  // coefficient of M[i+1] in equation i after elimination
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const double whole = 4 - share[i - 1];
         share[i] = 1 / whole;

@@ -6,13 +6,13 @@
 
 namespace mandelmarch {
 
-// Returns the number of frames at `from` frames per second that cover the time of `frames` frames at `to` per second.
+// Returns how many frames at `from` frames per second cover the time of `frames` frames at `to` frames per second.
 int frames_at_rate(int frames, int from, int to);
 
-// Returns the flight of `path` in `frames` frames at `rate` frames per second; it must not end later than the path. The
-// camera follows a cubic spline (continuous speed and acceleration) through the path's frames; a changing shape is
-// interpolated linearly between two frames. If `rate` is the path's, only the number of frames changes. Numbers are
-// rounded as in a path file.
+// Returns the flight of `path` as `frames` frames at `rate` frames per second. It must not last longer than the path.
+// The camera follows a cubic spline through the path's frames, so that its speed and acceleration are continuous. A
+// changing shape is interpolated linearly between two frames. Camera numbers are rounded as in a path file. If `rate`
+// is the path's rate, only the number of frames changes.
 Path at_rate(const Path& path, int frames, int rate);
 
 }  // namespace mandelmarch

@@ -7,9 +7,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double margin = 1.2;        // half the cube's edge, in fractal sizes
-constexpr double cover_share = 0.95;  // of a ball's radius: the smallest distance of another ball's centre
-constexpr double overlap = 0.95;      // of the sum of two radii: the largest distance of linked balls
+constexpr double margin = 1.2;        // fractal sizes; half the edge of the cube that is filled with balls
+constexpr double cover_share = 0.95;  // the centre of a new ball must be this fraction of the radius from older centres
+constexpr double overlap = 0.95;      // centres of linked balls are closer than this fraction of the sum of their radii
 
 }  // namespace
 
@@ -58,9 +58,10 @@ void Balls::each_cell_near(Vector p, double radius, Visit visit) const
     }
 }
 
-// Samples the free space by a flood fill over coarse cells, from an edge of the cube inwards. A cell that the ball at
-// its centre covers gives one sample; others are cut into fine cells. A neighbour is visited only across a face with a
-// free fine cell, so that the solid interior, where DE evaluations are expensive, is never entered.
+// Samples the free space by a flood fill over coarse cells that starts at an edge of the cube. If the ball around a
+// cell's centre covers the cell, the cell gives one sample; otherwise it is divided into fine cells, which are sampled.
+// The fill crosses a face of a cell only if there is a free fine cell at that face. It therefore never enters the solid
+// interior, where DE evaluations are expensive.
 void Balls::flood()
 {
     const double half_diagonal = side_ * parts * std::sqrt(0.75);
@@ -84,7 +85,7 @@ void Balls::flood()
         clear.resize(points.size());
         field_.distances(points, clear);
         std::vector<Cell> cut;
-        std::vector<std::pair<Cell, unsigned>> open;  // with a bit for each open face
+        std::vector<std::pair<Cell, unsigned>> open;  // cells, each with a bit for each face that can be crossed
         for (std::size_t i = 0; i < wave.size(); ++i) {
             if (field_.safety() * clear[i] >= half_diagonal) {
                 samples_.push_back({points[i], clear[i]});
@@ -134,7 +135,7 @@ void Balls::flood()
     }
 }
 
-// Turns samples into balls, the largest first, and skips samples that lie well inside an existing ball.
+// Makes balls of the samples, the largest first. Skips samples that lie well inside an existing ball.
 void Balls::cover()
 {
     std::vector<std::uint32_t> order(samples_.size());
@@ -154,7 +155,7 @@ void Balls::cover()
     }
 }
 
-// Links balls that overlap, and balls whose gap is closed by a ball at the midpoint of their centres.
+// Links pairs of balls that overlap, and pairs for which a ball at the midpoint of their centres overlaps both.
 void Balls::link()
 {
     links_.resize(balls_.size());
@@ -169,7 +170,7 @@ void Balls::link()
         const Ball& a = balls_[i];
         near.clear();
         each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
-            // Each pair is found from its larger ball, which has the smaller index.
+            // Each pair is found once, from its larger ball, which has the smaller index.
             if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at]))
                 near.push_back(owner_[at]);
         });
@@ -204,12 +205,13 @@ void Balls::link()
     }
 }
 
-// Clears the cells owned by balls that are not connected with the outside, so that holding() never returns such a ball.
+// Finds the balls that are not connected with the outside and removes them from owner_, so that holding() never returns
+// one of them.
 void Balls::keep_outside_component()
 {
     if (balls_.empty()) return;
     std::vector<char> reached(balls_.size(), 0);
-    std::vector<int> stack{0};  // the largest ball lies outside
+    std::vector<int> stack{0};  // begins with the largest ball, which lies outside the fractal
     reached[static_cast<std::size_t>(stack[0])] = 1;
     while (!stack.empty()) {
         const int at = stack.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The free space as overlapping balls. Tours are searched in this graph.
+// The free space around a fractal as a graph of overlapping balls, in which tours are searched.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,21 @@ namespace mandelmarch {
 
 struct Ball {
     Vector centre;
-    double clearance;  // the distance estimate at the centre; the ball's radius is safety times this
+    double clearance;  // the distance estimate at the centre; the ball's radius is DistanceField::safety() times this
 };
 
+// An edge of the graph: a free way from one ball to another.
 struct Link {
-    int to;
-    double length;     // between the centres
+    int to;            // index of the other ball
+    double length;     // distance of the two centres
     double clearance;  // the smallest known estimate between the centres
 };
 
 class Balls {
 public:
-    // Fills the free space that is connected with the outside with balls of at least `least` clearance, within a cube
-    // whose half edge is 1.2 fractal sizes. Free points inside the bounds of at least `narrow` clearance are kept as
-    // narrows(). `coarse`: cells of the coarse grid along an edge.
+    // Fills a cube with balls whose clearance is at least `least`. The cube's half edge is 1.2 fractal sizes. Free
+    // space that is not connected with the outside is left out. Points inside the bounds whose clearance is at least
+    // `narrow` are collected as narrows(). `coarse`: number of coarse cells along an edge of the cube.
     Balls(const DistanceField& field, double least, double narrow, int coarse = usual_coarse);
 
     static constexpr int usual_coarse = 64;
@@ -37,7 +38,7 @@ public:
     // Returns a ball that contains p, or -1 if none is known.
     int holding(Vector p) const;
 
-    // Free points inside the bounds, including those near the surface, at which a search for gates can start.
+    // Returns free points inside the bounds, including points near the surface. A search for gates can start at them.
     const std::vector<Ball>& narrows() const { return narrows_; }
     void forget_narrows() { narrows_ = {}; }
 
@@ -55,7 +56,7 @@ private:
     }
     Cell cell_of(Vector p) const;
     Vector centre_of(Cell c) const;
-    // Calls visit(index) for the fine cells whose centres lie within `radius` of p.
+    // Calls visit(index) for each fine cell whose centre is at most `radius` from p.
     template <class Visit>
     void each_cell_near(Vector p, double radius, Visit visit) const;
 
@@ -66,13 +67,13 @@ private:
 
     const DistanceField& field_;
     double least_, narrow_;
-    int coarse_, fine_;  // cells along an edge
+    int coarse_, fine_;  // numbers of coarse and of fine cells along an edge of the cube
     double half_;        // half the edge of the cube
-    double side_;        // of a fine cell
+    double side_;        // edge of a fine cell
     std::vector<Ball> samples_, narrows_;
     std::vector<Ball> balls_;
     std::vector<std::vector<Link>> links_;
-    std::vector<std::int32_t> owner_;  // for each fine cell: the ball that covers its centre, -1: none
+    std::vector<std::int32_t> owner_;  // for each fine cell: index of the ball that covers its centre; -1: none
 };
 
 }  // namespace mandelmarch

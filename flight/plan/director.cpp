@@ -17,23 +17,23 @@ namespace mandelmarch {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr int directions = 1024;                 // 6 degrees apart
-constexpr double window = 42 * degree;           // mean of half the width and half the height of a picture
-constexpr double middle_radius = 22 * degree;    // radius of a picture's central part
-constexpr double panorama_spacing = 1;           // clearances between panoramas
-constexpr double farthest_seen = 12;             // fractal sizes: rays end there
-constexpr std::size_t slot_frames = 10;          // frames between choices
-constexpr double farthest_turn = 11.5 * degree;  // from one choice to the next
-constexpr double most_aside = 50 * degree;       // angle to the motion beyond which the cost rises steeply
-constexpr double off_motion = 0.5;               // cost of that angle
-constexpr double too_far_off = 20;
-constexpr double turning = 0.6;  // cost of the farthest turn
+constexpr int directions = 1024;                 // of a panorama, about 6 degrees apart
+constexpr double window = 42 * degree;           // radius of a view: mean of a picture's half width and half height
+constexpr double middle_radius = 22 * degree;    // radius of the central part of a view
+constexpr double panorama_spacing = 1;           // clearances from one panorama to the next
+constexpr double farthest_seen = 12;             // fractal sizes; largest length of a ray
+constexpr std::size_t slot_frames = 10;          // the gaze is chosen for every tenth frame
+constexpr double farthest_turn = 11.5 * degree;  // largest turn from one choice to the next
+constexpr double most_aside = 50 * degree;       // angle between gaze and motion beyond which the cost rises steeply
+constexpr double off_motion = 0.5;               // cost at the angle most_aside
+constexpr double too_far_off = 20;               // cost at twice that angle, in addition
+constexpr double turning = 0.6;                  // cost of a turn by farthest_turn
 
-// Thresholds for the contents of a view. Tuned on ten seeds of both fractals.
-constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view
+// Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
+constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view that hit something
 constexpr double enough_middle = 0.6;                    // fraction of the central part that hits something
-constexpr double wall_distance = 2.2, much_wall = 0.65;  // clearances; fraction of the view
-constexpr double enough_depths = 0.55;                   // standard deviation of the depths' logarithms
+constexpr double wall_distance = 2.2, much_wall = 0.65;  // a wall is closer (clearances); fraction of the view
+constexpr double enough_depths = 0.55;                   // standard deviation of the logarithms of the depths
 
 const Sphere& sphere()
 {
@@ -57,7 +57,7 @@ bool is_middle(int direction, int other)
 
 double angle_of_units(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
-// The turns that end at a direction.
+// A turn of the gaze from a direction to another, with its cost. turns() returns all turns that end at each direction.
 struct Turn {
     int from;
     double cost;
@@ -79,7 +79,7 @@ const std::vector<std::vector<Turn>>& turns()
     return made;
 }
 
-// Returns 0 for values of at least `enough`, 1 for values of at most `none`, and a smooth transition in between.
+// Returns a penalty that falls from 1 to 0 while `value` rises from `none` to `enough`.
 double lack(double value, double enough, double none)
 {
     return square(std::clamp((enough - value) / (enough - none), 0.0, 1.0));
@@ -173,7 +173,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
 
 std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
 {
-    // One slot for every tenth frame, and one for the last frame.
+    // The gaze is chosen in slots: at every tenth frame, and at the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
     const auto frame_of = [&](std::size_t slot) {
         return std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);

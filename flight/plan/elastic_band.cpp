@@ -12,20 +12,21 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double spacing = 0.35;      // between points, in clearances
-constexpr double densest = 0.0005;    // fractal sizes: lower limit of a clearance, for the spacing
-constexpr double freedom = 0.45;      // largest move of a point in one round, in safe clearances
-constexpr double pin_freedom = 0.08;  // the same for a pin
+constexpr double spacing = 0.35;      // clearances from one point to the next
+constexpr double densest = 0.0005;    // fractal sizes; the spacing is computed with at least this clearance
+constexpr double freedom = 0.45;      // largest move of a point in one round, in radii of its safe ball
+constexpr double pin_freedom = 0.08;  // largest move of a pinned point, in the same unit
 constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
 constexpr int rounds = 7;
-constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
-constexpr int sweeps = 12;  // at each stride
+constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // relax() moves a point between the points this far away
+constexpr int sweeps = 12;                             // for each stride
 // For shapes that change in flight:
-constexpr double parts_a_step = 10;  // stages of following the walls, per step of the shape parameter
+constexpr double parts_a_step = 10;  // number of stages for a change of the shape by one step (see smooth())
 constexpr int most_parts = 60;
-constexpr int pushes = 2;             // in each stage
-constexpr double clock_reach = 12.0;  // clearances on either side over which the shape time is averaged
+constexpr int pushes = 2;             // calls of push_off() in each stage
+constexpr double clock_reach = 12.0;  // clearances; the shape time is averaged over this distance on either side
 
+// The band's points. `value`: the shape parameter at each point.
 struct Band {
     std::vector<Vector> at;
     std::vector<char> pinned;
@@ -34,11 +35,11 @@ struct Band {
     std::vector<double> clearance;
 };
 
-// Returns the band with new points along it, denser in narrow places. Pins are kept.
+// Returns the band with new points along it, which are denser in narrow places. Pinned points are kept.
 Band resampled(const Shapes& shapes, const Band& old)
 {
     const double most = 1.5 * fastest_clearance(shapes.field().bounds());
-    // A changing shape may have moved the band into solid. There, its points are as dense as close to a wall.
+    // A changing shape may have moved the band into solid; `least` limits the number of points there.
     const double least = densest * shapes.field().bounds().size;
     const auto apart = [&](double clearance) { return spacing * std::clamp(clearance, least, most); };
     Band band;
@@ -61,7 +62,7 @@ Band resampled(const Shapes& shapes, const Band& old)
         while (whole - done > left) {
             done += left;
             const double share = done / whole;
-            // Interpolated; the exact clearances are computed below.
+            // The interpolated clearance only sets the spacing. The exact clearances are computed at the end.
             const double guess = (1 - share) * old.clearance[i - 1] + share * old.clearance[i];
             add(from + share * (old.at[i] - from), false, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
                 std::lerp(old.value[i - 1], old.value[i], share));
@@ -85,7 +86,7 @@ Band band_of(const Shapes& shapes, const Polyline& way)
     return resampled(shapes, band);
 }
 
-// Moves points away from the walls, perpendicular to the band. Moves pins only if `pins`.
+// Moves points away from the walls, perpendicular to the band. Pinned points are moved only if `pins` is true.
 void push_off(const Shapes& shapes, Band& band, bool pins)
 {
     const std::vector<Vector> old = band.at;
@@ -107,6 +108,7 @@ void push_off(const Shapes& shapes, Band& band, bool pins)
     });
 }
 
+// Straightens the band. Each point stays in a ball around its position at the beginning.
 void relax(const Shapes& shapes, Band& band)
 {
     const std::vector<Vector> home = band.at;
@@ -125,8 +127,8 @@ void relax(const Shapes& shapes, Band& band)
                 const int step = std::min({stride, i, count - 1 - i});
                 const auto middle = band.at.begin() + i;
                 const auto point = [&](int offset) { return middle[offset]; };
-                // The midpoint of the two neighbours, or, with four neighbours, a blend with the cubic through them,
-                // which keeps bends round.
+                // The point is moved towards the midpoint of its two neighbours at `step`. If it has four neighbours,
+                // the midpoint is blended with the cubic through all four, which keeps bends round.
                 Vector aim = 0.5 * (point(-step) + point(step));
                 if (i - 2 * step >= 0 && i + 2 * step < count) {
                     const Vector bent =
@@ -144,7 +146,8 @@ void relax(const Shapes& shapes, Band& band)
     }
 }
 
-// Moves points whose clearance is below `least` back towards `home`.
+// Moves points whose clearance is below `least` back towards their positions in `home`: three times by half the
+// distance, then entirely.
 void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home, double least)
 {
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -156,8 +159,8 @@ void take_back(const Shapes& shapes, Band& band, const std::vector<Vector>& home
     shapes.distances(band.at, band.value, band.clearance);
 }
 
-// Moves the band, pins included, with the walls: from the shapes in which it was found to the shape at each point's own
-// time, in small stages.
+// Moves the band, including pinned points, with the walls. Each point was found in one shape (band.value); in small
+// stages, that shape is changed to the shape at the point's shape time, and the point is pushed off the walls.
 void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double step)
 {
     const std::vector<double> found = band.value;
@@ -169,7 +172,7 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
     const int parts = std::clamp(static_cast<int>(std::ceil(parts_a_step * most / step)), 1, most_parts);
     for (int part = 1; part <= parts; ++part) {
-        // All values change by the same amount per stage, so small changes are complete before large ones.
+        // All points' values change by the same amount per stage, so points with a small change are finished first.
         const double gone = most * part / parts;
         for (std::size_t i = 0; i < found.size(); ++i)
             band.value[i] = found[i] + std::clamp(there[i] - found[i], -gone, gone);
@@ -178,7 +181,8 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
 }
 
-// Smooths the shape time by a moving average over the distance in clearances, as a jump would be a jump of the shape.
+// Smooths the shape time along the band, because a jump of the time would be a jump of the shape. The time is replaced
+// by its moving average over the distance in clearances.
 void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
 {
     const double cap = fastest_clearance(shapes.field().bounds());
@@ -200,7 +204,8 @@ void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
             return sum[k] + rest * (old[k] + 0.5 * rest * rise);
         };
         for (std::size_t i = 0; i < way.size(); ++i) {
-            // The window is symmetric and shrinks towards the ends: end values and constant rates are unchanged.
+            // The window is symmetric and becomes shorter towards the ends of the band. Therefore the values at the
+            // ends do not change, and a time that grows at a constant rate does not change either.
             const double reach = std::min({clock_reach, way[i] - way.front(), way.back() - way[i]});
             if (reach > 1e-9) band.clock[i] = (integral(way[i] + reach) - integral(way[i] - reach)) / (2 * reach);
         }

@@ -13,12 +13,12 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double look = 1.5;       // clearances: distance at which the openness around a point is sampled
-constexpr double ring_radius = 7;  // clearances within which the ring's rays must hit a wall
-constexpr std::size_t lines = 32;
-constexpr int ring_rays = 16;
-constexpr double widening = 2.3;  // clearance that the way out must reach, in clearances of the gate
-constexpr double same_place = 2;  // clearances: gates closer to each other count as one
+constexpr double look = 1.5;       // clearances; the estimates around a point are sampled at this distance
+constexpr double ring_radius = 7;  // clearances; rays of the ring must hit a wall within this distance
+constexpr std::size_t lines = 32;  // candidates for a gate's axis
+constexpr int ring_rays = 16;      // rays from a gate's centre, perpendicular to its axis
+constexpr double widening = 2.3;   // clearances of the gate; a way out must lead to a point with a larger clearance
+constexpr double same_place = 2;   // clearances; gates closer to each other count as one
 
 // Returns 13 directions: the axes through the faces, edges and corners of a cube.
 std::array<Vector, 13> compass()
@@ -33,7 +33,7 @@ std::array<Vector, 13> compass()
     return directions;
 }
 
-// Returns two unit vectors that are perpendicular to `axis`, a unit vector, and to each other.
+// Returns two unit vectors that are perpendicular to each other and to `axis`, which must be a unit vector.
 std::pair<Vector, Vector> across(Vector axis)
 {
     const Vector helper = std::abs(axis.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};
@@ -48,6 +48,7 @@ public:
     {
     }
 
+    // Searches a gate around a free point. Returns nullopt if there is none.
     std::optional<Gate> from(Ball place) const
     {
         Gate gate{place.centre, {}, place.clearance, 0, {}, {}, 0};
@@ -61,7 +62,8 @@ public:
     }
 
 private:
-    // Sets gate.axis to the most open line through its centre: the principal axis of the openness of all directions.
+    // Sets gate.axis to the direction in which there is most space. For this, 13 lines through the centre are compared.
+    // The openness of a line is the smaller of the estimates at its two ends, in clearances.
     void find_axis(Gate& gate) const
     {
         static const auto directions = compass();
@@ -73,7 +75,8 @@ private:
             points[2 * k + 1] = gate.centre - reach * directions[k];
         }
         field_.distances(points, clear);
-        // Power iteration on the sum of openness d d^T, from the most open direction.
+        // The principal axis is found by power iteration on the sum of openness^3 d d^T over the lines' directions d.
+        // The iteration starts with the most open direction.
         std::array<double, 13> open{};
         std::size_t best = 0;
         for (std::size_t k = 0; k < 13; ++k) {
@@ -91,8 +94,8 @@ private:
         gate.axis = dot(axis, gate.axis) < 0 ? -1 * axis : axis;
     }
 
-    // Sets gate.axis to the line, of many through the centre, that is open both ways and has most wall around it.
-    // Returns false if there is not enough wall.
+    // Sets gate.axis to one of 32 lines through the centre. The line must be free at both ends, and the fraction of the
+    // directions across it that hit a wall must be the largest. Returns false if that fraction is too small.
     bool tunnel(Gate& gate) const
     {
         static const auto directions = [] {
@@ -111,7 +114,7 @@ private:
         std::array<double, 2 * lines> t{};
         const double end = ring_radius * gate.clearance;
         const field::Reach reach{.floor = 0.05 * gate.clearance, .tolerance = 0, .end = end, .steps = 30};
-        // Quick rejection: of 16 directions spread over all, at least half must be blocked.
+        // Most points are rejected by a quick test: of 16 directions, at least half must hit a wall.
         std::array<Vector, 16> few;
         for (std::size_t k = 0; k < few.size(); ++k) few[k] = directions[k * 2 * lines / few.size() + k % 2];
         field_.casts({from.data(), few.size()}, few, reach, {t.data(), few.size()});
@@ -135,8 +138,8 @@ private:
         return best >= enough_;
     }
 
-    // Moves the gate to the saddle of the clearance: its maximum across the axis, its minimum along it. Returns false
-    // if there is none nearby.
+    // Moves the gate's centre to a saddle point of the clearance: a maximum across the axis and a minimum along it.
+    // Returns false if there is none nearby.
     bool centre(Gate& gate) const
     {
         const double home = gate.clearance;
@@ -179,7 +182,7 @@ private:
         return true;
     }
 
-    // Returns the fraction of rays across the axis that hit a wall.
+    // Returns the fraction of rays perpendicular to the axis that hit a wall.
     double ringed(const Gate& gate) const
     {
         const auto [u, v] = across(gate.axis);
@@ -197,8 +200,9 @@ private:
         return static_cast<double>(wall) / ring_rays;
     }
 
-    // Follows the way out of the gate to a ball in wider space. Each step takes, of nine directions around the last
-    // one, that with the largest clearance. Returns false if no way out is found.
+    // Follows a way out of the gate until it reaches a ball in wider space. Each step compares nine directions around
+    // the direction of the last step and takes the one that leads to the largest clearance. Returns false if no way out
+    // is found. `way`: 0 along the axis, 1 against it.
     bool leave(Gate& gate, int way) const
     {
         Vector direction = way == 0 ? gate.axis : -1 * gate.axis;
@@ -219,7 +223,7 @@ private:
             std::array<double, 9> found{};
             for (std::size_t k = 0; k < 9; ++k) points[k] = at + 0.5 * clear * headings[k];
             field_.distances(points, found);
-            found[0] *= 1.02;  // prefers straight on
+            found[0] *= 1.02;  // prefers to go straight on
             const auto best = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
             at = points[best];
             clear = best == 0 ? found[0] / 1.02 : found[best];
@@ -236,7 +240,7 @@ private:
         return false;
     }
 
-    // Moves the centre to the narrowest point of the ways out.
+    // Moves the centre to the narrowest point of the two ways out.
     void narrow(Gate& gate) const
     {
         std::vector<Vector> whole(gate.ways[1].rbegin(), gate.ways[1].rend());
@@ -256,7 +260,7 @@ private:
     const DistanceField& field_;
     const Balls& balls_;
     double least_, most_;
-    double enough_;  // fraction of the ring that must be wall
+    double enough_;  // fraction of the ring's rays that must hit a wall
 };
 
 }  // namespace
@@ -265,7 +269,7 @@ std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, con
                              std::vector<Gate> known, std::span<const Ball> also)
 {
     const auto [least, most, tries] = search;
-    // A fixed seed, so that all tours choose among the same gates.
+    // The starting points are chosen with a fixed seed, so that all tours choose among the same gates.
     std::vector<Ball> places(also.begin(), also.end());
     FlightRandom random(1);
     const double share = static_cast<double>(tries) / std::max(static_cast<double>(balls.narrows().size()), 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gates: narrow places that a camera can fly through, mostly surrounded by wall, with free space on both sides.
+// Gates: narrow places with free space on both sides through which a camera can fly. Walls surround most of a gate.
 #pragma once
 
 #include <array>
@@ -15,20 +15,21 @@ struct Gate {
     Vector axis;       // unit vector along the passage
     double clearance;  // the distance estimate at the centre
     double walled;     // fraction of 16 rays across the axis that hit a wall within 7 clearances
-    // Polylines out of the gate, from the centre along +axis and -axis to a point inside a ball.
+    // Two polylines out of the gate. Each begins at the centre and ends at a point inside a ball: the first leads out
+    // along +axis, the second along -axis.
     std::array<std::vector<Vector>, 2> ways;
-    std::array<int, 2> balls;
-    int kind;  // gates that the fractal's symmetry maps onto each other have the same kind, 0 and up
+    std::array<int, 2> balls;  // the balls in which the polylines end
+    int kind;                  // 0, 1, ...; the same for gates that the fractal's symmetry maps onto each other
 };
 
-// Limits of a gate's clearance, and the approximate number of points of Balls::narrows() at which a search starts.
+// Limits of a gate's clearance, and the approximate number of points of Balls::narrows() at which searches start.
 struct GateSearch {
     double least, most;
     int tries;
 };
 
-// Returns the `known` gates, then those found from points of narrows(), chosen at random with a fixed seed, and from
-// all points of `also`.
+// Searches for gates around all points of `also` and around points of narrows(), which are chosen at random with a
+// fixed seed. Returns the `known` gates followed by the new ones.
 std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, const GateSearch& search,
                              std::vector<Gate> known = {}, std::span<const Ball> also = {});
 

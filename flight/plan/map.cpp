@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char* format_name = "mandelmarch flight map 1";
 
-// Limits that keep the file small; a drawing does not show more.
+// Limits that keep the file small. A drawing could not show more.
 constexpr std::size_t most_balls = 2500;
 constexpr std::size_t most_gates = 1000;
-constexpr double beside = 0.12;        // fractal sizes
-constexpr std::size_t path_every = 4;  // frames
+constexpr double beside = 0.12;        // fractal sizes; balls and gates farther from the path are left out
+constexpr std::size_t path_every = 4;  // frames; positions in between are not compared with balls and gates
 
-// Formats a number with five digits, enough for a drawing.
+// Formats a number with five digits, which are enough for a drawing.
 std::string number(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0 : value); }
 
 template <class Items, class Text>
@@ -35,8 +35,8 @@ std::string list(const Items& items, Text text_of)
     return fmt::format("[{}]", text);
 }
 
-// Returns up to `most` balls as JSON, [x, y, z, clearance]: first those that contain a point of the path, then those
-// near it, each by decreasing clearance.
+// Returns up to `most` balls as JSON, each as [x, y, z, clearance]. Balls that contain a point of the path come first,
+// then balls near the path. Both groups are sorted by decreasing clearance.
 std::string places(const Bounds& bounds, const std::vector<Vector>& path, std::vector<Ball> balls, std::size_t most)
 {
     const auto away = [&](const Ball& ball) {

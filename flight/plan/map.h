@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of a flight, for drawing: balls, gates, and the path with its measurements.
+// The map of a flight, from which a drawing can be made: balls, gates, and the path with its measurements.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace mandelmarch {
 
-// Returns JSON: bounds of the first frame's shape, the balls and gates on and near the path, passages (frames), and for
-// each frame its position, clearance (the distance estimate) and turn since the previous frame in degrees.
-// `threads`: 0 for one per core.
+// Returns JSON with the bounds of the first frame's shape, the balls and gates on and near the path, the numbers of the
+// frames in passages, and three measurements of each frame: position, clearance (the distance estimate) and turn since
+// the previous frame in degrees. `threads`: 0 for one per core.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 
 }  // namespace mandelmarch

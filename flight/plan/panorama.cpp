@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double coarse_share = 0.02;  // hit tolerance, as a fraction of t
+constexpr double coarse_share = 0.02;  // hit tolerance, as a fraction of the ray's length so far
 constexpr int most_steps = 60;         // a ray with more steps counts as a hit
 
 }  // namespace

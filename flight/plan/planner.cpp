@@ -22,19 +22,19 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double least_clearance = 0.0034;  // fractal sizes: the elastic band's smallest clearance
+constexpr double least_clearance = 0.0034;  // fractal sizes; the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
-constexpr double wanted_turn = 0.95;    // degrees per frame: where the gaze turns faster, the camera slows down
-constexpr double turn_limit = 1.17;     // degrees per frame; the promise is 1.2
+constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows down if the gaze turns faster
+constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
-constexpr double usual_motion = 0.014;  // target of the picture's median motion, picture heights per frame
-constexpr int retimings = 7;
+constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
+constexpr int retimings = 7;            // times that speed and gaze are computed, each adapted to the other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
-constexpr double usual_slow = 0.7;   // the mean speed factor that tours are planned for
-constexpr double most_off = 1;       // largest time error at a keyframe, frames
+constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors
+constexpr double most_off = 1;       // frames; largest time error at a keyframe
 
-// Limits of a plan's processor time: many times that of the official shapes.
+// Limits of a plan's processor time. They are many times what the official shapes need.
 constexpr double usual_seconds = 60;
 constexpr double seconds_a_frame = 0.02;
 
@@ -57,7 +57,8 @@ public:
 
     const RoadmapSet& atlas() const { return atlas_; }
 
-    // Returns the path of one tour; empty if the tour was too short or, with a changing shape, not on time.
+    // Plans tour number `number` and returns its path. The path is empty if the tour is too short or, if the shape
+    // changes, if the camera cannot keep the schedule.
     Path attempt(int number)
     {
         FlightRandom random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
@@ -81,6 +82,8 @@ public:
     }
 
 private:
+    // Returns the path of a flight along a curve, or an empty path as attempt() does. Changes the curve's speed
+    // factors.
     Path fly(Curve& track)
     {
         const int needed = frames_ + look_ahead;
@@ -97,7 +100,7 @@ private:
             } else {
                 now = ride(bounds, track, measures_.pace, needed);
             }
-            // A trajectory that is too short may become long enough when it slows down in bends.
+            // A trajectory that is too short may still become long enough, because the camera slows down in bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
             views = smoothed_gaze(now, director.gaze(now, flown));
@@ -118,7 +121,7 @@ private:
         return path;
     }
 
-    // Updates share_ from the trajectory's mean speed factor, for the shape time of the next tour.
+    // Updates share_ from the mean speed factor of this trajectory. The next tour's shape time is computed with it.
     void learn(const Curve& track, const Trajectory& ride)
     {
         double sum = 0;
@@ -127,7 +130,7 @@ private:
         share_ = std::clamp(share_ * std::pow(usual_slow / mean, 0.7), 0.2, 1.0);
     }
 
-    // Sets each frame's shape, rounded to single precision, as in path files.
+    // Sets each frame's shape. Its parameter is rounded to single precision, as in path files.
     void change(Path& path, const Curve& track, const Trajectory& ride) const
     {
         const std::vector<double> clock = clock_of(track, ride, static_cast<int>(path.frames.size()), schedule_);
@@ -137,7 +140,7 @@ private:
         }
     }
 
-    // Lowers the speed factors where the gaze turns too fast.
+    // Reduces the curve's speed factors at places at which the gaze turns too fast.
     void slow_turns(Curve& track, const Trajectory& ride, const std::vector<Vector>& views) const
     {
         std::vector<double> factor(track.slow.size(), 1);
@@ -153,7 +156,8 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Adjusts the speed factors so that the picture's motion approaches usual_motion, at most at full pace.
+    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. The factors stay at
+    // most 1.
     void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Vector>& views,
                      const Director& director) const
     {
@@ -167,7 +171,7 @@ private:
         }
     }
 
-    // Returns the up vector of the first camera: y, or z if the view is close to the y axis.
+    // Returns the up vector of the first camera: the y axis, or the z axis if the view is nearly along y.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
     Schedule schedule_;
@@ -177,10 +181,10 @@ private:
     int frames_;
     double size_;
     RoadmapSet atlas_;
-    double share_ = first_share;  // mean speed that sets the shape time of tours, as a fraction of the pace
+    double share_ = first_share;  // expected mean speed of the next tour, as a fraction of the pace
 };
 
-// Returns a penalty for missed promises and thresholds. One promise outweighs all thresholds.
+// Returns a penalty for missed thresholds; 0 if none is missed. A broken promise counts a thousand times as much.
 double faults(const Audit& audit)
 {
     double sum = 0;
@@ -202,7 +206,7 @@ void check_roads(const RoadmapSet& atlas, const Scene& scene, const Schedule& sc
             scene.iterations < few_iterations ? fmt::format(" or more iterations than {}", scene.iterations) : ""));
     };
     if (!atlas.has_space()) fail("no free space that a camera can reach (no balls)");
-    // If the shape changes, tours also lead through wide places and need no gates.
+    // If the shape changes, tours lead through wide places, too, and gates are not needed.
     if (atlas.gates().empty() && !schedule.changes()) fail("no narrow places to fly through (no gates)");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are the same on every machine, unlike those of the standard library's distributions.
+// Random numbers that are the same on every machine. The standard library's distributions do not guarantee this.
 #pragma once
 
 #include <cstdint>

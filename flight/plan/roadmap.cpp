@@ -11,16 +11,17 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double narrow = 0.0022;  // fractal sizes: smallest clearance of the points of Balls::narrows()
+constexpr double narrow = 0.0022;  // fractal sizes; smallest clearance of the points of Balls::narrows()
 constexpr Roadmap::Effort one_shape{Balls::usual_coarse, 300'000};
 // For shapes that change in flight:
 constexpr Roadmap::Effort first_of_many{48, 100'000};
-constexpr Roadmap::Effort one_of_many{48, 20'000};  // few tries, as the neighbour's gates are tried, too
-constexpr int roads_iterations = 30;                // points that need more are too close to the surface for a roadmap
-constexpr double moved = 0.5;  // motion of walls from one value to the next, in smallest clearances of a roadmap
-constexpr int most_values = 32;
+constexpr Roadmap::Effort one_of_many{48, 20'000};  // fewer tries, because the neighbour's gates are tried, too
+constexpr int roads_iterations = 30;                // limit; points that need more are too close to the surface
+constexpr double moved = 0.5;    // motion of the walls from one roadmap to the next, in units of its smallest clearance
+constexpr int most_values = 32;  // roadmaps of one schedule
 
-// Returns the step between values from low to high in which walls move, in the median, by that distance.
+// Returns the step of the shape parameter, between `low` and `high`, that moves the walls by the distance `moved` in
+// the median.
 double step_of_values(const Shapes& shapes, double low, double high)
 {
     const DistanceField& field = shapes.field();
@@ -91,7 +92,7 @@ RoadmapSet::RoadmapSet(const Shapes& shapes, const Schedule& schedule) : schedul
                                                    shapes.threads(), shapes.budget());
         neighbour = roads_[number].get();
     }
-    // Then backwards, so that gates found at later values are tried at earlier ones.
+    // The second pass runs backwards, so that gates found at larger values are tried at smaller ones.
     for (int number = number_of(high_); number-- > 0;) roads_[number]->find(roads_[number + 1].get(), 0);
 }
 

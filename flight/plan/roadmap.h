@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roadmaps: the balls and gates of one shape, and the set of roadmaps of a fractal that changes in flight.
+// Roadmaps: the balls and the gates of a shape. A fractal that changes in flight has a set of roadmaps.
 #pragma once
 
 #include <limits>
@@ -19,39 +19,41 @@ struct Roadmap {
     Balls balls;
     std::vector<Gate> gates;
 
-    // `coarse`: cells of the balls' coarse grid along an edge. `tries`: points at which a search for gates starts.
+    // `coarse`: see Balls. `tries`: approximate number of points at which searches for gates start.
     struct Effort {
         int coarse, tries;
     };
-    // `neighbour`: the roadmap of a similar shape, at whose gates searches start, too; or null.
+    // `neighbour`: the roadmap of a similar shape, or null. Searches for gates also start at its gates.
     Roadmap(const Scene& scene, const Effort& effort, const Roadmap* neighbour, int threads, const Budget* budget);
-    // Searches for more gates, also at those of `neighbour` if it is not null.
+    // Searches for more gates. Unless `neighbour` is null, searches also start at its gates.
     void find(const Roadmap* neighbour, int tries);
     Roadmap(const Roadmap&) = delete;
     Roadmap& operator=(const Roadmap&) = delete;
 };
 
-// A roadmap that is used until the shape time passes `until`.
+// A stretch of time in which a tour uses one roadmap. Time is measured as shape time: the frame of the schedule that
+// gives the fractal its shape at a point of the tour.
 struct RoadmapSpan {
     const Roadmap* roads;
-    double until = std::numeric_limits<double>::infinity();  // frames
-    double value = 0;                                        // of the changing shape parameter
+    double until = std::numeric_limits<double>::infinity();  // shape time at its end, frames
+    double value = 0;                                        // the roadmap's value of the changing shape parameter
 };
 
-// The roadmaps for tours of a schedule: one if nothing changes, else one for each of many values of the shape
-// parameter. From one value to the next, walls move by about half the smallest clearance of a roadmap.
+// The roadmaps for the tours of a schedule. If the shape does not change, there is one roadmap, else one for each of up
+// to 32 values of the shape parameter. From one value to the next, walls move by about half the smallest clearance of a
+// roadmap.
 class RoadmapSet {
 public:
     RoadmapSet(const Shapes& shapes, const Schedule& schedule);
 
-    // Returns the roadmaps in the order of time, for a film of `frames` frames.
+    // Returns the roadmaps for a film of `frames` frames in order of time. A roadmap can occur several times.
     std::vector<RoadmapSpan> stretches(int frames) const;
     std::size_t shapes() const { return roads_.size(); }
-    double step() const { return step_; }  // from one value to the next
+    double step() const { return step_; }  // from one value of the shape parameter to the next
 
-    // True if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
+    // Returns true if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
     bool has_space() const;
-    // Return the balls and gates of all roadmaps; a gate as the ball around its narrowest point.
+    // Return the balls and the gates of all roadmaps. A gate is returned as the ball around its narrowest point.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;
 
@@ -60,8 +62,8 @@ private:
     double value_of(int number) const;
 
     Schedule schedule_;
-    double low_ = 0, high_ = 0, step_ = 1;           // of the values
-    std::map<int, std::unique_ptr<Roadmap>> roads_;  // by the index of their value
+    double low_ = 0, high_ = 0, step_ = 1;           // smallest and largest value of the shape parameter, and its step
+    std::map<int, std::unique_ptr<Roadmap>> roads_;  // keys: number_of(value)
 };
 
 }  // namespace mandelmarch

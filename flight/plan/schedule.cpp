@@ -18,7 +18,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::size_t longest_value = 80;  // bytes of a value in a message
-constexpr int looks = 256;                 // values checked between two keyframes
+constexpr int looks = 256;                 // number of values that are checked between two keyframes
 
 class Parser {
 public:
@@ -45,7 +45,7 @@ public:
             }
         }
         if (knots.back().frame > last) {
-            // The film's end in seconds means its last frame.
+            // A keyframe at the end of the film, which is one frame after the last one, is moved to the last frame.
             if (knots.back().frame > frames_) {
                 fail(fmt::format("{:.6g} s is after the end of the film, expected at most {:.6g} s",
                                  knots.back().frame / frames_per_second,
@@ -87,7 +87,7 @@ private:
         return all;
     }
 
-    // Parses a value and rounds it to single precision, as the reader of parameter files does.
+    // Parses a value and rounds it to single precision, as the reader of parameter files rounds it.
     double value(std::string_view text) const
     {
         const ParameterInfo& meaning = scene_.fractal->shape[number_];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keyframes of one shape parameter of a fractal that changes in flight.
+// Schedules: the keyframes of a shape parameter that changes in flight.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace mandelmarch {
 
-// A keyframe: a value of the shape parameter, and the frame at which it is reached.
+// A keyframe: a value of the shape parameter and the frame that has this value.
 struct Knot {
     double frame;
     double value;
 };
 
-// A shape parameter as a function of time. It is constant before the first keyframe and after the last; between two it
-// is interpolated by u^2 (3 - 2 u), whose derivative is continuous.
+// A shape parameter as a function of time. It is constant before the first keyframe and after the last one. Between two
+// keyframes it changes in proportion to u^2 (3 - 2 u), where u runs from 0 to 1; its derivative is continuous.
 class Schedule {
 public:
     // A schedule without changes.
     Schedule() = default;
-    // `number`: index of the shape parameter in Scene::shape. Frames must increase from keyframe to keyframe.
+    // `number`: index of the shape parameter in Scene::shape. The frames of `knots` must increase.
     Schedule(std::size_t number, std::vector<Knot> knots);
 
     std::size_t number() const { return number_; }
@@ -35,10 +35,14 @@ private:
     std::vector<Knot> knots_;
 };
 
-// Parses the schedule of the scene's shape parameter called `name`, for a film of `frames` frames. `text` is one value,
-// "8"; the first and the last, "8:5"; or values at given seconds, "0s=8,60s=5,120s=8". Throws InputError, in one line,
-// if the fractal has no such parameter, the text has another form, seconds do not increase or are after the film's end,
-// or the fractal cannot be flown through at some value in between.
+// Parses the schedule of the scene's shape parameter called `name`, for a film of `frames` frames. `text` has one of
+// three forms: a constant value, "8"; the first and the last value, "8:5"; values at given seconds,
+// "0s=8,60s=5,120s=8".
+// Throws InputError with a message of one line in these cases:
+// - The fractal does not have a parameter of this name.
+// - The text does not have one of the forms.
+// - The seconds do not increase, or are after the film's end.
+// - With one of the values or a value in between, the fractal cannot be flown through.
 Schedule parse_schedule(std::string_view name, const std::string& text, const Scene& scene, int frames);
 
 }  // namespace mandelmarch

@@ -11,20 +11,21 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double outside_penalty = 6;  // cost factor outside the bounds
-constexpr double seen_penalty = 3;     // cost factor of visited balls
-constexpr double whole_turn = 30;      // cost of a turn by 180 degrees, clearances
-constexpr double gate_reach = 400;     // clearances, with penalties, within which the next gate is sought
-constexpr int choices = 10;            // gate entries compared before choosing
-constexpr double whim = 1.0;           // largest random increase of a gate's cost, relative
+// The cost of a way is its length in clearances, times penalties.
+constexpr double outside_penalty = 6;  // factor for ways outside the bounds
+constexpr double seen_penalty = 3;     // factor for ways to balls that the tour has visited
+constexpr double whole_turn = 30;      // cost of a turn by 180 degrees
+constexpr double gate_reach = 400;     // largest cost of the way to the next gate
+constexpr int choices = 10;            // number of gate entries after which the search ends
+constexpr double whim = 1.0;           // largest random increase of a gate's cost, as a multiple of the cost
 // For shapes that change in flight:
-constexpr double changing_reach = 70;  // clearances, without penalties: gates farther away will have moved
-constexpr double stroll_reach = 40;    // clearances within which a fallback is sought
-constexpr double same_gate = 0.03;     // fractal sizes: gates of two shapes closer to each other count as one
-// A point may be attached to a ball that does not contain it if
-constexpr double over = 4;          // it is closer than this to the centre, in the ball's clearances,
-constexpr std::size_t tried = 24;   // the ball is one of this many closest ones,
-constexpr double free_share = 0.3;  // and all estimates in between exceed this fraction of the smallest clearance
+constexpr double changing_reach = 70;  // clearances without penalties; gates farther away will have moved
+constexpr double stroll_reach = 40;    // clearances; largest distance of the fallback (see Search::stroll)
+constexpr double same_gate = 0.03;     // fractal sizes; gates of two shapes closer to each other count as one
+// near() accepts a ball that does not contain the place under three conditions:
+constexpr double over = 4;          // - its centre is closer to the place than this, in clearances of the ball;
+constexpr std::size_t tried = 24;   // - it is one of this number of closest balls;
+constexpr double free_share = 0.3;  // - all estimates in between exceed this fraction of the roadmap's least clearance.
 
 double angle_between(Vector a, Vector b)
 {

@@ -10,20 +10,21 @@
 
 namespace mandelmarch {
 
-// A ball of the roadmap of a stretch.
+// A ball of the roadmap of a stretch of time (RoadmapSpan).
 struct Node {
     int stretch = 0;
-    int ball = -1;  // -1: none
+    int ball = -1;  // index of the ball; -1: none
 };
-// One side of a gate.
+// One side of a gate, from which a tour can enter it.
 struct Entry {
     int stretch = 0;
-    int number = -1;  // 2 gate + side; -1: none
+    int number = -1;  // 2 * (index of the gate) + (side: 0 or 1); -1: none
 };
 
 class Search {
 public:
-    // `frames_a_clearance`: shape time per distance.
+    // `frames_a_clearance`: shape time that passes on a way of one clearance, in frames; 0 if the shape does not
+    // change.
     Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance);
 
     const RoadmapSpan& stretch(int number) const { return stretches_[static_cast<std::size_t>(number)]; }
@@ -35,26 +36,29 @@ public:
         return roads(entry.stretch).gates[static_cast<std::size_t>(entry.number) / 2];
     }
 
-    // Chooses the next gate by Dijkstra's search from a ball, until enough gates are found. Returns an empty entry if
-    // no gate is in reach. `clock`: the shape time at the ball, frames. `done`: the points of the tour so far, relative
-    // to which turns have a cost.
+    // Chooses the next gate among the closest ones, which are found by Dijkstra's search from a ball. Returns an empty
+    // entry if no gate is in reach. `clock`: the shape time at the ball, in frames. `done`: the points of the tour so
+    // far; the turn from them towards a gate adds to the gate's cost.
     Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
-    // Results of the last search. stroll(): the fallback, a ball inside at some distance; leg_to(): the balls on the
-    // path to a node; cost() and clock(): clearances and shape time at a node.
+    // These functions return results of the last search:
+    // - stroll(): a ball inside the bounds at some distance, to which the tour can lead if there is no gate,
+    // - leg_to(): the balls on the way to a node,
+    // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
     double cost(Node node) const { return cost_[index(node)]; }
     double clock(Node node) const { return clock_[index(node)]; }
 
-    // Returns the cost, in clearances, of two turns: from the tour so far into the leg to a gate, and from the leg into
-    // the gate.
+    // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
+    // into the leg, and from the leg into the gate.
     double turn_cost(Node node, Entry entry, std::span<const Vector> done) const;
 
-    // Returns the ball of a stretch that contains the place, else the nearest one with a free way to it; -1 if none.
+    // Returns the ball of a stretch that contains the place. If there is none, returns a close ball with a free way to
+    // the place; an empty node if there is none either.
     Node near(int stretch, Vector place) const;
 
-    // Marks the ball, its neighbours, and the balls at its place in later shapes as visited.
+    // Marks a ball and the balls linked to it as visited. Does the same for the balls at its place in later stretches.
     void see(Node node);
     // Marks the gate's kind, and the kinds of gates at the same place in other shapes, as flown.
     void mark_flown(Entry entry);
@@ -69,15 +73,15 @@ private:
 
     std::span<const RoadmapSpan> stretches_;
     double frames_a_clearance_;
-    std::vector<std::size_t> offsets_;      // for each stretch: its first ball's index in vectors of all balls
-    std::vector<char> seen_;                // for each ball: visited, or a neighbour of a visited one
-    std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate
-    // Dijkstra's labels for each ball, valid where round_ equals turn_.
+    std::vector<std::size_t> offsets_;      // for each stretch: index of its first ball in the vectors of all balls
+    std::vector<char> seen_;                // for each ball: marked by see()
+    std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate: marked by mark_flown()
+    // Dijkstra's labels for each ball. They belong to the last search if the ball's round_ equals turn_.
     std::vector<double> cost_, clock_;
     std::vector<Node> before_;
     std::vector<int> round_;
     int turn_ = 0;
-    std::vector<std::vector<int>> entries_;  // for each ball: its gates' entries, 2 gate + side
+    std::vector<std::vector<int>> entries_;  // for each ball: the entries of gates that begin in it, see Entry::number
     Node stroll_;
 };
 

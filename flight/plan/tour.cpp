@@ -9,9 +9,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 2.5;  // of the eye from the centre, in fractal sizes
-constexpr int most_refused = 60;        // discarded parts in a tour; the fallback counts five times
-constexpr double dear_gate = 130;       // clearances, with penalties: a gate farther away loses to the fallback
+constexpr double start_distance = 2.5;  // fractal sizes; distance of the tour's first point from the centre
+constexpr int most_refused = 60;        // discarded parts after which a tour ends; a stroll counts five times
+constexpr double dear_gate = 130;       // clearances with penalties; a stroll is preferred to a gate farther away
 
 class Guide {
 public:
@@ -49,7 +49,8 @@ public:
             if (moved_on(to) && (!fine_ || fine_(part_from(before.way.points.size())))) {
                 at = to;
             } else {
-                // The next shape's roadmap does not reach this place, or the walls close. A gate stays marked as flown.
+                // The part is discarded: the next roadmap has no ball near its end, or the walls close around it. Its
+                // gate stays marked as flown, so that it is not tried again.
                 tour_ = before;
                 if ((refused += strolls ? 5 : 1) > most_refused) break;
             }
@@ -63,7 +64,7 @@ private:
         return {entry.stretch, search_.gate(entry).balls[static_cast<std::size_t>(entry.number) % 2]};
     }
 
-    // Returns a ball outside the bounds, chosen at random.
+    // Returns a large ball outside the bounds, chosen at random.
     int start()
     {
         const Balls& balls = search_.roads(0).balls;
@@ -79,8 +80,9 @@ private:
         return candidates[static_cast<std::size_t>(random_.share() * static_cast<double>(candidates.size()))];
     }
 
-    // Moves `at` to the stretch of the current shape time, roadmap by roadmap. Returns false if one of them has no ball
-    // near the place.
+    // Replaces `at` by a ball at the same place in the stretch of the current shape time, going from stretch to
+    // stretch.
+    // Returns false if the roadmap of one of them has no ball near the place.
     bool moved_on(Node& at) const
     {
         while (tour_.clock > search_.stretch(at.stretch).until) {
@@ -91,6 +93,7 @@ private:
         return true;
     }
 
+    // Adds the leg to a ball.
     void fly_to(Node node)
     {
         for (const Node at : search_.leg_to(node)) {
@@ -101,7 +104,7 @@ private:
         tour_.cost += search_.cost(node);
     }
 
-    // Adds the leg to the gate and the way through it, from the entry's side. Returns the ball on the other side.
+    // Adds the leg to a gate's entry and the way through the gate. Returns the ball on the other side.
     Node pass(Entry entry)
     {
         const Gate& through = search_.gate(entry);
@@ -125,7 +128,7 @@ private:
         return {entry.stretch, through.balls[1 - side]};
     }
 
-    // Returns the part of the polyline from a point on, with up to four points before it.
+    // Returns the part of the polyline that begins with a point, preceded by up to four points before it.
     Polyline part_from(std::size_t point) const
     {
         const auto first = static_cast<std::ptrdiff_t>(point - std::min<std::size_t>(point, 4));

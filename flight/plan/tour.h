@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tour: a sequence of gates, and a polyline through them and the balls in between.
+// A tour: a polyline that leads through a sequence of gates and through the balls between them.
 #pragma once
 
 #include <functional>
@@ -12,35 +12,36 @@
 
 namespace mandelmarch {
 
-// A polyline; its pinned points, the gates' centres, must be kept.
+// A polyline. Its pinned points, which are the centres of gates, must be kept when it is smoothed.
 struct Polyline {
     std::vector<Vector> points;
     std::vector<char> pinned;  // for each point
-    // For each point: its shape time in frames, and the shape parameter's value of the roadmap that it was found on.
+    // For each point: the shape time in frames, and the shape parameter's value of the roadmap in which it was found.
     std::vector<double> clock, found;
 };
 
 struct Tour {
     Polyline way;
     int gates = 0;
-    double cost = 0;   // in clearances
-    double clock = 0;  // shape time at the end, frames
+    double cost = 0;   // of the whole tour, in clearances
+    double clock = 0;  // shape time at the tour's end, in frames
 };
 
-// The length at which a tour ends: its cost in clearances or, if the shape changes, its shape time in frames.
+// The length at which a tour ends: a cost in clearances or, if the shape changes, a shape time in frames.
 struct TourLength {
     double cost = std::numeric_limits<double>::infinity();
     double clock = std::numeric_limits<double>::infinity();
-    double frames_a_clearance = 0;  // shape time per distance: 1 / (clearances per frame)
+    double frames_a_clearance = 0;  // shape time that passes on a way of one clearance, in frames
 };
 
-// Returns a tour that starts outside and leads from gate to gate until the length is reached or no gate is in reach. It
-// passes gates that look the same only once, unless no other gate is left. If the length is a shape time, it leads to
-// other places inside when no gate is in reach. `random` chooses the start and influences the choice of each gate.
-// Each stretch uses its own roadmap. When the shape time passes its end, the tour continues in the next roadmap's ball
-// at the same place.
-// `fine`: if given, called for each new part of the tour, together with up to four points before it; a part for which
-// it returns false is discarded.
+// Returns a tour that starts outside the fractal and leads from gate to gate. It ends when the length is reached or no
+// gate is in reach; if the length is a shape time, the tour leads to other places inside when no gate is in reach. Of
+// gates that look the same only one is passed, unless no other gate is left. `random` chooses the start and influences
+// the choice of each gate.
+// Each stretch of time uses its own roadmap. When the shape time passes the end of a stretch, the tour continues in a
+// ball of the next roadmap at the same place.
+// `fine` is called, if given, with each new part of the tour, preceded by up to four older points. A part for which it
+// returns false is discarded.
 Tour make_tour(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
                const std::function<bool(const Polyline& part)>& fine = {});
 

@@ -12,15 +12,15 @@ namespace mandelmarch {
 namespace {
 
 constexpr int samples_per_span = 6;
-constexpr double gentle = 0.03;       // largest change of the logarithm of speed per frame: twice the speed in 0.8 s
-constexpr double smooth_frames = 15;  // frames on either side over which the speed is smoothed
-constexpr double foresight = 1;       // times 0.3 clearances: range whose smallest clearance limits the speed
-constexpr int fits = 12;              // most attempts to meet the keyframes
-constexpr double in_time = 0.25;      // accepted time error, frames
-constexpr std::ptrdiff_t even_frames = 45;  // frames on either side over which the shape time is averaged
+constexpr double gentle = 0.03;       // per frame; largest change of the logarithm of speed: speed doubles in 0.8 s
+constexpr double smooth_frames = 15;  // frames; the speed is smoothed over this time on either side
+constexpr double foresight = 1;       // the smallest clearance within 0.3 * foresight clearances limits the speed
+constexpr int fits = 12;              // attempts to meet the keyframes
+constexpr double in_time = 0.25;      // frames; accepted time error at a keyframe
+constexpr std::ptrdiff_t even_frames = 45;  // frames; the shape time is averaged over this time on either side
 
-// Returns the speed without kinks, nowhere above the given one: the minimum within smooth_frames on either side, then
-// the weighted mean over the same range.
+// Returns a speed without kinks that is nowhere larger than `speed`. It is computed in two steps: the minimum within
+// smooth_frames on either side, then the weighted mean of the minima over the same range.
 std::vector<double> smoothed(const Curve& track, const std::vector<double>& speed)
 {
     const std::size_t count = speed.size();
@@ -39,7 +39,7 @@ std::vector<double> smoothed(const Curve& track, const std::vector<double>& spee
         }
     };
     each(speed, [&](std::size_t i, auto near, auto) { least[i] = std::ranges::min(near); });
-    // Samples are at unequal times, so each is weighted by its duration and by its distance in time.
+    // Each sample is weighted by its duration, because the samples' times are unequal, and by its distance in time.
     each(least, [&](std::size_t i, auto near, auto at) {
         double sum = 0;
         double weights = 0;
@@ -62,8 +62,9 @@ double clock_at(const Curve& track, double sample)
                      sample - static_cast<double>(i));
 }
 
-// Returns the moving average of the values. Beyond the ends, values are continued by point reflection, so that the end
-// values and constant slopes are unchanged.
+// Returns the moving average of the values over `reach` values on either side. At the ends, the values are continued by
+// point reflection. Therefore the first and the last value do not change, and values with a constant slope do not
+// change either.
 std::vector<double> mean_around(const std::vector<double>& values, std::ptrdiff_t reach)
 {
     const std::ptrdiff_t last = std::ssize(values) - 1;
@@ -116,7 +117,7 @@ Trajectory ride(const Bounds& bounds, const Curve& track, double pace, int frame
 {
     const std::size_t count = track.at.size();
     const double cap = fastest_clearance(bounds);
-    // The smallest clearance nearby limits the speed, so that the camera is slow before a sudden narrow place.
+    // The smallest clearance nearby limits the speed, so that the camera is already slow before a narrow place.
     std::vector<double> speed(count);
     for (std::size_t i = 0; i < count; ++i) {
         double least = track.clearance[i];
@@ -137,7 +138,7 @@ Trajectory ride(const Bounds& bounds, const Curve& track, double pace, int frame
     speed = smoothed(track, speed);
 
     Trajectory result;
-    double time = 0;  // frames, at sample i
+    double time = 0;  // at sample i of the curve, in frames
     for (std::size_t i = 0; i + 1 < count && std::ssize(result.at) < frames; ++i) {
         const double next = time + (track.length[i + 1] - track.length[i]) * 2 / (speed[i] + speed[i + 1]);
         while (static_cast<double>(result.at.size()) < next && std::ssize(result.at) < frames) {
@@ -152,7 +153,7 @@ Trajectory ride(const Bounds& bounds, const Curve& track, double pace, int frame
 
 Timed ride_in_time(const Bounds& bounds, Curve& track, double pace, int frames, const Schedule& schedule)
 {
-    // Legs end at the keyframes inside the film, and at its last frame.
+    // The film is divided into legs, which end at the keyframes and at the last frame.
     const double last = frames - 1;
     std::vector<double> ends;
     for (const Knot& knot : schedule.knots()) {
@@ -166,7 +167,7 @@ Timed ride_in_time(const Bounds& bounds, Curve& track, double pace, int frames, 
     Timed result{};
     for (int round = 0; round < fits; ++round) {
         result.ride = ride(bounds, track, pace, frames * 3);
-        // The time at which the trajectory passes the end of each leg, frames.
+        // For each leg: the time in frames at which the trajectory passes its end.
         std::vector<double> times(ends.size(), 3 * last);
         for (std::size_t f = 1, leg = 0; f < result.ride.sample.size() && leg < ends.size(); ++f) {
             const double before = clock_at(track, result.ride.sample[f - 1]);
@@ -194,7 +195,8 @@ std::vector<double> clock_of(const Curve& track, const Trajectory& ride, int fra
     std::vector<double> clock;
     for (int f = 0; f < frames; ++f) clock.push_back(clock_at(track, ride.sample[static_cast<std::size_t>(f)]));
     for (int pass = 0; pass < 2; ++pass) clock = mean_around(clock, even_frames);
-    // Removes the error at the keyframes by adding a correction that is linear between them.
+    // The averaged shape time is slightly wrong at the keyframes. A correction is added that is exact there and linear
+    // in between.
     std::vector<Knot> off;
     const auto add = [&](double frame) {
         const auto f = static_cast<std::size_t>(std::lround(frame));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve of a flight, and the camera's trajectory along it in time.
+// The curve of a flight, and the camera's trajectory: its motion along the curve in time.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,40 @@
 
 namespace mandelmarch {
 
-// A curve as dense samples; vectors have one element per sample.
+// A curve as dense samples. Each vector has one element per sample.
 struct Curve {
     std::vector<Vector> at;
-    std::vector<double> length;     // from the beginning, along the curve
+    std::vector<double> length;     // along the curve, from its beginning to the sample
     std::vector<double> clearance;  // the distance estimate
-    std::vector<double> slow;       // speed factor, at most 1, on the speed that the clearance allows
+    std::vector<double> slow;       // speed factor: the speed divided by the speed that the clearance allows; at most 1
     std::vector<double> clock;      // shape time, in frames of the schedule
     std::vector<double> value;      // the shape parameter's value at that time
 };
 
-// Returns the uniform cubic B-spline of the line's points and shape times.
+// Returns the uniform cubic B-spline whose control points and shape times are given by `line`.
 Curve track_of(const Shapes& shapes, const Schedule& schedule, const ControlPoints& line);
 
-// The camera's position at each frame, and the (fractional) index of the curve's sample there.
+// For each frame: the camera's position, and this position as a fractional index into the curve's samples.
 struct Trajectory {
     std::vector<Vector> at;
     std::vector<double> sample;
 };
 
-// Returns a trajectory along the curve with gentle changes of speed and at most `pace` clearances per frame. It ends
-// after `frames` frames or at the end of the curve.
+// Returns a trajectory along the curve. The speed is at most `pace` clearances per frame and changes gently. The
+// trajectory ends after `frames` frames or at the end of the curve.
 Trajectory ride(const Bounds& bounds, const Curve& track, double pace, int frames);
 
-// A trajectory, and its largest time error at a keyframe in frames.
 struct Timed {
     Trajectory ride;
-    double off;
+    double off;  // frames; largest time error at a keyframe or at the last frame
 };
-// Changes the curve's speed factors so that the camera reaches the points of the schedule's keyframes, and of the last
-// of `frames` frames, on time, as far as the pace allows.
+// The shape time of a point of the curve says at which frame the camera should be there. Changes the curve's speed
+// factors so that this is true, as far as the pace allows, at the schedule's keyframes and at the last of `frames`
+// frames. Returns the trajectory.
 Timed ride_in_time(const Bounds& bounds, Curve& track, double pace, int frames, const Schedule& schedule);
 
-// Returns the shape time at each of the first `frames` frames of a trajectory by ride_in_time(). It is averaged over
-// three seconds, so that the shape does not change as suddenly as clearances do, and exact at the keyframes.
+// Returns the shape time at each of the first `frames` frames of a trajectory made by ride_in_time(). It is averaged
+// over three seconds, so that the shape does not change as suddenly as the clearance. At keyframes it is exact.
 std::vector<double> clock_of(const Curve& track, const Trajectory& ride, int frames, const Schedule& schedule);
 
 }  // namespace mandelmarch
