@@ -24,8 +24,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns this process's environment with OMP_WAIT_POLICY=passive. Otherwise waiting OpenMP threads would spin, on the
-// cores that the other program uses, and count as processor time.
+// Returns this process's environment variables with OMP_WAIT_POLICY=passive. Without it, waiting OpenMP threads would
+// spin: they would occupy cores that the other program uses, and the spinning would count as processor time.
 std::vector<std::string> variables_of_contenders()
 {
     std::vector<std::string> variables{"OMP_WAIT_POLICY=passive"};
@@ -80,7 +80,7 @@ DuelProcess::DuelProcess(const std::string& program, const std::vector<std::stri
 
 DuelProcess::~DuelProcess()
 {
-    socket_.reset();  // tells the process to exit
+    socket_.reset();  // the process exits when its socket is closed
     for (int i = 0; i < 100 && !ended(); ++i) usleep(20'000);
     if (ended()) return;
     kill(process_, SIGKILL);

@@ -19,12 +19,12 @@ class DuelProcess {
 public:
     // A configuration as the process reports it.
     struct Ready {
-        std::string fingerprint;  // of its picture
+        std::string fingerprint;  // hash of its picture
         std::string failure;      // why it has no speed; empty if it has one
-        bool in_process = true;   // false: work runs outside this process
+        bool in_process = true;   // false: a driver renders in another process
     };
 
-    // Time of a picture by the duel's clock, or why there is none.
+    // Time of a picture by the duel's clock, or the reason why there is none.
     struct Drawn {
         std::optional<double> seconds;
         std::string failure;
@@ -43,7 +43,8 @@ public:
     const std::map<std::string, Ready>& rows() const { return rows_; }
     const nlohmann::ordered_json& environment() const { return environment_; }
 
-    // Has the process draw one picture. Throws Error if the process ends.
+    // Makes the process render one picture of the configuration named `row`, and returns its time. Throws Error if the
+    // process ends.
     Drawn draw(const std::string& row);
 
 private:

@@ -35,7 +35,7 @@ std::string text_of(const fs::path& path)
 
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-// Returns the value after `name` and a separator in a file of such lines; empty if there is none.
+// Returns the text after the separator in the file's first line that begins with `name`; empty if there is none.
 std::string value_in(const fs::path& path, const std::string& name, char separator)
 {
     std::ifstream file(path);
@@ -95,7 +95,7 @@ Json memory()
     return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
 }
 
-// Returns the name of the file that a library's links lead to; it contains the version.
+// Follows a library's symbolic links and returns the name of the file itself, which contains the version.
 std::string resolved(const std::string& library)
 {
     std::error_code none;

@@ -8,7 +8,7 @@
 
 namespace mandelmarch::bench {
 
-// Owns the descriptor.
+// One end of a socket. Owns the descriptor.
 class LineSocket {
 public:
     explicit LineSocket(int descriptor) : descriptor_(descriptor) {}
@@ -19,14 +19,14 @@ public:
     // Sends a line, given without its newline. Throws Error if the peer is gone.
     void send(const std::string& line);
 
-    // Waits for a line. Returns false if the peer has closed, or if `gone`, which is polled, returns true. Throws Error
-    // for a line of more than 16 MiB.
+    // Waits for a line. Returns false if the peer has closed the socket, or once gone(), which is polled, returns true.
+    // Throws Error for a line of more than 16 MiB.
     bool receive(
         std::string& line, const std::function<bool()>& gone = [] { return false; });
 
 private:
     int descriptor_;
-    std::string left_;  // received part of later lines
+    std::string left_;  // bytes that were received but belong to later lines
 };
 
 // Returns JSON on one line. Invalid UTF-8 is replaced.

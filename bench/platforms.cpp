@@ -35,7 +35,7 @@ bool same_boot(const Result& a, const Result& b)
            a.environment.at(boot) == b.environment.at(boot);
 }
 
-// Compares CPU facts; a fact that only one result has is ignored.
+// Returns true if both results have the same facts of the CPU. A fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {

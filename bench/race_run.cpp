@@ -36,8 +36,9 @@ namespace fs = std::filesystem;
 constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
-// For a round's view the eye moves by a fraction of its distance to the target: first_move, doubled until least_change
-// of the pixels change visibly or the fraction exceeds last_move.
+// Each round has another view: the eye moves by a fraction of its distance to the target. The fraction begins with
+// first_move and is doubled until at least the fraction least_change of the pixels changes visibly, or until it exceeds
+// last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;
@@ -88,7 +89,7 @@ Scene scene_of(const RaceOptions& plan, const Options& options)
     return scene;
 }
 
-// Returns the scene with its eye moved in a random direction by `share` of its distance to the target.
+// Returns the scene with its eye moved in a random direction by the fraction `share` of its distance to the target.
 Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 {
     std::normal_distribution<double> normal;
@@ -183,7 +184,8 @@ private:
         return std::move(*drawn.image);
     }
 
-    // Returns a new view, for which a picture kept from an earlier view is wrong.
+    // Returns a new view whose picture differs visibly from the official one, so that a program cannot use a picture
+    // that it kept from an earlier run. If the views next to this scene's look alike, adds a warning.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -203,7 +205,7 @@ private:
         }
     }
 
-    // Runs the program. Without a picture, sets the racer's verdict and reason.
+    // Runs the program once on the current view. If it leaves no picture, sets the racer's verdict and reason.
     Drawn draw(RacedProgram& racer, const std::vector<std::string>& words)
     {
         const Folder folder;
@@ -285,7 +287,7 @@ private:
         }
     }
 
-    // Runs a program whose first picture was correct on the round's view.
+    // Runs a program on the round's view and checks the picture, if its pictures have been correct so far.
     void again(std::size_t i, int round)
     {
         RacedProgram& racer = race_.racers[i];

@@ -34,7 +34,8 @@ struct DrawnScene {
     Image canonical{picture_width, picture_height, Image::Layers::all};
 };
 
-// Generates the same scenes as tests/scenes.cpp: one random stream for all fractals, in their order.
+// Generates the same scenes as tests/scenes.cpp: in each set, one random number generator serves all fractals, one
+// fractal after the other.
 std::vector<DrawnScene> scenes_of(const RandomOptions& options)
 {
     std::vector<DrawnScene> scenes;

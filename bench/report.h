@@ -11,8 +11,9 @@
 
 namespace mandelmarch::bench {
 
-// Returns the table of configurations, the two questions, a study's own tables, and warnings, in lines of at most 120
-// characters. `wide`: all figures, in lines of any length.
+// Returns the table of configurations, tables of ratios (speed-ups, Mandelbox / Mandelbulb, double / float), a study's
+// own tables, warnings and the winners, in lines of at most 120 characters. `wide`: the table of configurations has all
+// columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
 // Returns JSON that follows bench/result.schema.json, with raw samples and derived figures.
@@ -44,8 +45,8 @@ std::string problem_name(const std::string& fractal, Precision precision, Mode m
 // Returns a text as one CSV cell, quoted if necessary.
 std::string csv_cell(const std::string& text);
 
-// Formats a result like Google Benchmark's repetitions: all samples, followed by the configuration's median. `format`:
-// "console", "json" or "csv"; throws InputError for any other.
+// Formats a result like Google Benchmark's repetitions: for each configuration all samples, followed by their median.
+// `format`: "console", "json" or "csv"; throws InputError for any other.
 std::string to_google_benchmark(const Result& result, const std::string& format);
 
 }  // namespace mandelmarch::bench

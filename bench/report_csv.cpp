@@ -39,7 +39,6 @@ std::string csv_cell(const std::string& text)
     return made + "\"";
 }
 
-// An unsupported configuration has an empty fom.
 std::string to_csv(const Result& result)
 {
     std::string text =

@@ -20,8 +20,9 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int most_repeats = 3;  // of a doubtful peak
-// Seconds for the timed rounds: the rest of whole_budget after the other phases, within the limits below.
+constexpr int most_repeats = 3;  // further measurements of a doubtful peak
+// Seconds. The timed rounds get the part of whole_budget that verification, counting and the first peaks have left, but
+// at least least_budget and at most usual_budget.
 constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
@@ -123,7 +124,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
     std::vector<TimedCase> live;
-    // In the order of expected pictures, so that each is rendered once.
+    // Verify in the order of the expected pictures, so that each of them is rendered once.
     std::vector<Case*> order;
     for (Case& one : cases) {
         if (one.backend != nullptr) order.push_back(&one);
@@ -146,7 +147,8 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const Telemetry telemetry;
     run_rounds(live, rules, [&](double share, const std::string& round) { phase({"timing", share, round}); });
     const nlohmann::ordered_json told = telemetry.since_start();
-    // Measure peaks again: if the machine was slower before, a low peak would make the shares look better.
+    // Measure the peaks again: if the machine was slower before the rounds, those peaks are too low, and the shares of
+    // peak would be too high.
     record.add(peaks(every_peak));
     record = settled_peaks(std::move(record), peaks);
     result.peaks = record.best();

@@ -107,7 +107,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
-    const double cores = mine.machine;  // the load is that of the whole machine
+    const double cores = mine.machine;  // all of them, as the load is that of the whole machine
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));

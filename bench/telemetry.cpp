@@ -51,7 +51,8 @@ Json missing(const std::string& why) { return {{"missing", why}}; }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-// Counts a thread in user space, and threads and processes that it starts from now on.
+// Opens a counter of this event for a thread, in user space, which includes threads and processes that the thread
+// starts from now on. Returns its descriptor, or a value below 0 on failure.
 int open_counter(std::uint64_t event, int thread)
 {
     perf_event_attr attributes{};
@@ -81,8 +82,9 @@ Telemetry::~Telemetry()
     }
 }
 
-// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Those with one
-// colon in their name are whole packages, the others parts of them.
+// Finds the domains of Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per
+// domain. A name with one colon, such as intel-rapl:0, is usually that of a whole package, but Intel's domain psys, for
+// example intel-rapl:1, is the whole platform. A name with two colons is a part of the domain before its second colon.
 void Telemetry::look_for_domains()
 {
     std::error_code error;
@@ -154,7 +156,8 @@ Json Telemetry::counters() const
                 std::uint64_t value, enabled, running;
             } told{};
             if (read(descriptor, &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
-            // With more events than counters, each event counts only a fraction of the time.
+            // If there are more events than hardware counters, each event is counted only during a fraction of the
+            // time. The value is extrapolated to the whole time.
             sum +=
                 static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
             counted = true;

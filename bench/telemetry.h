@@ -9,7 +9,7 @@
 
 namespace mandelmarch::bench {
 
-// Sources on Linux. Tests replace them.
+// Sources of the readings on Linux. Tests use other ones.
 struct TelemetrySources {
     std::filesystem::path powercap = "/sys/class/powercap";
     std::string nvml = "libnvidia-ml.so.1";

@@ -26,7 +26,8 @@ namespace {
 constexpr rlim_t largest_file = 1 << 30;         // bytes
 constexpr std::streamoff most_complaint = 4096;  // bytes read from the end of standard error
 
-// Runs in the child, where only async-signal-safe functions may be called. Returns if the program does not start.
+// Runs in the child process and replaces it by the program. Returns only if the program cannot be started. Between
+// fork() and exec only async-signal-safe functions may be called.
 void become(char* const* argv, const char* folder, const char* complaints, pid_t parent)
 {
     setpgid(0, 0);
@@ -94,7 +95,7 @@ Ended run_timed(const std::vector<std::string>& words, const std::string& folder
     Ended ended;
     const auto start = Clock::now();
     const pid_t parent = getpid();
-    // fork(), as with posix_spawn() this process's resident memory would count as the program's.
+    // fork() is used as with posix_spawn() this process's resident memory would count as the program's.
     const pid_t child = fork();
     if (child == 0) {
         become(argv.data(), folder.c_str(), complaints.c_str(), parent);

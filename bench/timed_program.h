@@ -20,8 +20,9 @@ struct Ended {
 };
 
 // Runs the file words[0] with the other words as arguments in `folder`, without input and with its standard output
-// discarded. Its standard error is kept in the file `complaints`. It and its descendants are killed when it ends, after
-// `limit` seconds, or when this process ends. Its files may not exceed 1 GiB. Throws Error if it cannot be started.
+// discarded. Its standard error is kept in the file `complaints`. When it ends, or after `limit` seconds, it and the
+// processes of its group are killed; if this process ends first, the program is killed. Its files may not exceed 1 GiB.
+// Throws Error if it cannot be started.
 Ended run_timed(const std::vector<std::string>& words, const std::string& folder, const std::string& complaints,
                 double limit);
 
