@@ -94,7 +94,7 @@ TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
     EXPECT_TRUE(row["figures"].is_null());
     EXPECT_NE(ran.out.find("FAILED"), std::string::npos) << ran.out;
     EXPECT_NE(ran.err.find("mandelbox/float/exact/broken/0"), std::string::npos) << ran.err;
-    // The others are timed nevertheless.
+    // The other backends are timed nevertheless.
     EXPECT_EQ(row_of(ran, "openmp")["samples"].size(), 2U);
 }
 
@@ -109,7 +109,8 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// Without refinement the picture differs: only hits and finite values are verified.
+// `--without root` switches refinement off, so that the picture differs slightly: only its hits and that its values are
+// finite are verified.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -125,7 +126,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
     EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "root")["figures"].is_null());
-    // Float is too imprecise for normals from differences.
+    // In float, `--without normal` (normals from finite differences) is unavailable, as float is too imprecise.
     EXPECT_NE(without(sound, "normal")["unavailable"], "");
     for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
         const Ran broken = run(defect, arguments);
@@ -155,7 +156,8 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// The name of the instruction set without vectors depends on the compiler; names that do not exist are wrong arguments.
+// At least one of these names selects an instruction set without vectors, for which the profile is unavailable. Which
+// one depends on the compiler; names that do not exist are wrong arguments.
 TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",

@@ -15,7 +15,7 @@ for fault in right "${faults[@]}"; do
     printf '#!/bin/sh\nRACER=%s exec %s "$1"\n' "${fault/right/}" "$work/racer" >"$fault"
     chmod +x "$fault"
 done
-# Writes another picture from its fourth run on.
+# A program that writes another picture from its fourth run on.
 cat >unsteady <<SH
 #!/bin/sh
 echo run >>$work/runs
@@ -23,7 +23,7 @@ echo run >>$work/runs
 exec $work/racer "\$1"
 SH
 chmod +x unsteady
-# Keeps a correct picture from its first run in another folder.
+# A program that keeps the correct picture of its first run and copies it in later runs.
 cat >stale <<SH
 #!/bin/sh
 [ -e $work/kept.bmp ] || { $work/racer "\$1" && mv image.bmp $work/kept.bmp; }
@@ -34,7 +34,8 @@ printf 'neither a program nor a script' >nothing
 chmod +x nothing
 few=(--fractal box --size 60x40 --repetitions 6)
 
-# A correct program is timed; so is a slightly wrong one, whose line says so.
+# A correct program is timed. A program whose picture differs slightly is timed, too, and its line of the table says how
+# many pixels differ.
 expect 0 race ./right ./nearly "${few[@]}" --json right.json
 grep -q '^mandelmarch openmp  *same bytes .*\] .*\] .* 0$' out || fail "$(cat out)"
 says right '\(same bytes\|0.000 % off\) .*\] .*\] .* 0$'
@@ -70,7 +71,7 @@ assert [p["signal"] for p in others if p["name"] == "./crashes"] == [11]
 assert [p["exit_code"] for p in others if p["name"] == "./fails"] == [3]
 PY
 
-# Arguments of race.
+# Wrong arguments of race.
 expect 2 race ./nosuch
 [ "$(wc -l <err)" = 1 ] && grep -q 'nosuch: no program' err || fail "$(cat err)"
 expect 2 race
@@ -83,7 +84,7 @@ grep -q exec right || fail "a race wrote over a program"
 expect 1 race ./right "${few[@]}" --backend nosuch
 grep -q '^mandelmarch nosuch  *FAILED  *exit code 2' out || fail "$(cat out)"
 
-# No folder and no process is left.
+# No temporary folder and no process of a program remains.
 [ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
 ! pgrep -f "$work/racer" >/dev/null || fail "a program still runs"
 echo fine

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
 
-// A folder like Linux' powercap, with a package and its cores.
+// A folder like Linux' powercap interface, with the domains of a package and of its cores.
 class MadeMachine : public testing::Test {
 protected:
     void SetUp() override
@@ -22,7 +22,7 @@ protected:
         fs::remove_all(folder_);
         domain("intel-rapl:0", "package-0", "1000000");
         domain("intel-rapl:0:0", "core", "500000");
-        fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, without a counter
+        fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, which has no counter
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -67,7 +67,7 @@ TEST_F(MadeMachine, WhatIsMissingIsSaid)
     EXPECT_FALSE(told["energy"].contains("domains"));
 }
 
-// Counters are permitted on some machines only; there they must count work.
+// Some machines do not permit counters. On those that do, the counters must count the work.
 TEST_F(MadeMachine, CountersCountOrSayWhyNot)
 {
     const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});

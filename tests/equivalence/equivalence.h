@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// One line of the table: all scenes of a fractal with one backend, device, precision and mode.
+// One line of the printed table: the result of all scenes of a fractal with one backend, device, precision and mode.
 struct EquivalenceRow {
     std::string fractal;
     std::string backend;
@@ -43,7 +43,8 @@ private:
     std::map<std::string, Image> pictures_;
 };
 
-// Renders every scene of this fractal in `scenes`, with one renderer. Throws what the backend throws.
+// Renders those of `scenes` that have this fractal, all with one renderer, and compares them with the expected
+// pictures. Throws what the backend throws.
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected);
 

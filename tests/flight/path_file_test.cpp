@@ -55,7 +55,7 @@ TEST(PathFile, SaysWhatIsWrong)
     says("{\"location\"", "{{\"location\"", "JSON");
 }
 
-// Older files do not name the estimate: they were planned with the original one.
+// Older path files do not name an estimate: they were planned with the original estimate.
 TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
@@ -101,7 +101,7 @@ TEST(PathFile, KeepsItsRate)
     }
 }
 
-// Deep nesting must not exhaust the stack, and messages must not quote megabytes.
+// A path file may contain anything: deep nesting must not exhaust the stack, and messages must not quote megabytes.
 TEST(PathFile, MayBeAnything)
 {
     const std::string deep(300'000, '[');

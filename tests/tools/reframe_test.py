@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/reframe/bench.py on synthetic results, with a fake ReFrame that makes a run's calls in ReFrame's order."""
+"""Tests tools/reframe/bench.py on synthetic results, with a fake ReFrame, which makes the calls of a run in the same
+order as ReFrame."""
 import importlib.util
 import json
 import os
@@ -12,8 +13,8 @@ FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "too
 
 
 def stand_in():
-    """Returns the part of ReFrame that the file uses: decorators that return their argument, and values that are not
-    deferred."""
+    """Returns a module with the part of ReFrame that bench.py uses. Its decorators return their argument, and its
+    values are not deferred."""
     core = types.SimpleNamespace(run_before=lambda stage: lambda function: function, sanity_function=lambda function: function,
                                  variable=lambda kind, value: value)
     sanity = types.SimpleNamespace(assert_eq=lambda a, b, msg: a == b or failed(msg.format(a)), defer=lambda value: value,

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""spdx_test.py: the licence line is added once, where it is harmless, and its absence is detected."""
+"""spdx_test.py: tools/spdx adds the licence line once, at a place where it has no effect, and detects files without
+it."""
 import os
 import subprocess
 import sys
@@ -9,7 +10,7 @@ import unittest
 
 SPDX = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "spdx")
 LINE = "SPDX-License-Identifier: Apache-2.0"
-# name: (before, after)
+# name: (contents before, contents after)
 FILES = {
     "a.cpp": ("// What it is.\nint a;\n", f"// {LINE}\n// What it is.\nint a;\n"),
     "a.cpp.in": ("int a = @A@;\n", f"// {LINE}\nint a = @A@;\n"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that appears complete or not at all: links, /dev, descriptors, missing folders, signals.
+// Output files appear complete or not at all, also through links, in /dev, in missing folders and after signals.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ std::size_t entries(const fs::path& folder)
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-// Returns how a forked process ends that runs `child` and then receives the signal while it sleeps.
+// Forks a process that calls `child` and then sleeps, and sends it the signal. Returns its status from waitpid().
 int end_of(const std::function<void()>& child, int signal)
 {
     std::array<int, 2> ready{};
