@@ -17,7 +17,7 @@ namespace mandelmarch::bench {
 
 class DuelProcess {
 public:
-    // A configuration as the process reports it.
+    // State of a configuration, as reported by the process before the rounds.
     struct Ready {
         std::string fingerprint;  // hash of its picture
         std::string failure;      // why it has no speed; empty if it has one
@@ -32,7 +32,7 @@ public:
 
     // Starts `program` with the arguments and `--on-demand`. Throws Error if it cannot be started.
     DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
-    // Ends the process.
+    // Closes the socket, at which the process exits; kills it if it has not ended after two seconds.
     ~DuelProcess();
     DuelProcess(const DuelProcess&) = delete;
     DuelProcess& operator=(const DuelProcess&) = delete;

@@ -25,7 +25,7 @@ struct Operations {
 Operations operator+(Operations a, Operations b);
 Operations operator-(Operations a, Operations b);
 
-// Stages of a pixel, in the kernel's order; `shade` excludes the normal.
+// Stages of rendering a pixel, in the kernel's order. `shade` does not include the computation of the normal.
 enum class Stage { begin, march, refine, normal, shade };
 inline constexpr int stage_count = 5;
 std::string_view name_of(Stage stage);  // "begin" ...
@@ -41,7 +41,8 @@ struct Count {
     Work work;                 // of the counted pixels, from the kernel's own counters
     std::uint64_t pixels = 0;  // number of counted pixels
     std::uint64_t hits = 0;    // number of counted pixels that hit
-    // Lane utilisation of the march, for vectors and warps of neighbouring pixels in nearly square rectangles.
+    // Lane utilisation of the march, for vectors and warps that render neighbouring pixels: squares, or rectangles with
+    // twice as many columns as rows.
     std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
     std::optional<CountErrors> errors;                        // unknown in results of older builds
@@ -60,7 +61,7 @@ struct CountOptions {
     std::int64_t most_pixels = 40'000;
 };
 
-// Throws Unavailable if the fractal has no kernel.
+// Counts the operations of a picture, or of a sample of its pixels. Throws Unavailable if the fractal has no kernel.
 Count count_operations(const Scene& scene, const CountOptions& options);
 
 // Counts only the given patches. Patches that are neighbours in the list must lie close together in the picture.

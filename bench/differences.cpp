@@ -34,7 +34,7 @@ constexpr std::array<std::pair<const char*, const char*>, 18> facts{{{"revision"
                                                                      {"kernel", "/os/kernel"},
                                                                      {"variables", "/variables"}}};
 
-// Returns null for a missing value.
+// Returns the value at a JSON pointer, or null if it is missing.
 Json value_at(const Json& json, const std::string& pointer)
 {
     const Json::json_pointer place(pointer);

@@ -26,7 +26,7 @@ int count(const Coverage& coverage, std::string_view folder)
     return lines;
 }
 
-// Returns the number of lines common to both.
+// Returns the number of lines that are in both sets.
 std::size_t shared_lines(const Coverage& one, const Coverage& other)
 {
     std::size_t shared = 0;
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    // Returns the list in backends/CMakeLists.txt.
+    // Returns the names of the backends, as listed in backends/CMakeLists.txt.
     std::vector<std::string> backends() const
     {
         const std::string list = text("backends/CMakeLists.txt");

@@ -18,7 +18,7 @@
 
 namespace mandelmarch::bench {
 
-// Returns the numbers, from 1, of the lines of a C or C++ source that hold code.
+// Returns the line numbers, from 1, of the lines that contain code in a C or C++ source.
 std::vector<int> lines_of_code(std::string_view text);
 
 // Lines of code by file; paths are relative to the source tree.
@@ -28,7 +28,7 @@ using Coverage = std::map<std::string, std::vector<int>>;
 // without lines.
 double distance(const Coverage& one, const Coverage& other);
 
-// Returns the mean distance over all pairs; 0 for fewer than two.
+// Returns the mean distance over all pairs of sets; 0 for fewer than two sets.
 double mean_distance(const std::vector<Coverage>& all);
 
 struct ModelLines {
@@ -43,8 +43,8 @@ struct Divergence {
     double without_one_text = 0;  // what `divergence` would be if each backend had its own copy of core/kernel
 };
 
-// Measures a source tree. Backends that do not compile core/kernel (the reference) are left out. Throws InputError if
-// the folder does not hold such a tree.
+// Measures the code divergence of a source tree. Backends that do not compile core/kernel (the reference) are left out.
+// Throws InputError if the folder is not a source tree of this program.
 Divergence divergence_of(const std::string& folder);
 
 nlohmann::ordered_json json_of(const Divergence& divergence);

@@ -63,7 +63,7 @@ inline constexpr std::string_view all_rows = "all rows";
 // tests whether the true ratio lies beyond the margin.
 std::vector<Judged> judge(const Duel& duel);
 
-// Returns true if a configuration is slower or broken.
+// Returns true if a configuration is slower or broken in the new program.
 bool regression(const std::vector<Judged>& judged);
 
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged);

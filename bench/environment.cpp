@@ -107,7 +107,7 @@ std::string resolved(const std::string& library)
     return {};
 }
 
-// Returns the drivers installed for the backends' loaders, and their libraries.
+// Returns the drivers that are installed for the backends' loaders, and the drivers' libraries.
 Json icds(const Registry& registry)
 {
     Json found = Json::array();
@@ -148,7 +148,7 @@ Json backends(const Registry& registry)
     return found;
 }
 
-// Returns the environment variables in effect that change how backends run.
+// Returns those environment variables that are set and change how backends run.
 Json variables(const Registry& registry)
 {
     Json set = Json::object();

@@ -98,7 +98,7 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
             backend.create({.precision = precision, .pack = pack})->render(scene, image);
             widths.push_back(pack);
         } catch (const InputError&) {
-            // Width not supported.
+            // This width is not supported.
         }
     }
     return widths;
@@ -109,7 +109,7 @@ std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptio
 {
     std::vector<Tested> subjects;
     for (const auto& backend : registry.backends()) {
-        // The reference is a separate implementation: its bits differ.
+        // The reference is left out: it is a separate implementation, whose bits differ.
         if (backend->info().role == Role::reference) continue;
         if (!names_backend(options.backend, backend->name())) continue;
         const Listing listing = listing_of(*backend);

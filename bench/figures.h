@@ -11,7 +11,7 @@
 
 namespace mandelmarch::bench {
 
-// Returns true if both settings draw the same scene at the same size.
+// Returns true if both settings give the same scene at the same size.
 bool same_picture(const Setting& a, const Setting& b);
 
 // Return the samples' kernel or wall times, in seconds per picture.
@@ -44,7 +44,7 @@ struct Figures {
     std::optional<Quotient> over_scalar;
 };
 
-// Returns the figures of a timed configuration.
+// Computes the quantities of a timed configuration.
 Figures figures_of(const Result& result, const Row& row);
 
 // Returns true if the configuration is the scalar kernel: the host backend with packs of one pixel.

@@ -22,7 +22,7 @@ extern char** environ;  // NOLINT: POSIX requires the program to declare it
 namespace mandelmarch::bench {
 namespace {
 
-// An anonymous file in memory, which vanishes with this process.
+// An anonymous file in memory. It is deleted when its descriptors are closed, at the latest when the processes end.
 class MemoryFile {
 public:
     MemoryFile() : descriptor_(memfd_create("launch", MFD_CLOEXEC))

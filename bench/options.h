@@ -25,7 +25,7 @@ struct Options {
     bool list = false, wide = false;
     bool peaks = true;      // measure peaks before and after the rounds; needed for the share of peak
     bool baselines = true;  // include the baselines of the standard study
-    // Google Benchmark's options.
+    // Values of Google Benchmark's options --benchmark_format, _out and _out_format.
     std::string format, out, out_format = "json";
 };
 

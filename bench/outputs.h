@@ -8,8 +8,8 @@
 
 namespace mandelmarch::bench {
 
-// Throws InputError if `path` lies in the project's folder of kept results and the sources have uncommitted changes:
-// such a result could not be reproduced.
+// Throws InputError if `path` lies in `results`, the project's folder of kept results, and the sources have uncommitted
+// changes: such a result could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
 // Files and standard output ("-") that are checked before a command's work and written after it. A failure to write one

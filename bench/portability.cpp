@@ -92,7 +92,7 @@ public:
 
     const std::set<std::string>& platforms() const { return platforms_; }
 
-    // Returns true if a result with this platform also has this application, on any platform.
+    // Returns true if there is a result that contains both the platform and the application, even if not together.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
         return std::ranges::any_of(platforms_of_, [&](const auto& of) {

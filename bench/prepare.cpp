@@ -49,7 +49,7 @@ std::optional<TimedCase> prepared(Case& one, const Draw& draw)
     } catch (const Unavailable& error) {
         row.unavailable = error.what();
     } catch (const InputError& error) {
-        // For example, a pack width that this machine does not support.
+        // An option is not supported, for example a pack width on this machine.
         row.unavailable = error.what();
     } catch (const Error& error) {
         row.failure = error.what();

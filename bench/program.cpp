@@ -244,7 +244,8 @@ int on_demand(const Registry& registry, const CommandLine& line)
     return exit_success;
 }
 
-// Prints each discrepancy at once on stderr, with the parameters that reproduce it.
+// Runs `bench equivalence`. Prints each discrepancy on stderr as soon as it is found, with a parameter file, or its
+// path, that reproduces it.
 int equivalence(const Registry& registry, const CommandLine& line)
 {
     namespace fs = std::filesystem;

@@ -26,7 +26,7 @@ enum class RaceVerdict {
 };
 std::string_view name_of(RaceVerdict verdict);
 
-// Returns true if the program's speed counts.
+// Returns true for a correct picture, for which the program's speed counts.
 constexpr bool is_right(RaceVerdict verdict) { return verdict == RaceVerdict::same || verdict == RaceVerdict::close; }
 
 // Comparison of a program's picture with that of our scalar kernel, in exact mode and double.

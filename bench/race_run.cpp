@@ -169,7 +169,7 @@ private:
         RaceSample sample;
     };
 
-    // A scene to render, and the scalar kernel's picture of it.
+    // A parameter file to render, and the scalar kernel's picture of it.
     struct View {
         std::string parameters;
         Image expected;

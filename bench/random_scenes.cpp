@@ -62,7 +62,7 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
                  .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
 }
 
-// Renders as many scenes at once as there are cores, each on one thread.
+// Renders the canonical pictures: as many scenes at the same time as there are cores, each on one thread.
 void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
                     const std::function<void(double)>& progress)
 {

@@ -21,7 +21,7 @@ struct RandomOptions {
     std::string without{};                                           // disabled optimisations, separated by commas
 };
 
-// One scene in one precision.
+// Result of one scene in one precision.
 struct RandomRow {
     unsigned set = 0;
     int number = 0;  // index of the scene in its set

@@ -204,7 +204,7 @@ Row row_of(const Json& json)
     row.proof = proof_at(json, "proof");
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
-    // Missing in old files of version 1.
+    // These members are missing in older files of version 1.
     row.step_factor = known_number_at(json, "stride", 0, 1).value_or(0);
     if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");

@@ -16,7 +16,7 @@ inline constexpr int schema_version = 1;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
 
-// One picture of the timed rounds. Times in seconds.
+// Times of one picture in the timed rounds, in seconds.
 struct Sample {
     int launch = 0;                                         // index of the run
     int round = 0;                                          // index within that run
@@ -94,7 +94,7 @@ struct Peak {
 // Merges `from` into `to`: adds the peaks that `to` does not have, and raises the others to the higher rate.
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from);
 
-// Operation counts of one fractal's kernel.
+// Operation counts of the kernel, for one fractal, precision, mode and setting.
 struct Counted {
     std::string fractal;
     Precision precision = Precision::f64;

@@ -135,7 +135,8 @@ Sample draw_sample(TimedCase& row, Image& image)
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
     if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // Overwrite the last configuration's picture, so that it cannot pass for this one's.
+    // Overwrite the image, so that the previous configuration's picture cannot be taken for this one's if a backend
+    // does not write its pixels.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();

@@ -27,14 +27,14 @@ constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-// Counts each picture once, and sets the operations of all configurations that render it.
+// Counts the operations of each picture once, and stores the number in all configurations that render it.
 void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
     for (TimedCase& live : rows) {
         phase({"counting operations", static_cast<double>(done++) / static_cast<double>(rows.size())});
         Row& row = live.one->row;
-        // The reference is a separate implementation with other operations.
+        // The reference is left out: it is a separate implementation, with other operations.
         if (live.one->backend->info().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
@@ -64,7 +64,8 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     };
     std::vector<Asked> asked;
     for (const auto& backend : registry.backends()) {
-        // Any backend may reach a device's peak; all are measured, including those that are not timed.
+        // The highest peak of a device may be reached by any backend, so all are measured, including those that are not
+        // timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : precisions_of(options)) {

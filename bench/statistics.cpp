@@ -29,7 +29,7 @@ Moments moments(std::span<const double> values)
     return m;
 }
 
-// Tests whether a shift of logarithms is beyond the margin.
+// Tests whether a difference of means of logarithms is beyond the margin.
 Difference tested(const Moments& shift, double margin)
 {
     const double within = std::log1p(margin);
@@ -90,10 +90,9 @@ double median(std::vector<double> values)
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-// The median lies above the k-th smallest of n values unless fewer than k of them fell below it, and each falls below
-// it with probability 1/2: P(below k) is a sum of binomial probabilities. By symmetry the interval from the k-th
-// smallest to the k-th largest misses the median with twice that probability (Conover, Practical Nonparametric
-// Statistics, 3.2).
+// Each of the n values is below the true median with probability 1/2. The interval from the k-th smallest to the k-th
+// largest value misses the median if fewer than k values are below it, or fewer than k above it. Both have the same
+// probability, a sum of binomial probabilities (Conover, Practical Nonparametric Statistics, 3.2).
 std::optional<Interval> median_interval(std::span<const double> values)
 {
     std::vector<double> sorted(values.begin(), values.end());
@@ -192,8 +191,9 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     return q;
 }
 
-// Welch (Biometrika 34, 1947): the difference of two means with possibly unequal variances. The null hypothesis is not
-// "equal" but "within the margin": p is evaluated at the margin's edge, where it is largest.
+// Welch's test (Biometrika 34, 1947) of the difference of two means whose variances may be unequal. The null hypothesis
+// is not that the means are equal, but that their difference is within the margin. So p is computed for a true
+// difference at the margin's edge, where p is largest.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin)
 {
     const Moments a = moments(old_values);

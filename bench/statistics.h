@@ -15,7 +15,7 @@ struct Interval {
     double low = 0, high = 0;
 };
 
-// Values by the run that measured them; a run is one process.
+// Values, grouped by the index of the run that measured them. A run is one process.
 using Launches = std::map<int, std::vector<double>>;
 
 // Summary of at least one value. A single value has the deviation 0 and no interval.
@@ -34,17 +34,19 @@ struct Summary {
     std::optional<double> half_width() const;
 };
 
-// Returns 0 without values.
+// Returns the median; 0 if there are no values.
 double median(std::vector<double> values);
 
 // Summarises independent values: those of one run.
 Summary summary(std::span<const double> values);
 
-// Summarises values from several runs. All values of one run share that run's error.
+// Summarises values from several runs. The values of one run are not independent, as they have the run's error in
+// common.
 Summary summary(const Launches& launches);
 
-// Returns the 95 % interval of the mean over runs, given the median of each: Student's t on their logarithms, with one
-// degree of freedom less than there are runs. nullopt below two runs, or if a value is not above 0.
+// Returns the 95 % interval of the mean over runs. `medians`: the median of each run. The interval is computed with
+// Student's t from the logarithms of the medians; the degrees of freedom are one less than the runs. Returns nullopt
+// for fewer than two runs, or if a value is not above 0.
 std::optional<Interval> launch_interval(std::span<const double> medians);
 
 // Returns the medians of the runs, in their order.
@@ -55,9 +57,9 @@ std::vector<double> medians_of(const Launches& launches);
 inline constexpr std::size_t group_size = 3;
 std::vector<double> group_medians(std::span<const double> values);
 
-// Returns the interval of the median from order statistics: the k-th smallest to the k-th largest of n values, with the
-// largest k for which the interval covers the median with probability 0.95 for any distribution. nullopt if even the
-// smallest and largest do not (n < 6).
+// Returns the interval of the median from order statistics: from the k-th smallest to the k-th largest of n values. k
+// is the largest number for which the interval contains the true median with a probability of at least 0.95, for any
+// distribution. Returns nullopt if even the smallest and the largest value do not suffice (n < 6).
 std::optional<Interval> median_interval(std::span<const double> values);
 
 // Result of a test whether two sets of values differ by more than a margin.

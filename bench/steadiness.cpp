@@ -45,7 +45,8 @@ double fastest_clock()
     return fastest;
 }
 
-// Returns "openmp 1, opencl 2": the numbers of threads of CPU backends that used their default; empty if equal.
+// Returns the numbers of threads of those CPU backends that used their default, "openmp 1, opencl 2"; empty if all are
+// equal.
 std::string unlike_threads(const Result& result)
 {
     std::vector<std::pair<std::string, int>> known;

@@ -11,7 +11,7 @@
 
 namespace mandelmarch::bench {
 
-// Records the machine's state on construction and compares it with the state at each query.
+// Records the machine's state on construction, and compares it with the state at the time of each call.
 class Steadiness {
 public:
     Steadiness();

@@ -39,7 +39,7 @@ constexpr std::array<Study, 13> all_studies{{
      "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
 }};
 
-// A sweep value, applied to a case.
+// A sweep value, and the settings that it changes.
 struct Point {
     std::string name;
     Setting change;  // only members other than 0 apply
@@ -119,7 +119,7 @@ std::vector<Point> points_for(const Options& options, std::string_view short_nam
     return points;
 }
 
-// Returns true for baselines of the standard study, which --backend does not exclude.
+// Returns true for the baselines of the standard study, which are measured even if --backend does not name them.
 bool is_baseline(const BackendInfo& info, const Point& point, Precision precision, Mode mode)
 {
     if (info.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
@@ -165,7 +165,7 @@ Case case_of(const std::string& short_name, const Point& point, std::pair<int, i
     return made;
 }
 
-// Returns the row of a backend without a device.
+// Returns the only configuration of a backend without a device, with the reason.
 Case missing(const Backend& backend, Listing listing)
 {
     Case made;

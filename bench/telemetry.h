@@ -15,8 +15,8 @@ struct TelemetrySources {
     std::string nvml = "libnvidia-ml.so.1";
 };
 
-// Takes readings on construction and at each query. Values that the system does not provide are "missing", with the
-// reason; nothing is estimated.
+// Takes readings on construction and at each call of since_start(). Values that the system does not provide are
+// "missing", with the reason; nothing is estimated.
 class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});

@@ -68,7 +68,7 @@ std::string line_of(const Result& result, const Contest& contest)
     return text + ": undecided, more launches would tell";
 }
 
-// Returns the number of processors left free by other programs and the hypervisor; empty if unknown.
+// Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
 std::string free_processors(const Result& result)
 {
     using Pointer = nlohmann::ordered_json::json_pointer;

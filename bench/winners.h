@@ -10,7 +10,7 @@
 
 namespace mandelmarch::bench {
 
-// A configuration that is slower than the fastest, or indistinguishable from it.
+// A configuration that is slower than the fastest one, or whose difference from it is not significant.
 struct Rival {
     const Row* row = nullptr;
     bool tested = false;      // true if both have two runs in common, or six rounds of a single run
@@ -18,7 +18,7 @@ struct Rival {
     Judgement judgement{};    // slower, same or undecided
 };
 
-// The configurations of one fractal in one precision and mode.
+// The timed configurations of one fractal in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
     std::vector<Rival> rivals;     // all other configurations, fastest first

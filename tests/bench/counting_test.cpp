@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operation counts, compared with counts by hand and with the work reported by a backend's own kernel.
+// Operation counts are compared with counts by hand, and with the work counts that a backend reports.
 #include "bench/counting.h"
 
 #include <fmt/format.h>
@@ -114,7 +114,7 @@ struct Figure {
     double sampled, error, truth;
 
     double relative_error() const { return error / truth; }
-    // Returns the error of the estimate, in standard errors.
+    // Returns the error of the estimate as a multiple of its standard error.
     double off() const { return std::abs(sampled - truth) / error; }
 };
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# duel_test.sh BIN: bench duel from outside: exit codes, messages, and a program that is twice as slow.
+# duel_test.sh BIN: runs `bench duel` and checks exit codes, messages, and the verdict on a program that is twice as
+# slow.
 set -euo pipefail
 bench=$1/bench
 . "$(dirname "$0")/expect.sh"

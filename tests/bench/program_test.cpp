@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program with broken backends: no speed for a wrong picture, and exit code 1. The same backend without the defect
-// passes, so the tests detect the defect.
+// Runs bench with broken backends: a wrong picture must not get a speed, and the exit code must be 1. The same backend
+// without the defect passes, so it is the defect that is detected.
 #include "bench/program.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Ran {
     nlohmann::ordered_json json;
 };
 
-// Runs the program in this process, like main().
+// Runs bench in this process, with a backend that has this defect.
 Ran run(Defect defect, std::vector<std::string> arguments)
 {
     std::vector<std::unique_ptr<Backend>> backends;
@@ -248,7 +248,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
     EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
     EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
-    // A filter with a minus selects all others.
+    // A filter that begins with a minus selects all configurations that do not match.
     arguments = small("exact");
     arguments.emplace_back("--benchmark_filter=-openmp");
     EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# program_test.sh BIN SOURCE: the program bench from outside: exit codes, files, several processes, two results of one
-# build.
+# program_test.sh BIN SOURCE: runs bench and checks exit codes, files, studies of several processes, and the comparison
+# of two results of one build.
 set -euo pipefail
 bench=$1/bench
 source=$2
@@ -47,7 +47,7 @@ grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
 
-# A missing row is a failure.
+# If a row is missing in the new result, this is a regression.
 python3 - <<'PY'
 import json
 result = json.load(open('even.json'))
@@ -96,7 +96,7 @@ cmp a.json kept.json || fail "portability wrote over what it reads"
 expect 0 csv a.json
 cmp out a.csv || fail "csv makes other lines than --csv"
 
-# Unwritable outputs are refused before anything is measured; a later failure does not affect other outputs.
+# Outputs that cannot be written are refused before anything is measured. If one fails later, the others are written.
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q proof err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
@@ -108,7 +108,7 @@ expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
 [ "$(grep -c /dev/full err)" = 1 ] || fail "the full disk is not named once"
-# A failure to write messages is ignored; a failure to write the table is not.
+# If messages on stderr cannot be written, this is ignored. If the table cannot be written, bench fails.
 one=("${quick[@]}" --fractal box --mode exact --repetitions 1)
 "$bench" "${one[@]}" --json noted.json >out 2>/dev/full || fail "stderr on a full disk"
 grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
@@ -118,7 +118,7 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
-# A pipe closed by its reader is not a failure: no message, and the command's own exit code.
+# If the reader of a pipe closes it, there is no message, and the exit code is that of the command.
 unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
 unread csv a.json
 [ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"

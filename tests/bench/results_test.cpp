@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result files: reading, rejected values, and output in Google Benchmark's formats.
+// Result files: values that are read or rejected, derived quantities, and output in Google Benchmark's formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>

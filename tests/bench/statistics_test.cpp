@@ -71,7 +71,7 @@ TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
     }
 }
 
-// Negative control: an interval one rank too narrow on either side is detected.
+// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
 TEST(Statistics, ATooNarrowIntervalDoesNot)
 {
     const auto narrow = [](std::vector<double> values) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of a simulated machine, and the reasons given for missing values.
+// Telemetry of a simulated machine, and the reasons that are given for missing values.
 #include "bench/telemetry.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines of a study, for synthetic results with a known winner.
+// The last lines of a study's output, which name the winners, for synthetic results with a known winner.
 #include "bench/winners.h"
 
 #include <gtest/gtest.h>

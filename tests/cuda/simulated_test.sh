@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # simulated_test.sh BIN SOURCE COMPILER PYTHON: the cuda backend on a simulated GPU (tests/openacc/simulated_cuda.c),
-# which runs nvcc's PTX from the program: its pictures have the bits of the scalar kernel, and a missing or failing GPU
-# gives one line and the right exit code.
+# which runs the PTX that nvcc wrote into the program. Its pictures must have the bits of the scalar kernel, and a
+# missing or failing GPU must give one line and the right exit code.
 set -uo pipefail
 bin=$1
 . "$2/tests/failures.sh"

@@ -24,7 +24,7 @@ inline bool driver_faults(std::string_view stage)
 {
     if (asked(stage, "abort")) std::abort();
     if (asked(stage, "crash")) {
-        // Some drivers' handlers ignore a signal that was only raised.
+        // Access invalid memory: the signal handlers of some drivers ignore a signal that was only raised.
         volatile int* nothing = nullptr;
         *nothing = 0;
     }

@@ -165,7 +165,7 @@ for api in $apis; do
     [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
 done
 
-# bench equivalence continues with the others, too.
+# `bench equivalence` continues with the other backends, too.
 for api in $apis; do
     code=0
     with $api enumeration exit "$bin/bench" equivalence --fractal box --scenes 2 >table 2>err || code=$?

@@ -31,8 +31,9 @@ struct EquivalenceRow {
 std::string to_text(const EquivalenceRow& row);
 std::string equivalence_header();
 
-// Renders the expected pictures and keeps them: in exact mode with the scalar kernel, in fast mode the canonical
-// picture in double (from the scalar kernel if `reference` does not support the fractal).
+// Renders the expected pictures and keeps them. In exact mode they are rendered by the scalar kernel. In fast mode they
+// are the canonical pictures in double, rendered by `reference` or, if it does not support the fractal, by the scalar
+// kernel.
 class Expected {
 public:
     explicit Expected(const Registry& registry) : registry_(registry) {}

@@ -81,7 +81,7 @@ private:
             EXPECT_TRUE(row.passed()) << to_text(row);
             EXPECT_GT(row.scenes, 0);
         } catch (const Unavailable& error) {
-            // For example, a device without double. Backends of this build without any device fail the test above.
+            // Some devices do not support double, for example. If a backend has no device at all, the test above fails.
             fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.short_name, backend.name(), error.what());
         }
     }

@@ -49,7 +49,7 @@ is() {  # is NAME LINE EXPRESSION VALUE: expects that the expression, as in `of`
     [ "$found" = "$4" ] || fail "$1: $3 is '$found', expected '$4'"
 }
 
-# Flying, turning, undo, both fractals, looks.
+# Tests flying, turning, undo, both fractals, and looks.
 cat >fly.txt <<'END'
 rest
 tell
@@ -77,7 +77,7 @@ is fly 4 't["fractal"] != "mandelbulb"' True
 is fly 5 't["colouring"]' 2
 [ -s fly.png ] || fail "fly: no screenshot"
 
-# An exported view and picture equal bin/render's for the exported parameter file.
+# The exported picture equals the one that bin/render makes from the exported parameter file.
 cat >hand.txt <<'END'
 rest
 key D 20
@@ -178,7 +178,7 @@ if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
     for action in abort hang; do is $action 2 't["panes"][0]["samples"] == 4 and t["panes"][0]["failure"]' ''; done
 fi
 
-# Real key events from X.
+# Tests real key events, sent by xdotool through the X server.
 if [ -n "$server" ] && command -v xdotool >/dev/null; then
     mkdir hands
     timeout 100 "$bin/explore" --fractal box --folder hands --size 400x300 >hands.out 2>&1 &

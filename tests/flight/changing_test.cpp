@@ -136,7 +136,7 @@ TEST(ChangingAudit, FindsOutAPathThatKnowsNothingOfTheChange)
 {
     Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;
     ASSERT_TRUE(audit_promises(path, 0).promises_kept());
-    // The hull grows from 6 to 8.7.
+    // With this change of the scale the size of the hull grows from 6 to 8.7.
     const Schedule schedule = scale("2:1.6");
     for (std::size_t i = 0; i < path.frames.size(); ++i)
         path.frames[i].changes.shape = {static_cast<float>(schedule.value(static_cast<double>(i))), 0.5, 1};

@@ -54,7 +54,7 @@ TEST(Sphere, DirectionsAreSpreadEvenly)
         sum = sum + direction;
     }
     EXPECT_LT(length(sum), 1);
-    // A cap of 0.3 radians covers (1 - cos 0.3) / 2 of a sphere.
+    // A cap of a sphere, up to an angle of 0.3 radians from its middle, covers (1 - cos 0.3) / 2 of the sphere.
     const double expected = 500 * (1 - std::cos(0.3)) / 2;
     for (int d = 0; d < 500; ++d) {
         EXPECT_EQ(sphere.near(d).front(), d);

@@ -95,7 +95,7 @@ TEST(Audit, EveryRowCanFail)
         EXPECT_FALSE(row_of(result, name).kept()) << name;
         return result.promises_kept();
     };
-    // Promises.
+    // Items of the audit that are promises.
     EXPECT_FALSE(fails(spoilt([](auto& f) { move_to(f[200], {0, 0, 0.1}); }), "frames inside solid"));
     // Both frames are outside the solid, but the straight line between them is not.
     EXPECT_FALSE(fails(spoilt([](auto& f) {
@@ -109,7 +109,7 @@ TEST(Audit, EveryRowCanFail)
               "largest turn"));
     EXPECT_FALSE(
         fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
-    // Quality.
+    // Items of the audit that describe quality.
     const DistanceField field(planned().scene, 0);
     fails(spoilt([&](auto& f) {
               Vector place = f[300].eye;
@@ -217,7 +217,7 @@ TEST(PathFile, IsReadAsItIsWritten)
     EXPECT_EQ(to_text(path_from_text(text, "test")), text);
     const Scene changed = scene_of(path, path.frames[3], 64, 36);
     EXPECT_EQ(changed.shape[2], 7.5);
-    // A fractal that changes during the flight is audited in each frame's shape.
+    // If the fractal changes during the flight, each frame is audited with the shape at that frame.
     EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
 }
 

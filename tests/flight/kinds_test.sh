@@ -44,7 +44,7 @@ make_path path.json 30
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 
-# The file extension selects the container; each film has all frames at the path's rate.
+# The file extension selects the container. Each film has all of its frames, at the frame rate of the path.
 for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
     film=kind.${kind%:*}
     run 0 render path.json $small --frames 50-59 --output "$film"
@@ -91,7 +91,7 @@ for i in range(6):
     assert math.dist(slow["frames"][4 * i]["location"], thirty["frames"][5 * i]["location"]) < step, i
 PY
 
-# Some frames of a path, as stills and as a film.
+# Renders some frames of a path, as stills and as a film.
 run 0 render path.json $small --stills stills --frames 10-12
 [ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
     fail "--frames 10-12 gives $(ls stills)"
@@ -131,8 +131,9 @@ if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
 fi
 
-# Titles are complete, are shown once for each eye, and use letters of the font. white FILM: checks the columns that are
-# white, and so belong to the title, at 2 s.
+# Titles are complete, are shown once for each eye, and use letters of the font. white FILM WIDTH [eyes]: checks that
+# there is white text at 2 s, not at the picture's edges, and in the middle; with `eyes`, that it is the same in both
+# halves.
 white() {
     ffmpeg -v error -ss 2 -i "$1" -frames:v 1 -pix_fmt gray -f rawvideo - | python3 -c '
 import sys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Invalid path files: each gives one line with the place and the fault.
+// Invalid path files give an error of one line, with the place and the fault.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -34,7 +34,7 @@ std::string refusal(const std::string& changed)
     return "accepted";
 }
 
-// Replaces `from` in a path file and checks the message.
+// Replaces `from` by `to` in a valid path file, and checks the error message.
 void says(const std::string& from, const std::string& to, const std::string& message)
 {
     const std::string said = refusal(with(from, to));

@@ -84,7 +84,8 @@ void use(const Result& result)
 
 extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t most);
 
-// Changes or copies one value of a complete result, as changed bytes rarely give valid JSON.
+// Changes or copies one value of a complete result. libFuzzer calls it instead of changing bytes, which rarely gives
+// valid JSON.
 extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed)
 {
     std::minstd_rand random(seed);

@@ -47,7 +47,7 @@ double seconds_of(clockid_t clock)
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Returns the processor seconds of all threads but this one, including ended ones.
+// Returns the processor seconds of all threads except this one, including threads that have ended.
 double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 TEST_P(Models, ExactHasTheBitsOfTheScalarText)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX
-# from the program: its pictures have the bits of the scalar kernel, several GPUs can be selected, and a failing GPU
-# gives one line and the right exit code.
+# simulated_test.sh BIN SOURCE COMPILER PYTHON: runs the programs on a simulated GPU (simulated_cuda.c), which runs the
+# PTX in the program. Its pictures must have the bits of the scalar kernel, several GPUs can be selected, and a failing
+# GPU must give one line and the right exit code.
 set -uo pipefail
 bin=$1
 here=$2/tests/openacc
@@ -55,7 +55,7 @@ ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend openacc --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
-# Several GPUs, followed by the host.
+# Devices 0 to 2 are the simulated GPUs, device 3 is the host.
 export SIMULATED_GPUS=3
 expect 0 0 '' --backend openacc --device 2 --output a.png --stats a.json
 grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"

@@ -9,7 +9,7 @@ command -v patchelf >/dev/null || { echo "no patchelf, which makes bundles"; exi
 . "$source/tests/failures.sh"
 cmake --build "$build" --target bundle_program >"$folder/log" 2>&1 || { tail "$folder/log"; exit 1; }
 ARCHIVE=no "$source/packaging/bundle" "$build" "$folder/made" OFF >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
-# Move it away from where it was made.
+# Move the bundle to another folder than the one it was made in.
 mkdir "$folder/else where"
 mv "$folder"/made/* "$folder/else where/bundle"
 bundle="$folder/else where/bundle"
@@ -54,7 +54,7 @@ in_bundle imgdiff a.exr b.exr >/dev/null || fail "other bits than the build's"
 in_bundle bench --backend openmp --fractal box --precision float --size 32x24 --repetitions 2 --launches 2 --json bench.json \
     >/dev/null 2>"$folder/stderr" || fail "bench: $(cat "$folder/stderr")"
 in_bundle demo --side 16 >/dev/null 2>&1 || fail "demo"
-# Without ffmpeg one line reports that.
+# If there is no ffmpeg, one line on stderr says so.
 (cd "$folder" && env -i PATH=/nowhere "$bundle/bin/flythrough" film --frames 30 --size 64x36 --output film.mp4) 2>"$folder/stderr"
 [ $? = 1 ] && [ "$(grep -c ffmpeg "$folder/stderr")" = 1 ] || fail "without ffmpeg: $(cat "$folder/stderr")"
 

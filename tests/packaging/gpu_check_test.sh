@@ -40,7 +40,7 @@ grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody 
 results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
 pgrep -f "$folder/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-# The page of results.
+# The page that tools/gpu_results.py makes from the results.
 reader="$4 -B $source/tools/gpu_results.py"
 $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
 in=$(echo read/rehearsal-*)

@@ -97,7 +97,7 @@ for backend in opencl vulkan; do
 done
 threads 1 "${box[@]}" --threads 1
 
-# Control groups of version 1 or 2, if they can be created.
+# group CONTROLLER: creates a control group of version 1 or 2, if this is permitted.
 group() {
     local controller=$1 parent=/sys/fs/cgroup
     [ -d $parent/"$controller" ] && parent=$parent/$controller

@@ -187,7 +187,7 @@ expect 2 "$bin/render" --fractal sponge paramsBulb.dat
 expect 0 "$bin/mandelbulb" --help
 grep -q 'bytes per pixel' stdout || fail "--help gives no memory figure"
 
-# Wrong parameter files: the message starts with the place.
+# Wrong parameter files: the message begins with the file's name and the line.
 expect 2 "$bin/mandelbulb" missing.dat
 says '^missing.dat:1: .*expected'
 expect 2 "$bin/mandelbulb" .

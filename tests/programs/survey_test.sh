@@ -65,7 +65,7 @@ run 0 bulb away.dat
 says 'nothing was hit'
 run 0 box paramsBox.dat --eyes 1e5
 says 'nothing was hit'
-# A picture with only a sliver in view gives no warning.
+# If only a small part of the fractal is in view, there is no warning.
 change paramsBulb.dat 1 "3 .65 .5" 4 2.7 >near.dat
 run 0 bulb near.dat
 ! grep -q 'nothing' stderr || fail "a picture: $(cat stderr)"
@@ -81,7 +81,7 @@ run 0 box inside.dat
 says 'the camera is inside the solid'
 stats '"in_solid": true'
 
-# A detail level below the resolution of both precisions.
+# A detail level that is too fine for float and for double.
 change paramsBox.dat 6 "-20" >fine.dat
 run 0 box fine.dat
 says '[0-9]+ % of the rays ran out of their 8000 steps'

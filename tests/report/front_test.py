@@ -26,7 +26,7 @@ from mandelreport.sections import Material  # noqa: E402
 
 # Read once, as checking the schemas takes seconds.
 READ = read_results(ROOT / "report" / "results")
-# Student's t, by degrees of freedom.
+# 97.5th percentiles of Student's t, by degrees of freedom.
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 

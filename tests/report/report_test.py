@@ -131,7 +131,7 @@ class ReportTest(unittest.TestCase):
         again = self.make(made.everything(), "bin", seed="1", output="again", results="elsewhere")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(page, self.page("again"))
-        # Another number gives another page.
+        # If a number in the files is changed, the page is another one.
         changed = made.everything()
         changed["bench.json"]["rows"][0]["figures"]["kernel_seconds"]["median"] = 0.7654
         self.make(changed, "bin", output="changed", results="changed")
@@ -182,7 +182,7 @@ class ReportTest(unittest.TestCase):
         more = of([*registered, "skeleton"])
         self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
-        # A backend that is not in the registry has no number.
+        # A backend that is not in the registry gets the next number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
         # If there are more series than colours, they are still distinguishable, in bars and in lines.
         many = [f"backend{number}" for number in range(40)]

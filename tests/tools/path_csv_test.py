@@ -112,7 +112,7 @@ class TableTest(unittest.TestCase):
         self.assertEqual(self.run_tool("export", "missing.json", "x.csv").returncode, 2)
 
 
-# The part of Blender's interface that the script uses.
+# Fakes of those parts of Blender's interface that the script uses.
 class Camera:
     def __init__(self):
         self.matrix_world = None

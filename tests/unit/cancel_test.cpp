@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cancelled renders.
+// Renders that are cancelled.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures from other programs, and damaged ones.
+// Reading of picture files that other programs wrote, and of damaged files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -106,7 +106,7 @@ TEST(PngReading, MorePixelsThanTheFileCanHoldAreRefused)
     EXPECT_TRUE(holds(refusal(decode_png, png(70000, 1, 8, "abc")), "its size is 70000 x 1"));
 }
 
-// Returns an EXR with constant channels: 0.5, or 5 in integers.
+// Returns an EXR with these channels. Every value is 0.5; in channels of integers it is 5.
 std::string exr(const std::vector<std::string>& channels, Imf::Compression compression = Imf::ZIP_COMPRESSION,
                 int side = 4)
 {

@@ -190,7 +190,7 @@ TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
     EXPECT_FALSE(compare(image, sign).same());
 }
 
-// Negative control: contraction and the canonical hit change bits.
+// Negative control: fast mode, with contraction and canonical hits, gives other bits.
 TEST_P(SameBits, FastModeDiffers)
 {
     const Scene scene = official_scene("box", 64, 64);

@@ -102,7 +102,7 @@ for fault in float_division discrete_gpu; do
     with $fault draw box a.exr && same a.exr true/box-double.exr
 done
 with discrete_gpu "$bin/render" --fractal bulb --list-devices | grep -q '^vulkan *0: ' || fail "a GPU is not listed"
-# Negative control: fast mode, which does not probe, shows that the layer changes divisions.
+# Negative control: fast mode does not probe the device, so the wrong divisions must change its pictures.
 with double_division draw bulb wrong.exr --mode fast
 draw bulb right.exr --mode fast
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
@@ -138,7 +138,7 @@ break_cache() {
     draw bulb again.exr || fail "cache after $*: $(cat stderr)"
     [ -s stderr ] && fail "cache after $*: $(cat stderr)"
     same first.exr again.exr
-    # Not every driver reproduces the bytes.
+    # The file is not compared with the original one byte for byte, as not every driver writes the same bytes again.
     for file in whole/mandelmarch/*.bin; do
         file=mandelmarch/${file##*/}
         [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||
