@@ -18,7 +18,8 @@ namespace {
 
 constexpr int most_repetitions = 100'000;
 
-// Parses one of Google Benchmark's flags. Throws InputError for flags that would change the method of measuring.
+// Parses one of Google Benchmark's flags. Throws InputError for all flags but those below, as they would change how
+// bench measures.
 void take_google_flag(const std::string& flag, CommandLine& line)
 {
     const auto equals = flag.find('=');
@@ -58,7 +59,7 @@ std::string study_names()
     return names;
 }
 
-// Numeric options, before parsing.
+// Values of options as the user wrote them, before they are parsed.
 struct Texts {
     std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock, limit;
 };
@@ -96,7 +97,8 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
     app.add_flag("--unproven", line.unproven)->group("");
 }
 
-// Returns the arguments for further runs: those that write no files and start no runs.
+// Returns the arguments to pass on to further runs: all except those that write files, choose an output format or
+// start further runs.
 std::vector<std::string> inherited(const std::vector<std::string>& arguments)
 {
     std::vector<std::string> kept;
@@ -207,7 +209,7 @@ CommandLine parse_command_line(int argc, char** argv)
     portability->add_option("--json", line.options.json,
                             "write the metric, with cascades, as JSON to this file (-: standard output)");
     portability->add_option("--csv", line.options.csv,
-                            "write the underlying rates for p3-analysis-library (-: standard output)");
+                            "write pixels per second on each platform, for p3-analysis-library (-: standard output)");
     CLI::App* divergence =
         app.add_subcommand("divergence", "count the source lines shared between backends (code divergence)");
     divergence->add_option("FOLDER", line.folder, "source tree (default: the current folder)");
@@ -218,7 +220,8 @@ CommandLine parse_command_line(int argc, char** argv)
     random->add_option("--backend", line.random.backend, "backend to test (default: openmp)");
     random->add_option("--fractal", line.random.fractal, "fractals of the scenes: all, as above, or one name")
         ->capture_default_str();
-    random->add_option("--without", line.random.without, "optimisations to disable, for example trial");
+    random->add_option("--without", line.random.without,
+                       "optimisations to disable, separated by commas; same names as `render --without`");
     random->add_option("--scenes", texts.scenes, "scenes per fractal and set (default 60)");
     random->add_option("--sets", line.random.sets, "seeds, one per set, separated by commas")
         ->delimiter(',')
@@ -234,7 +237,8 @@ CommandLine parse_command_line(int argc, char** argv)
         ->capture_default_str();
     equivalence->add_option("--scenes", texts.extremes, "number of scenes in all (default 1000)");
     equivalence->add_option("--seed", texts.extreme_seed, "seed for the scenes (default 1)");
-    equivalence->add_option("--folder", line.folder, "folder for parameter files of scenes that differ");
+    equivalence->add_option("--folder", line.folder,
+                            "write the parameter file of each scene whose pictures differ to this folder");
     equivalence->add_option("--json", line.options.json, "write all results as JSON to this file (-: standard output)");
     app.footer(
         "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests are "

@@ -37,12 +37,12 @@ struct CommandLine {
     RaceOptions race;
     RandomOptions random;
     EquivalenceOptions equivalence;
-    std::string folder;                  // equivalence: where to write scenes that differ; divergence: the sources
-    std::vector<std::string> arguments;  // of a run, to pass on to further runs
-    bool unproven = false;               // on_demand: skip verification, as in further runs of a duel
-    bool quiet = false;                  // print no table and no progress, as in further runs
+    std::string folder;  // equivalence: for parameter files of scenes that differ; divergence: the source tree
+    std::vector<std::string> arguments;  // to pass on to the further runs that --launches starts
+    bool unproven = false;               // on_demand: skip verification; set in all runs of a duel but the first
+    bool quiet = false;                  // print no table and no progress; set in further runs
     bool list_names = false;             // --benchmark_list_tests
-    int exit_code = 0;                   // for help
+    int exit_code = 0;                   // if the command is help
 };
 
 // Throws InputError for invalid arguments.

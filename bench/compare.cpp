@@ -53,7 +53,7 @@ bool same_setting(const Setting& a, const Setting& b)
            a.block == b.block && a.frames == b.frames && a.without == b.without;
 }
 
-// Returns everything but the final verdict, which judge_all() sets if the configurations can be tested.
+// Compares a configuration of two results. If it can be tested, its verdict is `undecided` until judge_all() sets it.
 Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
 {
     Compared c{.name = new_row.name(), .platform = new_row.platform};
@@ -96,7 +96,7 @@ std::string platform_names(const Result& result)
     return text.empty() ? "no platform" : printable(text, 200);
 }
 
-// A configuration of the old result that the new one does not have.
+// Returns the comparison of a configuration that only the old result has.
 Compared missing(const Row& row, const Result& new_result, bool by_launch)
 {
     Compared c{.name = row.name(), .platform = row.platform, .why = "not in the new result"};

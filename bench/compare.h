@@ -15,27 +15,34 @@ struct Compared {
     std::string name;
     std::string platform;
     Verdict verdict = Verdict::not_compared;
-    std::string why{};                 // if nothing was tested
-    Difference difference{};           // of kernel times, new / old
-    double p = 1;                      // after Holm's correction
-    int old_units = 0, new_units = 0;  // medians of runs, or of groups of samples if there is only one run
+    std::string why{};        // why nothing was tested; empty if it was
+    Difference difference{};  // of kernel times, new / old
+    double p = 1;             // after Holm's correction
+    // Numbers of compared medians: one for each run, or one for each group of samples if a result has one run only.
+    int old_units = 0, new_units = 0;
 };
 
 struct ComparedResults {
     std::vector<Compared> rows;
     std::vector<std::string> differences;  // between the environments
-    std::vector<std::string> warnings;     // including those of the results
+    std::vector<std::string> warnings;     // including the warnings of both results
 
-    // Returns true if a configuration is slower, or had a comparable speed and has none now.
+    // Returns true if a configuration is slower in the new result, or has a comparable speed in the old result only.
     bool regression() const;
 };
 
-// Pairs configurations by name and platform, after disambiguated(). The test compares medians of runs, as samples of
-// one process share its memory layout and clock frequency and are not independent. If either result has only one run,
-// it compares medians of groups of three or more rounds and warns that differences between runs are unseen. A
-// configuration is lost if the old result has a comparable speed for it and the new one does not (missing, unavailable,
-// failed, other setting, too few times above 0). It is added if only the new result has a speed for it. Throws
-// InputError if the results have no configuration in common.
+// Compares the configurations that have the same name and platform in both results, after disambiguated().
+//
+// The test compares medians of runs: samples of one process share its memory layout and clock frequency, so they are
+// not independent. If either result has only one run, the test compares medians of groups of three or more rounds, and
+// a warning says that differences between runs are unseen.
+//
+// If only the old result has a comparable speed for a configuration, the configuration is
+//   broken, if its picture is wrong or it failed in the new result;
+//   lost, if it is missing or unavailable there, or has another setting, too few samples or a time that is not above 0.
+// If only the new result has a speed for it, the configuration is added.
+//
+// Throws InputError if the results have no configuration in common.
 ComparedResults compare_results(const Result& old_given, const Result& new_given);
 
 std::string to_console(const ComparedResults& comparison);

@@ -13,8 +13,8 @@ namespace {
 
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
-// Returns a configuration that does the same work on all pixels as the counting kernel; in fast mode packs take other
-// steps.
+// Returns a timed configuration that does the same work as the counting kernel, but on all pixels; nullptr if there is
+// none. In fast mode the host's packs are excluded, as they take other steps.
 const Row* whole_picture(const Result& result, const Counted& counted)
 {
     const std::string host = result.host();
@@ -25,7 +25,8 @@ const Row* whole_picture(const Result& result, const Counted& counted)
     return nullptr;
 }
 
-// Returns the largest standard errors of the sampled counts; empty if every pixel was counted or no errors are known.
+// Returns a line with the largest standard errors of the sampled counts; empty if every pixel was counted or no errors
+// are known.
 std::string errors_of(const Result& result)
 {
     double of_operations = 0;
@@ -49,7 +50,7 @@ std::string errors_of(const Result& result)
         100 * of_iterations, 100 * of_operations, 100 * of_lanes);
 }
 
-// Tables that explain why one fractal is slower than the other.
+// Returns a table of the counted work, which explains why one fractal is slower than the other.
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
@@ -78,7 +79,8 @@ std::string counts_table(const Result& result)
                       result.counts.empty() ? 0 : result.counts.front().count.lane_use.front().lanes);
 }
 
-// Gain of vectors and warps if each lane takes the next pixel as soon as its ray has ended.
+// Returns a table of lane utilisation without and with refill, and of the gain. With refill each lane takes the next
+// pixel as soon as its ray has ended.
 std::string lanes_table(const Result& result)
 {
     constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";

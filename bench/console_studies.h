@@ -9,7 +9,7 @@
 
 namespace mandelmarch::bench {
 
-// Maximum length of a table's line, in characters, and of a warning, in bytes.
+// Maximum length of a line of a table, in characters, and of a warning, in bytes.
 inline constexpr std::size_t console_columns = 120;
 inline constexpr std::size_t longest_note = 1000;
 

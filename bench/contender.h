@@ -16,14 +16,14 @@ namespace mandelmarch::bench {
 
 class DuelProcess {
 public:
-    // A configuration as the process reports it.
+    // State of a configuration, as reported by the process before the rounds.
     struct Ready {
-        std::string fingerprint;  // of its picture
+        std::string fingerprint;  // hash of its picture
         std::string failure;      // why it has no speed; empty if it has one
-        bool in_process = true;   // false: work runs outside this process
+        bool in_process = true;   // false: a driver renders in another process
     };
 
-    // Time of a picture by the duel's clock, or why there is none.
+    // Time of a picture by the duel's clock, or the reason why there is none.
     struct Drawn {
         std::optional<double> seconds;
         std::string failure;
@@ -31,7 +31,7 @@ public:
 
     // Starts `program` with the arguments and `--on-demand`. Throws Error if it cannot be started.
     DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock);
-    // Ends the process.
+    // Closes the socket, at which the process exits; kills it if it has not ended after two seconds.
     ~DuelProcess();
 
     // Waits until the configurations are ready. Throws Error if the process ends first or sends an invalid message.
@@ -40,7 +40,8 @@ public:
     const std::map<std::string, Ready>& rows() const { return rows_; }
     const nlohmann::ordered_json& environment() const { return environment_; }
 
-    // Has the process draw one picture. Throws Error if the process ends.
+    // Makes the process render one picture of the configuration named `row`, and returns its time. Throws Error if the
+    // process ends.
     Drawn draw(const std::string& row);
 
 private:

@@ -24,7 +24,7 @@ namespace {
 struct BlockCount {
     PixelCount pixels;
     std::vector<LaneCount> lanes{};
-    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // steps and iterations of the march
+    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // pixels rendered; steps and DE iterations of the march
 
     Operations operations() const { return std::accumulate(pixels.stages.begin(), pixels.stages.end(), Operations{}); }
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts one pixel, in one precision. Include inside a namespace; no include guard.
+// Renders one pixel and counts its operations. Included inside a namespace, once for each precision, so it has no
+// include guard.
 
-// Runs `body` and adds the operations it took to `to`.
+// Calls `body`, adds the operations of the call to `to`, and returns the result of the call.
 template <class Body>
 auto counted(Operations& to, Body body)
 {

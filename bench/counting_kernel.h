@@ -6,21 +6,23 @@
 
 namespace mandelmarch::bench {
 
-// Sums over pixels that go into a Count.
+// Sums over pixels, from which a Count is computed.
 struct PixelCount {
     std::array<Operations, stage_count> stages;
     Work work;
     std::uint64_t hits = 0;
 };
 
-// Draws pixel (i, j) and appends the iterations of each of its ray's steps. `scene` points to the kernel's Scene.
+// Renders pixel (i, j), adds its counts to `to`, and appends the number of DE iterations of each step of its ray to
+// `steps`. `scene` points to the kernel's Scene.
 using CountPixel = void (*)(const void* scene, int i, int j, PixelCount& to, RaySteps& steps);
 
 struct CountingKernel {
     CountPixel in_double, in_float;
 };
 
-// Returns nullptr for a fractal without a kernel. Generated.
+// Returns the counting kernel of a fractal, or nullptr if the fractal has no kernel. Its definition is generated from
+// counting_kernels.cpp.in.
 const CountingKernel* counting_kernel(std::string_view fractal);
 
 }  // namespace mandelmarch::bench

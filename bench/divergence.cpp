@@ -26,7 +26,7 @@ int count(const Coverage& coverage, std::string_view folder)
     return lines;
 }
 
-// Returns the number of lines common to both.
+// Returns the number of lines that are in both sets.
 std::size_t shared_lines(const Coverage& one, const Coverage& other)
 {
     std::size_t shared = 0;
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    // Returns the list in backends/CMakeLists.txt.
+    // Returns the names of the backends, as listed in backends/CMakeLists.txt.
     std::vector<std::string> backends() const
     {
         const std::string list = text("backends/CMakeLists.txt");
@@ -74,7 +74,7 @@ public:
         for (const auto& entry : fs::directory_iterator(root_ / own))
             visit(own + entry.path().filename().string(), own, found);
         if (count(found, job_folder) == 0) return found;
-        // A backend that uses core/job needs all of it, except templates that it replaces by its own.
+        // A backend that uses core/job needs all of it, except templates that are replaced by its own.
         for (const auto& entry : fs::directory_iterator(root_ / job_folder)) {
             const std::string name = entry.path().filename().string();
             const bool replaced = name.ends_with(".in") && fs::exists(root_ / own / name);
@@ -97,7 +97,7 @@ private:
         const bool inside = file.starts_with(own) || file.starts_with(kernel_folder) || file.starts_with(job_folder);
         if (!inside || found.contains(file) || !fs::is_regular_file(root_ / file)) return;
         const std::string source = text(file);
-        // CMakeLists.txt names the sources but does not count itself.
+        // CMakeLists.txt is read for the names of sources, but its own lines do not count.
         if (!file.ends_with("CMakeLists.txt")) found[file] = lines_of_code(source);
         static const std::regex path(R"([A-Za-z0-9_./-]+\.(?:h|cpp|cl|comp|cu|in)\b)");
         for (std::sregex_iterator at(source.begin(), source.end(), path), end; at != end; ++at) {

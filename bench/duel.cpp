@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns the median of the pairs' ratios for each run.
+// Returns for each run the median of its pairs' ratios.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
     Launches launches;
@@ -26,7 +26,7 @@ std::map<int, double> ratios_of(const DuelRow& row)
     return ratios;
 }
 
-// Returns why nothing can be tested; empty if it can.
+// Returns why the configuration cannot be tested; empty if it can.
 std::string lack_of(const DuelRow& row)
 {
     const auto positive = [](const DuelPair& pair) { return pair.old_seconds > 0 && pair.new_seconds > 0; };
@@ -61,7 +61,7 @@ Judged judged(const DuelRow& row, double margin)
     return j;
 }
 
-// Returns the geometric mean over the tested configurations, for the runs that have all of them.
+// Returns the geometric mean of the ratios of all tested configurations, for each run in which all of them have one.
 std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& rows)
 {
     std::map<int, double> logarithms;

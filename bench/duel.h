@@ -11,14 +11,14 @@
 
 namespace mandelmarch::bench {
 
-// Time that a duel compares.
+// The clock by which a duel compares pictures.
 enum class DuelClock {
-    wall,      // of the kernel, as in bench's tables
-    processor  // of all threads; load from other programs does not count
+    wall,      // wall time of the kernel, as in bench's tables
+    processor  // processor time of all threads of the program; load from other programs does not count
 };
 std::string_view name_of(DuelClock clock);
 
-// One picture by each program, back to back, in random order.
+// Times of two pictures of a configuration: each program renders one, directly after the other, in random order.
 struct DuelPair {
     int launch = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;
@@ -28,7 +28,7 @@ struct DuelRow {
     std::string name;
     std::vector<DuelPair> pairs{};
     std::string old_failure{}, new_failure{};  // why a program has no speed; empty if it has one
-    bool same_picture = true;                  // byte for byte
+    bool same_picture = true;                  // the programs' pictures are equal byte for byte
 };
 
 struct DuelSide {
@@ -39,17 +39,17 @@ struct DuelSide {
 struct Duel {
     DuelSide old_side{}, new_side{};
     DuelClock clock = DuelClock::wall;
-    double margin = 0.01;  // a ratio within this of 1 is the same
+    double margin = 0.01;  // times with a ratio from 1 / (1 + margin) to 1 + margin count as the same
     int launches = 0;      // complete runs of each program
-    int rounds = 0;        // in each run
+    int rounds = 0;        // pairs of pictures of each configuration in a run
     std::vector<std::string> warnings{};
     std::vector<DuelRow> rows{};
 };
 
 struct Judged {
-    std::string name;  // of the configuration; all_rows for the mean of all
+    std::string name;  // of the configuration; all_rows for the geometric mean of all
     Verdict verdict = Verdict::no_speed;
-    std::string why{};        // if nothing was tested
+    std::string why{};        // why nothing was tested; empty if it was
     Difference difference{};  // of times, new / old
     double p = 1;             // after Holm's correction
     int launches = 0, pairs = 0;
@@ -58,11 +58,12 @@ struct Judged {
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Judges each configuration and, if several were tested, also their geometric mean, which comes last (judge_all()).
-// Student's t on the logarithms of each run's median pair ratio tests whether the ratio lies beyond the margin.
+// Judges each configuration and, if several were tested, also the geometric mean of their ratios, which comes last; see
+// judge_all(). From each run the median of the pairs' ratios is taken. Student's t on the logarithms of these medians
+// tests whether the true ratio lies beyond the margin.
 std::vector<Judged> judge(const Duel& duel);
 
-// Returns true if a configuration is slower or broken.
+// Returns true if a configuration is slower or broken in the new program.
 bool regression(const std::vector<Judged>& judged);
 
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged);

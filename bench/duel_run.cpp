@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    // Adds the side to the messages of errors.
+    // Returns work(). If it throws an Error, the side ("old" or "new") is added to the message.
     template <class Work>
     static auto of(const char* side, const Work& work)
     {
@@ -114,8 +114,8 @@ private:
         }
     }
 
-    // Returns why a program has no valid picture of a configuration in this run; empty if it has. `first`: the same
-    // program's configurations in the first run.
+    // Returns why a program has no valid picture of a configuration in this run; empty if it has one. `first`: the
+    // configurations of the same program in the first run.
     std::string failure_of(const std::string& name, const DuelProcess& now,
                            const std::map<std::string, DuelProcess::Ready>& first) const
     {

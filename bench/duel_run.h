@@ -15,14 +15,15 @@ struct DuelOptions {
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
     int launches = 10;  // of each program
-    int rounds = 20;    // pictures of each configuration in a run
+    int rounds = 20;    // pictures of each configuration by each program in a run
 };
 
-// Runs both programs side by side, run by run, on the configurations chosen by the options, without the baselines. In
-// each round each program draws every configuration once, back to back. The order of the configurations and of the two
-// programs is random, so that a lasting disturbance slows both alike. The pictures are verified in the first run and
-// must not change in later runs. If a program dies, its run is left out, with a warning. `progress` receives the
-// completed fraction, 0 to 1. Throws InputError if a program is not an executable file, Error if no run was measured.
+// Measures the configurations that the options select, without the baselines. For each run both programs are started
+// again. In each round every configuration is rendered by one program and directly afterwards by the other. The order
+// of the configurations and of the two programs is random, so that a lasting disturbance slows both alike. The pictures
+// are verified in the first run and must not change in later runs. If a program dies, the run is left out, with a
+// warning. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is not an executable
+// file, Error if no run was measured.
 Duel run_duel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-// Returns the value after `name` and a separator in a file of such lines; empty if there is none.
+// Returns the text after the separator in the file's first line that begins with `name`; empty if there is none.
 std::string value_in(const fs::path& path, const std::string& name, char separator)
 {
     std::ifstream file(path);
@@ -88,7 +88,7 @@ Json memory()
     return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
 }
 
-// Returns the name of the file that a library's links lead to; it contains the version.
+// Follows a library's symbolic links and returns the name of the file itself, which contains the version.
 std::string resolved(const std::string& library)
 {
     std::error_code none;
@@ -100,7 +100,7 @@ std::string resolved(const std::string& library)
     return {};
 }
 
-// Returns the drivers installed for the backends' loaders, and their libraries.
+// Returns the drivers that are installed for the backends' loaders, and the drivers' libraries.
 Json icds(const Registry& registry)
 {
     Json found = Json::array();
@@ -141,7 +141,7 @@ Json backends(const Registry& registry)
     return found;
 }
 
-// Returns the environment variables in effect that change how backends run.
+// Returns those environment variables that are set and change how backends run.
 Json variables(const Registry& registry)
 {
     Json set = Json::object();

@@ -8,7 +8,7 @@
 
 namespace mandelmarch::bench {
 
-// Reads /proc, /sys and the drivers. Values that cannot be read are null.
+// Returns the environment as read from /proc, /sys and the drivers. Values that cannot be read are null.
 nlohmann::ordered_json environment(const Registry& registry);
 
 }  // namespace mandelmarch::bench

@@ -38,7 +38,7 @@ Drawn drawn(Renderer& renderer, const Scene& scene)
     return result;
 }
 
-// Describes the difference; empty if there is none.
+// Returns a description of the difference in picture or work; empty if there is none.
 std::string difference(const Drawn& expected, const Drawn& got)
 {
     const Comparison c = compare(expected.image, got.image);
@@ -58,7 +58,8 @@ class TestedBackend {
 public:
     TestedBackend(const Backend& backend, Tested& subject) : backend_(backend), subject_(subject) {}
 
-    // Describes the error in the picture; empty if there is none.
+    // Renders the scene. Returns a description of the difference from the expected picture, or of the error; empty if
+    // the picture is correct or the scene is not supported.
     std::string draw(const Scene& scene, const Drawn& expected)
     {
         try {
@@ -97,7 +98,7 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
             backend.create({.precision = precision, .pack = pack})->render(scene, image);
             widths.push_back(pack);
         } catch (const InputError&) {
-            // Width not supported.
+            // This width is not supported.
         }
     }
     return widths;
@@ -108,7 +109,7 @@ std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptio
 {
     std::vector<Tested> subjects;
     for (const auto& backend : registry.backends()) {
-        // The reference is a separate implementation: its bits differ.
+        // The reference is left out: it is a separate implementation, whose bits differ.
         if (backend->info().role == Role::reference) continue;
         if (!names_backend(options.backend, backend->name())) continue;
         const Listing listing = listing_of(*backend);
@@ -140,8 +141,8 @@ Scene scaled(Scene scene, double factor)
     return scene;
 }
 
-// Returns the scene, smaller if it would be too much work, and with fewer iterations if even one pixel would be.
-// Measures the work by rendering in packs, which are fast: first a few pixels, then more.
+// Returns the scene, with fewer pixels if it would be too much work, and with fewer iterations if even one pixel would
+// be too much. The work is measured by rendering with `packs`, which are fast: first a few pixels, then more.
 Scene affordable(std::span<const std::unique_ptr<Renderer>> packs, const Scene& scene)
 {
     const auto pixels = [](const Scene& s) { return static_cast<double>(s.width) * s.height; };
@@ -203,7 +204,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
         packs.push_back(right.create({.precision = precision}));
         scalar.push_back(right.create({.precision = precision, .pack = 1}));
     }
-    // Fractal by fractal, as devices compile a kernel for each.
+    // All scenes of a fractal are rendered before those of the next one, as devices compile a kernel for each fractal.
     int done = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const auto count = static_cast<int>(of.size());

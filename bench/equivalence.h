@@ -14,34 +14,34 @@ namespace mandelmarch::bench {
 struct EquivalenceOptions {
     std::string backend = "all";
     std::string fractal = "all";
-    int scenes = 1000;  // in all
+    int scenes = 1000;  // sum over all fractals
     unsigned seed = 1;  // see core/scene/extreme_scene.h
 };
 
-// A tested configuration of a backend, in one precision, and its tally.
+// A tested configuration of a backend in one precision, and the counts of its pictures.
 struct Tested {
     std::string backend;
     RendererOptions options;
     std::string device;     // name
     int pictures = 0;       // drawn
-    int unavailable = 0;    // scenes that it does not support
+    int unavailable = 0;    // scenes that the configuration does not support
     int wrong = 0;          // pictures whose bits or work counts differ, or that failed with an error
-    std::string refusal{};  // reason given for the first unsupported scene
+    std::string refusal{};  // why the first of these scenes is not supported
 
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that differs from that of the scalar kernel (--pack 1).
+// A picture that differs from that of the scalar kernel (--pack 1), or that could not be rendered.
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, index
     std::string parameters;  // contents of its parameter file
-    std::string subject;
-    std::string what;  // the first differing pixel with both values, or the error
+    std::string subject;     // Tested::name()
+    std::string what;        // the first differing pixel with both values, or the error
 };
 
 struct EquivalenceResult {
     EquivalenceOptions options;
-    std::string yardstick;  // backend with the role of the host
+    std::string yardstick;  // name of the backend with the role host, which renders the expected pictures
     nlohmann::ordered_json environment;
     std::vector<Tested> subjects;
     std::vector<std::string> missing;   // backends without a device, and why
@@ -49,10 +49,10 @@ struct EquivalenceResult {
     std::vector<Discrepancy> discrepancies;
 };
 
-// Renders each scene in both precisions with the scalar kernel and with every tested configuration; scenes with too
-// much work are rendered smaller. Calls `found` with each discrepancy at once, and `progress` with the completed
-// fraction. Throws InputError for an unknown backend or fractal. If nothing is left to compare, throws Error if a
-// backend failed, else Unavailable.
+// Renders each scene in both precisions with the scalar kernel and with every tested configuration. Scenes that would
+// be too much work are rendered smaller. Calls `found` with each discrepancy as soon as it is found, and `progress`
+// with the completed fraction. Throws InputError for an unknown backend or fractal. If no selected backend can be
+// tested, throws Error if one of them failed, else Unavailable.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);

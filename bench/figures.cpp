@@ -25,7 +25,7 @@ Launches times_by_launch(const Row& row, Member member)
     return launches;
 }
 
-// Returns true for the same kernel and scene on the same number of threads.
+// Returns true if both configurations run the same kernel on the same scene, with the same number of threads.
 bool same_text(const Row& a, const Row& b)
 {
     return same_picture(a.setting, b.setting) && a.fractal == b.fractal && a.precision == b.precision &&
@@ -40,7 +40,8 @@ Ratio ratio_of(const Row& numerator, const Row& denominator)
     return {&numerator, &denominator, summary(ratios_by_launch(numerator, denominator))};
 }
 
-// Returns the ratios of all pairs that `other_of` accepts and that share mode and sweep value.
+// Returns the ratios of all pairs of timed configurations with the same mode and sweep value for which
+// other_of(numerator, denominator) is true.
 template <class Same>
 std::vector<Ratio> ratios(const Result& result, Same other_of)
 {

@@ -9,17 +9,18 @@
 
 namespace mandelmarch::bench {
 
-// Fractions of active lanes, 0 to 1, among the steps and among the DE iterations. A step takes as many iterations as
-// its slowest lane.
+// Fractions of lanes that are active, 0 to 1, averaged over the steps and over the DE iterations of vectors. A step of
+// a vector takes as many iterations as its slowest lane; lanes that need fewer are inactive in the rest.
 struct ActiveLanes {
     double in_steps = 1, in_iterations = 1;
 };
 
 struct LaneUse {
     int lanes = 0;
-    ActiveLanes together;  // neighbouring pixels march until the last one is done
-    // With refill: a lane whose ray has ended takes the next pixel of its patch at once (persistent threads; Aila and
-    // Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Unknown in results of older builds.
+    ActiveLanes together;  // without refill: neighbouring pixels march together until the last one is done
+    // With refill: as soon as a lane's ray has ended, the lane takes the next pixel of the patch (persistent threads;
+    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Unknown in results of older
+    // builds.
     std::optional<ActiveLanes> refilled;
     // Standard errors of `together` and `refilled` if they come from a sample of patches; 0 if every pixel was counted.
     // Unknown in results of older builds.
@@ -29,7 +30,8 @@ struct LaneUse {
 // DE iterations of each step of a ray, in order.
 using RaySteps = std::vector<int>;
 
-// Counts the lane slots of vectors, and the active ones among them.
+// Counts the lane slots of vectors, and how many of them are active. A lane slot is one lane during one step, or one
+// iteration, of its vector.
 class LaneCount {
 public:
     explicit LaneCount(int lanes) : lanes_(lanes) {}
@@ -37,8 +39,8 @@ public:
     // Adds the rays of a patch; consecutive rays belong to neighbouring pixels.
     void add(std::span<const RaySteps> block);
 
-    // Returns the lane utilisation of several patches, each counted in one LaneCount, all with the same number of
-    // lanes. `every_pixel`: they cover the whole picture.
+    // Returns the lane utilisation over several patches. Each patch has its own LaneCount, all with the same number of
+    // lanes. `every_pixel`: the patches cover the whole picture, so that standard errors are 0.
     static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
 
 private:
@@ -46,9 +48,10 @@ private:
         double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
     };
 
-    // Returns the fraction of active lanes over all patches, and its standard error.
+    // Returns the fractions of active lanes over all patches, and their standard errors.
     static std::pair<ActiveLanes, ActiveLanes> active(std::span<const LaneCount> blocks, Slots LaneCount::*slots);
-    // Marches rays in a vector; a lane whose ray has ended takes the next waiting ray.
+    // Marches the rays in one vector and adds its lane slots to `slots`. A lane whose ray has ended takes the next
+    // waiting ray.
     void march(std::span<const RaySteps> rays, Slots& slots) const;
 
     int lanes_;

@@ -10,15 +10,15 @@
 
 namespace mandelmarch::bench {
 
-// Executes one run and returns its result. Throws Error if it left none.
+// Executes the run with this number and returns its result. Throws Error if the run leaves no result.
 using Run = std::function<Result(int launch)>;
 
-// Merges results: all samples, tagged by run; the highest peaks; everything else from the first run. A configuration
-// that fails in any run fails.
+// Merges the results of several runs: keeps the samples, stage times and warnings of all runs and the highest peaks,
+// and takes everything else from the first run. A configuration that fails in any run fails in the merged result.
 Result merged(std::vector<Result> results);
 
-// Merges `first` with the results of runs 1 to count - 1. A run without a result adds a warning and a line on stderr;
-// Result::launches counts the runs with a result.
+// Executes runs 1 to count - 1 and merges their results with `first`, the result of run 0. For a run without a result,
+// adds a warning and prints a line on stderr. Result::launches is the number of runs with a result.
 Result with_further_launches(Result first, int count, const Run& launch);
 
 // Starts this program with the given arguments and `--launch N --json - --quiet`, and parses its output. Throws Error

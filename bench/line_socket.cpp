@@ -42,7 +42,7 @@ bool LineSocket::receive(std::string& line, const std::function<bool()>& gone)
         pollfd waiting{.fd = socket_.number(), .events = POLLIN, .revents = 0};
         const int ready = poll(&waiting, 1, patience);
         if (ready == 0) {
-            // Read data that the peer sent before it ended.
+            // If the peer has ended, read what it sent before.
             if (!gone()) continue;
             waiting.revents = 0;
             last = poll(&waiting, 1, 0) <= 0;

@@ -12,16 +12,16 @@ struct GpuState {
     std::string name;
     std::optional<double> joules;               // since the driver was loaded
     std::optional<double> watts, celsius;       // now
-    std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz
+    std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz: multiprocessors, their maximum, memory
     std::optional<std::string> throttled;       // reason for a reduced clock frequency; "none" if not reduced
 };
 
 struct GpuStates {
     std::vector<GpuState> gpus;
-    std::string missing;  // why there are none; else empty
+    std::string missing;  // why there are no GPUs; empty if there are some
 };
 
-// `library`: file name for the dynamic linker.
+// Returns the state of every NVIDIA GPU. `library`: file name of NVML, as passed to dlopen().
 GpuStates gpu_states(const std::string& library);
 
 }  // namespace mandelmarch::bench

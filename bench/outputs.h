@@ -8,16 +8,16 @@
 
 namespace mandelmarch::bench {
 
-// Throws InputError if `path` lies in the project's folder of kept results and the sources have uncommitted changes:
-// such a result could not be reproduced.
+// Throws InputError if `path` lies in `results`, the project's folder of kept results, and the sources have uncommitted
+// changes: such a result could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
-// Files and standard output ("-"), checked before the work and written after it. One failure does not affect the
-// others.
+// Files and standard output ("-") that are checked before a command's work and written after it. A failure to write one
+// of them does not affect the others.
 class Outputs {
 public:
-    // `option`: the option as written by the user; an empty path adds nothing. `text` is called when the output is
-    // written.
+    // Adds an output; an empty path adds nothing. `option`: name of the option, for messages. `text` returns the
+    // contents; it is called when the output is written.
     void add(std::string option, std::string path, std::function<std::string()> text);
 
     // Throws InputError if an output cannot be written or is one of the `read` files, or if two outputs are the same.
@@ -25,7 +25,7 @@ public:
 
     bool on_stdout() const;
 
-    // Writes the files. Returns false if one fails, after a line on stderr.
+    // Writes the outputs that are files. If one fails, prints a line on stderr and returns false in the end.
     bool write_files() const;
 
     // Throws Error if standard output cannot be written.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks measured several times, and whether the best of them is credible.
+// Peaks that are measured several times, and a check whether the highest one is credible.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace mandelmarch::bench {
 
-// Measured peaks. A disturbance only lowers a rate, and rarely twice by the same amount: a best rate without a second
-// one close to it is doubtful.
+// Record of all measured peaks. Disturbances only lower a rate, and rarely twice by the same amount. A highest rate is
+// therefore doubtful if no second measurement is close to it.
 class PeakRecord {
 public:
     void add(const std::vector<Peak>& peaks);

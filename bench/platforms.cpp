@@ -27,7 +27,7 @@ bool is_cpu(const Result& result, const std::string& platform)
     return std::ranges::any_of(result.rows, [&](const Row& row) { return row.platform == platform && !row.is_gpu; });
 }
 
-// Returns true if both results are known to come from one boot of one system.
+// Returns true if both results contain the boot ID of their system, and the IDs are equal.
 bool same_boot(const Result& a, const Result& b)
 {
     const Json::json_pointer boot("/os/boot");
@@ -35,7 +35,7 @@ bool same_boot(const Result& a, const Result& b)
            a.environment.at(boot) == b.environment.at(boot);
 }
 
-// Compares CPU facts; a fact that only one result has is ignored.
+// Returns true if both results have the same facts of the CPU. A fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {

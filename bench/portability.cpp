@@ -23,7 +23,7 @@ struct Entry {
     const Result* result;
     const Row* row;
     std::vector<double> times;         // kernel times of all runs
-    std::vector<double> logarithms{};  // of the runs' medians, if there are several runs
+    std::vector<double> logarithms{};  // logarithms of the runs' medians; empty if there is only one run
 };
 
 struct Problem {
@@ -42,10 +42,11 @@ struct Efficiencies {
     double application = 0, architecture = 0;
 };
 
-// Returns a random sample of the time that the configuration might have. With several runs: their mean logarithm plus
-// Student's t times its standard error, so that 95 % of the samples lie within launch_interval() (Weerahandi's
-// generalized interval, JASA 88, 1993, which also holds for quantities computed from several configurations). With one
-// run: the median of its times resampled with replacement, which shows only the scatter within that run.
+// Returns a random value of the time that the configuration may really have.
+// With several runs: its logarithm is the mean of the runs' logarithms plus Student's t times the mean's standard
+// error, so that 95 % of the values lie within launch_interval(). This is Weerahandi's generalized interval (JASA 88,
+// 1993), which also holds for quantities computed from several configurations. With one run: it is the median of the
+// run's times resampled with replacement, which shows only the scatter within that run.
 double drawn(const Entry& entry, std::mt19937_64& random)
 {
     const std::vector<double>& x = entry.logarithms;
@@ -82,7 +83,8 @@ public:
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
-    // Records that the result has this backend without a device: it supports none of the result's platforms.
+    // Records that the result contains this backend without a device: the backend then supports none of the result's
+    // platforms.
     void add_unavailable(const Result& result, const std::string& application)
     {
         if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
@@ -90,7 +92,7 @@ public:
 
     const std::set<std::string>& platforms() const { return platforms_; }
 
-    // Returns true if a result with this platform also has this application, on any platform.
+    // Returns true if there is a result that contains both the platform and the application, even if not together.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
         return std::ranges::any_of(platforms_of_, [&](const auto& of) {
@@ -108,7 +110,8 @@ public:
         return found;
     }
 
-    // Returns the medians of the kernel times; random samples of them if `random` is given.
+    // Returns the kernel time of each application on each platform: the median, or, if `random` is given, a random
+    // value (drawn()).
     std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
     {
         std::map<std::pair<std::string, std::string>, double> found;
@@ -136,7 +139,7 @@ public:
 
 private:
     std::set<std::string> platforms_, applications_;
-    std::map<const Result*, std::set<std::string>> platforms_of_, applications_of_;  // of the results with the problem
+    std::map<const Result*, std::set<std::string>> platforms_of_, applications_of_;  // in each result with the problem
     std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
 };
 
@@ -196,7 +199,7 @@ Portability of(const Problem& problem, const Field& field, const std::string& ap
     const Efficiencies mean = means(field, application, seconds);
     p.application_portability = mean.application;
     p.architecture_portability = mean.architecture;
-    // Percentiles of the metric over random samples of all times.
+    // The intervals are percentiles of the metric, computed many times from random values of all times.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;

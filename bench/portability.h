@@ -2,8 +2,8 @@
 // Performance portability: the metric of Pennycook, Sewall and Lee ("A Metric for Performance Portability", PMBS 2016;
 // "Implications of a metric for performance portability", Future Generation Computer Systems 92, 2019).
 //
-// An application here is a backend, a platform a device, a problem a fractal at a size, in one precision and mode. For
-// the platforms of a set H with the efficiencies e_i of one application:
+// Here an application is a backend, a platform is a device, and a problem is a fractal at one size, in one precision
+// and mode. An application with the efficiencies e_i on the platforms of a set H has the performance portability
 //   PP = |H| / sum of 1 / e_i   if every platform of H is supported, else 0.
 // An application's H holds the platforms of all results, except those on which it was not measured.
 #pragma once
@@ -21,7 +21,8 @@ namespace mandelmarch::bench {
 // Returns the harmonic mean of the efficiencies; 0 if one is 0 (unsupported) or there are none.
 double performance_portability(std::span<const double> efficiencies);
 
-// The application on one platform. Efficiencies are 0 if it is unsupported or its picture is wrong.
+// An application on one platform. Both efficiencies are 0 if the application is not supported there or its picture is
+// wrong.
 struct OnPlatform {
     std::string platform;
     double seconds = 0;       // median kernel time
@@ -29,8 +30,9 @@ struct OnPlatform {
     double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
 };
 
-// One platform, in order of falling application efficiency, and the portability over the platforms up to it (Sewall,
-// Pennycook and others, "Interpreting and visualizing performance portability metrics", P3HPC 2020).
+// A step of a cascade, which adds one platform after the other, in the order of falling application efficiency:
+// `portability` is computed over this platform and those before it (Sewall, Pennycook and others, "Interpreting and
+// visualizing performance portability metrics", P3HPC 2020).
 struct CascadeStep {
     std::string platform;
     double efficiency = 0;
@@ -52,11 +54,13 @@ struct Portability {
     std::vector<CascadeStep> cascade;
 };
 
-// Computes the metric over all platforms of all results, after disambiguated(). Configurations of sweeps, of the scalar
-// kernel and of the reference, which is not an application, are left out. If a backend runs on a platform as several
-// devices, the fastest counts. An application does not support a platform if a result has both but no correct picture:
-// the application is unavailable there, its picture is wrong, or it ran only on other platforms of that result. An
-// application that was measured nowhere for a problem has an empty H.
+// Computes the metric for each problem and application, over the platforms of all results, after disambiguated().
+// Configurations of sweeps, of the scalar kernel and of the reference, which is not an application, are left out. If a
+// backend has several devices on one platform, the fastest counts.
+//
+// An application counts as unsupported on a platform if a result contains both, but no correct picture of the
+// application on the platform: the application is unavailable there, its picture is wrong, or it ran only on other
+// platforms of the result. An application that was not measured on any platform for a problem has an empty H.
 std::vector<Portability> portability(std::span<const Result> given);
 
 // Returns the entries whose H is not empty.

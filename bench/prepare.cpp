@@ -9,8 +9,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Checks the memory for verification: the configuration's picture and the expected one, with values, and one for
-// timing.
+// Throws Unavailable if there is not enough memory for three pictures with all layers, as used in verification, and one
+// with bytes only, as used in timing.
 void check_memory(const Scene& scene)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
@@ -34,7 +34,8 @@ void describe(Row& row, const RenderStats& report)
     row.work = report.work;
 }
 
-// Calls `draw`. An exception becomes the reason why the configuration has no speed.
+// Calls `draw`, which renders the first picture. If it throws, the message is kept as the reason why the configuration
+// has no speed.
 template <class Draw>
 std::optional<TimedCase> prepared(Case& one, const Draw& draw)
 {
@@ -48,7 +49,7 @@ std::optional<TimedCase> prepared(Case& one, const Draw& draw)
     } catch (const Unavailable& error) {
         row.unavailable = error.what();
     } catch (const InputError& error) {
-        // For example, a pack width that this machine does not support.
+        // An option is not supported, for example a pack width on this machine.
         row.unavailable = error.what();
     } catch (const Error& error) {
         row.failure = error.what();

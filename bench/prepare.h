@@ -9,11 +9,12 @@
 
 namespace mandelmarch::bench {
 
-// Renders the configuration's picture once and verifies it. Returns nullopt if it cannot be timed; its row says why.
+// Renders the configuration's picture once and verifies it. Returns nullopt if the configuration cannot be timed;
+// one.row then holds the reason.
 std::optional<TimedCase> proven(Case& one, Yardsticks& yardsticks);
 
-// The same without verification, for further processes of a program that has verified the picture. The caller compares
-// fingerprints.
+// Renders the configuration's picture once without verifying it, for later runs of a program whose first run has
+// verified it. The caller must compare the fingerprints. Returns nullopt as proven() does.
 std::optional<TimedCase> unproven(Case& one);
 
 }  // namespace mandelmarch::bench

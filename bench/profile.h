@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time per stage of a picture: openmp's scheduler, with a clock between its stages.
+// Measures the time of each stage of a picture, by reading a clock between the stages of openmp's scheduler.
 #pragma once
 
 #include "bench/options.h"
@@ -9,13 +9,13 @@
 
 namespace mandelmarch::bench {
 
-// Name of the entry for whole pixels without interruption.
+// Name of the entry for a picture that is rendered without interruption between the stages.
 inline constexpr const char* in_one_go = "one go";
 
-// Measures seconds of each stage (begin, march, refine, normal, shade and output), on one core, in several repetitions.
-// Hits are shaded in three passes, and the clock is read every few thousand rays; the last entry, in_one_go, is the
-// time without either, for comparison. Throws Error if the picture differs in any byte from that of the registry's
-// openmp.
+// Measures the seconds of each stage (begin, march, refine, normal, shade and output), on one core, in several
+// repetitions. For that, hits are shaded in three passes, and the clock is read every few thousand rays. The last
+// entry, in_one_go, is the time of a picture rendered without these two changes, for comparison. Throws Error if the
+// profiled picture differs in any byte from that of the registry's openmp.
 std::vector<StageTime> profile(const Registry& registry, const Options& options, const Phase& phase);
 
 }  // namespace mandelmarch::bench

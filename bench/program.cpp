@@ -32,7 +32,7 @@ class Display {
 public:
     explicit Display(bool quiet) : quiet_(quiet) {}
 
-    // `since`: start of the phase, for the remaining time.
+    // `since`: start of the phase, from which the remaining time is estimated.
     void show(const Step& step, Clock::time_point since = Clock::now())
     {
         if (quiet_) return;
@@ -104,7 +104,7 @@ int run(const Registry& registry, const CommandLine& line)
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
     ok = ok && !result.failed() && result.launches == options.launches;
-    // With a format, standard output is for data alone.
+    // With --benchmark_format, only data in that format goes to standard output.
     if (!line.quiet && options.format.empty()) {
         const std::string table = to_console(result, options.wide);
         if (outputs.on_stdout()) {
@@ -244,7 +244,8 @@ int on_demand(const Registry& registry, const CommandLine& line)
     return exit_success;
 }
 
-// Prints each discrepancy at once on stderr, with the parameters that reproduce it.
+// Runs `bench equivalence`. Prints each discrepancy on stderr as soon as it is found, with a parameter file, or its
+// path, that reproduces it.
 int equivalence(const Registry& registry, const CommandLine& line)
 {
     namespace fs = std::filesystem;

@@ -9,11 +9,13 @@
 
 namespace mandelmarch::bench {
 
-// Renders the expected pictures, and keeps the last one of each kind.
-//   exact configurations: the scalar kernel on the host (--pack 1), in the same precision; the bits must be the same.
-//   fast configurations: the reference's canonical picture in double; or the scalar kernel if the reference would take
-//     minutes (more than a million pixels) or does not support the scene. At most 2 % of the pixels may differ visibly.
-//   the reference itself in exact mode: the scalar kernel in double; at most 2 % of the pixels may differ visibly.
+// Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
+// The picture of a configuration is compared with
+//   in exact mode: the scalar kernel's on the host (--pack 1), in the same precision. The bits must be the same.
+//   in fast mode: the reference's canonical picture in double. If the reference would take minutes (more than a million
+//     pixels) or does not support the scene, with the scalar kernel's fast picture in double. At most 2 % of the pixels
+//     may differ visibly.
+//   for the reference itself in exact mode: the scalar kernel's, in double. At most 2 % may differ visibly.
 class Yardsticks {
 public:
     explicit Yardsticks(const Registry& registry) : registry_(registry) {}
@@ -31,8 +33,8 @@ public:
     // Returns true if the configuration renders the expected picture itself, so that there is nothing to compare with.
     bool is_yardstick(const Case& one) const;
 
-    // Returns the same key for configurations with the same expected picture. Rendering cases in the order of their
-    // keys renders each expected picture once.
+    // Returns a key that is the same for all configurations with the same expected picture. If configurations are
+    // prepared in the order of their keys, each expected picture is rendered only once.
     std::string key(const Case& one) const;
 
 private:
@@ -48,7 +50,8 @@ private:
     Yardstick exact_, fast_;
 };
 
-// Compares a picture, rendered by a backend of this role, with the expected one and fills in row.proof.
+// Compares a picture, rendered by a backend with this role, with the expected one. Sets row.proof and, if the picture
+// is wrong, row.failure.
 void prove(Row& row, Role role, const Image& image, const Yardsticks::Yardstick& yardstick);
 
 // Returns a hash of the picture's bytes (FNV-1a, 64 bits).

@@ -40,7 +40,7 @@ std::optional<Quotient> times_ours(const Race& race, const RacedProgram& racer)
     return quotient({{0, seconds_of(racer)}}, {{0, seconds_of(*pace)}});
 }
 
-// Truncates a long name at its start, as the end tells more.
+// Truncates a long name at its start, as the end of a path is the specific part.
 std::string name_in_table(const RacedProgram& racer)
 {
     std::string name = printable(racer.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench race: times other programs that read a parameter file and write a picture, next to ours.
+// bench race: compares the times of other programs, which read a parameter file and write a picture, with ours.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace mandelmarch::bench {
 
 enum class RaceVerdict {
-    same,        // all bytes of the picture
+    same,        // all bytes of the picture are as expected
     close,       // at most 2 % of the pixels differ visibly
     wrong,       // more pixels differ visibly
     wrong_size,  // the picture has another size
@@ -26,10 +26,10 @@ enum class RaceVerdict {
 };
 std::string_view name_of(RaceVerdict verdict);
 
-// Returns true if the program's speed counts.
+// Returns true for a correct picture, for which the program's speed counts.
 constexpr bool is_right(RaceVerdict verdict) { return verdict == RaceVerdict::same || verdict == RaceVerdict::close; }
 
-// Comparison with the picture of our scalar kernel, in exact mode and double.
+// Comparison of a program's picture with that of our scalar kernel, in exact mode and double.
 struct RacePicture {
     int width = 0, height = 0;
     std::uint64_t differing = 0;          // pixels with any byte different
@@ -50,7 +50,7 @@ struct RacedProgram {
     std::string why{};  // why there is no speed, in words
     std::optional<int> exit_code{}, signal{};
     std::optional<RacePicture> picture{};  // if it has the right size
-    std::uint64_t memory = 0;              // peak resident bytes
+    std::uint64_t memory = 0;              // peak resident bytes of its largest process
     std::vector<RaceSample> samples{};     // of programs with a correct picture
 };
 

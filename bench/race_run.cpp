@@ -73,7 +73,7 @@ Scene scene_of(const RaceOptions& plan, const Options& options)
     return scene;
 }
 
-// Returns the scene with its eye moved in a random direction by `share` of its distance to the target.
+// Returns the scene with its eye moved in a random direction by the fraction `share` of its distance to the target.
 Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 {
     std::normal_distribution<double> normal;
@@ -153,7 +153,7 @@ private:
         RaceSample sample;
     };
 
-    // A scene to render, and the scalar kernel's picture of it.
+    // A parameter file to render, and the scalar kernel's picture of it.
     struct View {
         std::string parameters;
         Image expected;
@@ -168,7 +168,8 @@ private:
         return std::move(*drawn.image);
     }
 
-    // Returns a new view, for which a picture kept from an earlier view is wrong.
+    // Returns a new view whose picture differs visibly from the official one, so that a program cannot use a picture
+    // that it kept from an earlier run. If the views next to this scene's look alike, adds a warning.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -188,7 +189,7 @@ private:
         }
     }
 
-    // Runs the program. Without a picture, sets the racer's verdict and reason.
+    // Runs the program once on the current view. If it leaves no picture, sets the racer's verdict and reason.
     Drawn draw(RacedProgram& racer, const std::vector<std::string>& words)
     {
         const TemporaryFolder folder;
@@ -274,7 +275,7 @@ private:
         }
     }
 
-    // Runs a program whose first picture was correct on the round's view.
+    // Runs a program on the round's view and checks the picture, if its pictures have been correct so far.
     void again(std::size_t i, int round)
     {
         RacedProgram& racer = race_.racers[i];

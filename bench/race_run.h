@@ -19,11 +19,12 @@ struct RaceOptions {
     int rounds = 7;
 };
 
-// Runs each program as `PROGRAM scene.dat` in an empty folder with the parameter file, which names image.bmp, and
-// compares that picture with our scalar kernel's, in double and exact mode. Programs with a correct picture are then
-// timed as whole processes, in rounds of random order, together with our `render` on the backend that the options
-// select (all: openmp). Every timed picture must equal the verified one. A program that took more than longest_repeated
-// is not run again: the verified run is its sample. `progress` receives the completed fraction, 0 to 1. Throws
+// Runs each program as `PROGRAM scene.dat` in a folder that contains only this parameter file. The file names the
+// picture image.bmp, which is then compared with our scalar kernel's picture in double and exact mode. Programs with a
+// correct picture are timed as whole processes, in rounds of random order, together with our `render` on the backend
+// that the options select (all: openmp). Each round has its own view of the scene, so that a picture kept from an
+// earlier run is wrong; the pictures of the rounds must be correct, too. A program whose first run took more than
+// longest_repeated is not run again: that run is its sample. `progress` receives the completed fraction, 0 to 1. Throws
 // InputError if a program is not an executable file or the scene cannot be read, Error if our own picture cannot be
 // rendered.
 inline constexpr double longest_repeated = 20;  // seconds

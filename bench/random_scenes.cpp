@@ -34,7 +34,8 @@ struct DrawnScene {
     Image canonical{picture_width, picture_height, Image::Layers::all};
 };
 
-// Generates the same scenes as tests/scenes.cpp: one random stream for all fractals, in their order.
+// Generates the same scenes as tests/scenes.cpp: in each set, one random number generator serves all fractals, one
+// fractal after the other.
 std::vector<DrawnScene> scenes_of(const RandomOptions& options)
 {
     std::vector<DrawnScene> scenes;
@@ -61,7 +62,7 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
                  .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
 }
 
-// Renders as many scenes at once as there are cores, each on one thread.
+// Renders the canonical pictures: as many scenes at the same time as there are cores, each on one thread.
 void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
                     const std::function<void(double)>& progress)
 {

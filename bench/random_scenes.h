@@ -18,17 +18,17 @@ struct RandomOptions {
     std::string fractal = "all";                                     // all: those studied by default; or one name
     int scenes = 60;                                                 // per fractal and set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds
-    std::string without{};                                           // disabled techniques
+    std::string without{};                                           // disabled optimisations, separated by commas
 };
 
-// One scene in one precision.
+// Result of one scene in one precision.
 struct RandomRow {
     unsigned set = 0;
     int number = 0;  // index of the scene in its set
     Scene scene;
     Precision precision = Precision::f64;
     Comparison off;        // difference from the canonical picture
-    double exact_off = 0;  // fraction of pixels where exact mode visibly differs from its own picture in double
+    double exact_off = 0;  // fraction of pixels in which exact mode differs visibly from exact mode in double
 };
 
 // Sum over the scenes of one set, or of all sets, of one fractal in one precision. Fractions are of pixels.
@@ -36,15 +36,15 @@ struct RandomSum {
     std::uint64_t pixels = 0, visibly_differing = 0, hit_or_miss = 0;
     int scenes = 0;
     int far_off = 0;          // scenes in which more than most_off of the pixels differ visibly
-    int short_of_digits = 0;  // scenes among these in which exact mode differs as much from its picture in double
-    double worst = 0;         // largest fraction of one scene
+    int short_of_digits = 0;  // scenes among these whose exact_off is above most_off, too: the precision is too low
+    double worst = 0;         // largest fraction of visibly differing pixels in one scene
 
     void add(const RandomRow& row);
     double off() const;
     double wrong_hits() const;
 };
 
-// Limits for fast mode, in each set.
+// Limits for fast mode in each set: fractions of pixels that differ visibly, and that hit or miss wrongly.
 inline constexpr double most_off = 0.02;
 inline constexpr double most_wrong_hits = 0.0002;
 
@@ -53,13 +53,15 @@ struct RandomResult {
     nlohmann::ordered_json environment;
     std::vector<RandomRow> rows;  // by fractal, precision, set
 
+    // `set`: seed of the set; nullptr: all sets.
     RandomSum sum(std::string_view fractal, Precision precision, const unsigned* set) const;
-    bool held() const;  // every set meets both limits
+    bool held() const;  // true if every set meets both limits
 };
 
-// Renders every set, at 61 x 45 pixels, with canonical steps and with the backend in fast mode. The canonical pictures
-// come from reference, or from openmp without techniques if reference does not support the fractal. Calls progress with
-// the completed fraction. Throws InputError for an unknown backend, Unavailable if it has no device.
+// Renders the scenes of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode.
+// Canonical pictures are rendered by reference or, if reference does not support the fractal, by openmp with all
+// optimisations disabled. Calls `progress` with the completed fraction. Throws InputError for an unknown backend,
+// Unavailable if it has no device.
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 

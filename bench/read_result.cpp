@@ -19,7 +19,7 @@ constexpr std::uint64_t most_counted = std::uint64_t{1} << 53;  // JSON's number
 constexpr double most_seconds = 1e9;                            // about thirty years
 constexpr double most_rate = 1e30;                              // operations per second
 
-// Returns a member of an object. Error messages do not contain the file name yet.
+// Returns a member of an object. Throws InputError without the file's name, which result_from_json() adds.
 const Json& at(const Json& json, const char* key)
 {
     if (!json.is_object()) throw InputError(fmt::format("{} in the place of an object", json.type_name()));
@@ -79,14 +79,14 @@ double number_at(const Json& json, const char* key, double low, double high)
     return number(key, at(json, key), low, high);
 }
 
-// Returns nullopt for a missing member: older files lack some numbers, and newer ones do in some rows.
+// Returns nullopt if the member is missing or null: older files lack some numbers, and so do some rows of newer files.
 std::optional<double> known_number_at(const Json& json, const char* key, double low, double high)
 {
     if (!json.contains(key) || at(json, key).is_null()) return std::nullopt;
     return number_at(json, key, low, high);
 }
 
-// Times of samples may be 0 or less: bench compare then names the configuration.
+// Accepts times of 0 or less: for such samples `bench compare` reports that the configuration cannot be compared.
 double seconds_at(const Json& json, const char* key) { return number_at(json, key, -most_seconds, most_seconds); }
 
 double number_or_infinity_at(const Json& json, const char* key)
@@ -95,7 +95,7 @@ double number_or_infinity_at(const Json& json, const char* key)
     return at(json, key).is_null() ? infinity : number_at(json, key, -infinity, infinity);
 }
 
-// Calls read(element) for each element of a list. Exceptions name the element.
+// Calls read(element) for each element of a list. The messages of exceptions are extended by the element's place.
 template <class Read>
 void each_at(const Json& json, const char* key, const Read& read)
 {
@@ -138,7 +138,7 @@ Setting setting_at(const Json& parent, const char* key)
             .threads = whole_at(json, "threads"),
             .pack = whole_at(json, "pack"),
             .chunk = whole_at(json, "chunk"),
-            .band = json.contains("band") ? whole_at(json, "band") : 0,  // older files have neither
+            .band = json.contains("band") ? whole_at(json, "band") : 0,  // older files have neither band nor block
             .block = json.contains("block") ? whole_at(json, "block") : 0,
             .without = text_at(json, "without"),
             .view = text_at(json, "view"),
@@ -177,7 +177,7 @@ Sample sample_of(const Json& json)
             .wall = seconds_at(json, "wall"),
             .upload = seconds_at(json, "upload"),
             .readback = seconds_at(json, "readback"),
-            // Older files have the kernel's time by the host's clock only.
+            // Older files have no `host`: their kernel time was measured by the host's clock.
             .host = seconds_at(json, json.contains("host") ? "host" : "kernel")};
 }
 
@@ -204,7 +204,7 @@ Row row_of(const Json& json)
     row.proof = proof_at(json, "proof");
     row.context = seconds_at(json, "context_seconds");
     row.build = seconds_at(json, "build_seconds");
-    // Missing in old files of version 1.
+    // These members are missing in older files of version 1.
     row.step_factor = known_number_at(json, "stride", 0, 1).value_or(0);
     if (json.contains("unsettled")) row.unsettled = number_at(json, "unsettled", 0, 1);
     row.work = work_at(json, "work");
@@ -249,7 +249,7 @@ Counted counted_of(const Json& json)
             read.refilled_error = active(at(use, "standard_errors"), "refilled_");
         });
         if (c.count.lane_use.empty()) throw InputError("lane_use: [] given, expected the use of some lanes");
-    } else {  // older builds
+    } else {  // older files have one vector length only
         c.count.lane_use.push_back({whole_at(json, "lanes"), active(json, ""), std::nullopt});
     }
     return c;

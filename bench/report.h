@@ -11,22 +11,24 @@
 
 namespace mandelmarch::bench {
 
-// Returns the table of configurations, the two questions, a study's own tables, and warnings, in lines of at most 120
-// characters. `wide`: all figures, in lines of any length.
+// Returns the table of configurations, tables of ratios (speed-ups, Mandelbox / Mandelbulb, double / float), a study's
+// own tables, warnings and the winners, in lines of at most 120 characters. `wide`: the table of configurations has all
+// columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
 // Returns JSON that follows bench/result.schema.json, with raw samples and derived figures.
 nlohmann::ordered_json json_of(const Result& result);
 
-// Parse what json_of() wrote. Derived figures are skipped, as they follow from the samples. `name`: name of the file in
-// messages. Throw InputError if it is not a result, has another version, or holds impossible values.
+// Parse a result written by json_of(). Derived quantities are not read, as they follow from the samples. `name`: name
+// of the file in messages. Throw InputError if the JSON is not a result, has another version, or has impossible values.
 Result result_from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);
-// Returns nullopt for a file of another kind, JSON or not. Throws InputError if it cannot be read or is a damaged
-// result.
+// Reads a result. Returns nullopt for a file of another kind, JSON or not. Throws InputError if the file cannot be read
+// or is a damaged result.
 std::optional<Result> read_if_result(const std::string& path);
-// Returns the given files and, for a folder, all files in it and below that end in .json, sorted.
+// Returns the paths of the given files. A folder is replaced by the files in it and its subfolders whose names end in
+// .json, sorted.
 std::vector<std::string> result_files(const std::vector<std::string>& paths);
 
 // Formats JSON for a file. Invalid UTF-8, for example in a driver's name, is replaced.
@@ -44,8 +46,8 @@ std::string problem_name(const std::string& fractal, Precision precision, Mode m
 // Returns a text as one CSV cell, quoted if necessary.
 std::string csv_cell(const std::string& text);
 
-// Formats a result like Google Benchmark's repetitions: all samples, followed by the configuration's median. `format`:
-// "console", "json" or "csv"; throws InputError for any other.
+// Formats a result like Google Benchmark's repetitions: for each configuration all samples, followed by their median.
+// `format`: "console", "json" or "csv"; throws InputError for any other.
 std::string to_google_benchmark(const Result& result, const std::string& format);
 
 }  // namespace mandelmarch::bench

@@ -19,7 +19,7 @@ std::string short_name(const std::string& fractal)
     return fractal == "all" ? fractal : std::string(fractal_named(fractal).short_name);
 }
 
-// Returns "[12.30, 12.45]", or why there is no interval.
+// Returns the interval, "[12.30, 12.45]", or the number of values, "n = 3", if there is no interval.
 std::string interval(const Summary& s, double unit)
 {
     if (!s.interval) return fmt::format("n = {}", s.count);
@@ -44,7 +44,8 @@ std::string head(const Result& result, const Row& row)
                        name_of(row.mode), application_of(result, row), row.device);
 }
 
-// In a sweep, the sweep value replaces the share of peak and the speed-up.
+// Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
+// the speed-up.
 std::string main_table(const Result& result, bool sweep)
 {
     const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
@@ -81,7 +82,7 @@ std::string main_table(const Result& result, bool sweep)
     return text;
 }
 
-// All figures, one line per configuration.
+// Returns a table with all columns, one line per configuration.
 std::string wide_table(const Result& result)
 {
     std::string text = fmt::format(
@@ -133,7 +134,8 @@ std::string devices(const Result& result)
     return text;
 }
 
-// Lists configurations whose upload, host and readback leave a notable part of the wall time.
+// Returns a line for each configuration whose upload, host and readback leave more than 5 % of the wall time
+// unaccounted for.
 std::string incomplete_parts(const Result& result)
 {
     constexpr double little = 0.05;

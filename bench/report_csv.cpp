@@ -39,7 +39,6 @@ std::string csv_cell(const std::string& text)
     return made + "\"";
 }
 
-// An unsupported configuration has an empty fom.
 std::string to_csv(const Result& result)
 {
     std::string text =
@@ -56,7 +55,8 @@ std::string to_csv(const Result& result)
     for (const Row& row : result.rows) {
         const Setting& s = row.setting;
         const std::string application = application_of(result, row);
-        // The scalar kernel is another application of the same problem; each sweep value is a separate problem.
+        // In a sweep each sweep value is a separate problem. The scalar kernel also has a sweep value, but is another
+        // application of the same problem.
         const bool one_problem = row.point.empty() || application != row.backend;
         const std::string problem = problem_name(row.fractal, row.precision, row.mode, s.width, s.height) +
                                     (one_problem ? "" : " " + row.point);

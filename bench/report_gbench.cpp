@@ -29,7 +29,7 @@ std::unique_ptr<benchmark::BenchmarkReporter> reporter_of(const std::string& for
     throw InputError(fmt::format("--benchmark_format: '{}' given, expected console, json or csv", format));
 }
 
-// One picture as one repetition. CPU time is not measured; the kernel time replaces it.
+// Returns a picture as one of Google Benchmark's repetitions. Real time and CPU time are both the kernel time.
 Run run_of(const Row& row, const Sample& sample)
 {
     Run run;
@@ -55,8 +55,9 @@ double median_of(const Row& row, double Sample::*part)
     return median(std::move(values));
 }
 
-// The medians of a configuration's repetitions, like Google Benchmark's aggregates. Iterations are the repetitions; the
-// reporters divide times by them, but not counters.
+// Returns the medians of a configuration's repetitions, like Google Benchmark's aggregates. The number of iterations is
+// that of the repetitions. The reporters divide times by it, so the median time is multiplied by it; they do not divide
+// counters.
 Run median_of(const Row& row)
 {
     Run run = run_of(row, {.kernel = median_of(row, &Sample::kernel) * static_cast<double>(row.samples.size()),

@@ -30,7 +30,7 @@ std::vector<std::string> platforms_of(const std::vector<Portability>& portabilit
     return found;
 }
 
-// Returns the platforms of H as numbers of the table: "1,3".
+// Returns the platforms of H, by their numbers in the table: "1,3".
 std::string numbers_of(const Portability& p, const std::vector<std::string>& platforms)
 {
     std::string text;

@@ -16,7 +16,7 @@ inline constexpr int schema_version = 1;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
 
-// One picture of the timed rounds. Times in seconds.
+// Times of one picture in the timed rounds, in seconds.
 struct Sample {
     int launch = 0;                                         // index of the run
     int round = 0;                                          // index within that run
@@ -28,20 +28,20 @@ struct Sample {
 // Parameters of a configuration besides fractal, precision, mode, backend and device.
 struct Setting {
     int width = 0, height = 0;                                  // pixels
-    int iterations = 0;                                         // n
-    double detail = 0;                                          // D
-    double power = 0;                                           // third value of line 7
+    int iterations = 0;                                         // maximum of DE iterations, n
+    double detail = 0;                                          // detail level, D
+    double power = 0;                                           // third value of the parameter file's line 7
     int threads = 0, pack = 0, chunk = 0, band = 0, block = 0;  // as in RendererOptions; 0: automatic
-    std::string without{};                                      // disabled techniques, as in --without of the renderers
+    std::string without{};                                      // disabled optimisations, as in `render --without`
     std::string view = "official";                              // name of the scene
-    int frames = 0;  // pictures from a fresh renderer per sample; 0: one, from a warm renderer
+    int frames = 0;  // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
 };
 
 // Comparison of the configuration's picture with the expected one.
 struct Proof {
-    bool drawn = false;  // there was a picture to compare
+    bool drawn = false;  // a picture was rendered
     bool passed = false;
-    bool yardstick = false;  // renders the expected picture itself
+    bool yardstick = false;  // the configuration renders the expected picture itself
     std::string level;       // name_of(Level)
     std::string text;        // for the table: "same bits", "3 ULP", "0.193 % off"
     std::string against;     // name of the expected picture
@@ -67,18 +67,18 @@ struct Row {
     int threads = 0, pack = 0;  // actually used
     Proof proof;
     double context = 0, build = 0;  // seconds, of the first picture
-    // From the trial of the verified picture (RenderStats); 0 and 0 without one.
+    // Results of the trial before the verified picture (see RenderStats); both 0 if there was no trial.
     double step_factor = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counting kernel; 0: unknown
-    // Its standard error, as operations are counted on a sample of the pixels; unknown in results of older builds.
+    // Standard error of `operations`, which are counted on a sample of the pixels; unknown in results of older builds.
     std::optional<double> operations_error;
     std::vector<Sample> samples;
 
     // Returns "mandelbulb/double/exact/openmp/0", followed by "/threads=2" in a sweep; "vulkan" for a backend without a
     // device.
     std::string name() const;
-    // Returns true if there is a speed to show.
+    // Returns true if the picture was verified and timed, so that there is a speed to show.
     bool timed() const { return unavailable.empty() && failure.empty() && proof.passed && !samples.empty(); }
     bool failed() const { return unavailable.empty() && (!failure.empty() || (proof.drawn && !proof.passed)); }
 };
@@ -91,10 +91,10 @@ struct Peak {
     double rate = 0;  // operations per second
 };
 
-// Adds the peaks of new devices, and raises those of known devices to the greater rate.
+// Merges `from` into `to`: adds the peaks that `to` does not have, and raises the others to the higher rate.
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from);
 
-// Operation counts of one fractal's kernel.
+// Operation counts of the kernel, for one fractal, precision, mode and setting.
 struct Counted {
     std::string fractal;
     Precision precision = Precision::f64;
@@ -116,7 +116,7 @@ struct StageTime {
 struct Result {
     std::string study;
     std::uint64_t seed = 0;
-    int launches = 1;  // with samples
+    int launches = 1;  // number of runs that left samples
     nlohmann::ordered_json environment;
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;

@@ -23,8 +23,8 @@ double processor_seconds()
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-// Seconds. A faster picture is rendered once without timing before the timed one, to restore threads, caches and clock
-// frequency after the previous configuration.
+// Seconds. If a picture takes less, it is rendered once without timing before it is timed. This restores threads,
+// caches and clock frequency after the previous configuration.
 constexpr double warmed_below = 0.1;
 
 bool narrow_enough(const Row& row, double half_width)
@@ -102,8 +102,8 @@ private:
         return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
     }
 
-    // Returns the completed fraction: of a fixed number of rounds, else the largest of the fractions of rounds,
-    // configurations and time budget.
+    // Returns the completed fraction of the work. If the number of rounds is fixed, this is the fraction of the rounds;
+    // else it is the largest of three fractions: of the rounds, of the configurations, and of the time budget.
     double share(double of_rounds) const
     {
         if (rules_.repetitions) return of_rounds;
@@ -135,7 +135,8 @@ Sample draw_sample(TimedCase& row, Image& image)
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
     if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // Overwrite the last configuration's picture, so that it cannot pass for this one's.
+    // Overwrite the image, so that the previous configuration's picture cannot be taken for this one's if a backend
+    // does not write its pixels.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();

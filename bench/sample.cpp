@@ -21,8 +21,8 @@ std::uint64_t place(const Block& block)
     return bits;
 }
 
-// Samples one number from each stratum of 0 ... count - 1, in rising order. Neighbouring strata may share a number at
-// an end.
+// Divides the numbers 0 ... count - 1 into strata of equal length and returns a random number from each, in rising
+// order. Neighbouring strata may share the number at their common end.
 std::vector<std::size_t> one_of_each(std::int64_t strata, std::size_t count)
 {
     const double length = static_cast<double>(count) / static_cast<double>(strata);

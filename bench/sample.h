@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random samples of a picture: single pixels, and square patches of neighbouring pixels, as vectors and warps take
-// them.
+// Random samples of a picture's pixels: single pixels, or square patches of neighbouring pixels, like those that
+// vectors and warps render.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ inline constexpr int block_side = 16;  // pixels
 
 // A square patch of pixels. Pixels outside the picture do not belong to it.
 struct Block {
-    int column = 0, row = 0;  // of the first pixel
+    int column = 0, row = 0;  // of its pixel with the lowest column and row
     int side = block_side;    // a power of two
 };
 
-// Calls each(column, row) for the patch's pixels inside the picture, along Morton's curve: each group of 2^n pixels
-// fills a rectangle with as many columns as rows, or twice as many.
+// Calls each(column, row) for the patch's pixels inside the picture, along Morton's curve: each aligned group of 2^n
+// consecutive pixels fills a rectangle with as many columns as rows, or twice as many.
 template <class Each>
 void each_pixel(const Block& block, int width, int height, Each each)
 {
@@ -35,9 +35,10 @@ void each_pixel(const Block& block, int width, int height, Each each)
 // Returns all patches of a picture, along Morton's curve: neighbours in the list are neighbours in the picture.
 std::vector<Block> all_blocks(int width, int height);
 
-// Return a stratified random sample of about `most` pixels, as whole patches or as single pixels, if the picture has
-// more. The list of all patches or pixels along Morton's curve is cut into strata of equal length. One element is
-// sampled from each, so that all are equally likely to be in the sample. The sample is reproducible.
+// Return a stratified random sample of about `most` pixels, as whole patches or as single pixels; all of them if the
+// picture has no more. The list of all patches, or of all pixels, along Morton's curve is divided into strata of equal
+// length. One element of each stratum is chosen at random, so that every element has the same probability. The sample
+// is reproducible.
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most);
 std::vector<Block> sample_of_pixels(int width, int height, std::int64_t most);
 

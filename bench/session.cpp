@@ -20,20 +20,21 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int most_repeats = 3;  // of a doubtful peak
-// Seconds for the timed rounds: the rest of whole_budget after the other phases, within the limits below.
+constexpr int most_repeats = 3;  // further measurements of a doubtful peak
+// Seconds. The timed rounds get the part of whole_budget that verification, counting and the first peaks have left, but
+// at least least_budget and at most usual_budget.
 constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-// Counts each picture once, and sets the operations of all configurations that render it.
+// Counts the operations of each picture once, and stores the number in all configurations that render it.
 void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
     for (TimedCase& live : rows) {
         phase({"counting operations", static_cast<double>(done++) / static_cast<double>(rows.size())});
         Row& row = live.one->row;
-        // The reference is a separate implementation with other operations.
+        // The reference is left out: it is a separate implementation, with other operations.
         if (live.one->backend->info().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
@@ -63,7 +64,8 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     };
     std::vector<Asked> asked;
     for (const auto& backend : registry.backends()) {
-        // Any backend may reach a device's peak; all are measured, including those that are not timed.
+        // The highest peak of a device may be reached by any backend, so all are measured, including those that are not
+        // timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : precisions_of(options)) {
@@ -123,7 +125,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
     Yardsticks yardsticks(registry);
     std::vector<TimedCase> live;
-    // In the order of expected pictures, so that each is rendered once.
+    // Verify in the order of the expected pictures, so that each of them is rendered once.
     std::vector<Case*> order;
     for (Case& one : cases) {
         if (one.backend != nullptr) order.push_back(&one);
@@ -146,7 +148,8 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const Telemetry telemetry;
     run_rounds(live, rules, [&](double share, const std::string& round) { phase({"timing", share, round}); });
     const nlohmann::ordered_json told = telemetry.since_start();
-    // Measure peaks again: if the machine was slower before, a low peak would make the shares look better.
+    // Measure the peaks again: if the machine was slower before the rounds, those peaks are too low, and the shares of
+    // peak would be too high.
     record.add(peaks(every_peak));
     record = settled_peaks(std::move(record), peaks);
     result.peaks = record.best();

@@ -26,13 +26,13 @@ using Phase = std::function<void(const Step&)>;
 // not available.
 Result measure(const Registry& registry, const Options& options, const Phase& phase);
 
-// Measures the multiply-add peak of every device in the selected precisions, if `wanted`, called with everything but
-// the rate, returns true. Backends without a peak kernel are left out.
+// Measures the multiply-add peak of every device in the selected precisions. Backends without a peak kernel are left
+// out. `wanted` is called with each peak before it is measured (rate 0); if it returns false, the peak is not measured.
 inline bool every_peak(const Peak&) { return true; }
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted = every_peak);
 
-// Measures doubtful peaks again, at most three times, and returns the completed record.
+// Measures doubtful peaks again, at most three times. Returns the record with the added measurements.
 using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
 PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
 

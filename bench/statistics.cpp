@@ -16,7 +16,7 @@ struct Moments {
     double degrees = 0;
 };
 
-// Computes moments of the logarithms: times are positive, and disturbances multiply.
+// Returns moments of the values' logarithms. Logarithms are used as times are positive and disturbances multiply them.
 Moments moments(std::span<const double> values)
 {
     const auto n = static_cast<double>(values.size());
@@ -29,7 +29,7 @@ Moments moments(std::span<const double> values)
     return m;
 }
 
-// Tests whether a shift of logarithms is beyond the margin.
+// Tests whether a difference of means of logarithms is beyond the margin.
 Difference tested(const Moments& shift, double margin)
 {
     const double within = std::log1p(margin);
@@ -65,7 +65,8 @@ std::vector<double> together(const Launches& launches)
     return all;
 }
 
-// Widens the interval to contain the value. The interval is of the mean of logarithms, the value a median.
+// Widens the interval to contain the value. This may be necessary, as the interval is that of a mean of logarithms, and
+// the value is a median.
 std::optional<Interval> holding(std::optional<Interval> interval, double value)
 {
     if (!interval) return interval;
@@ -89,10 +90,9 @@ double median(std::vector<double> values)
     return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-// The median lies above the k-th smallest of n values unless fewer than k of them fell below it, and each falls below
-// it with probability 1/2: P(below k) is a sum of binomial probabilities. By symmetry the interval from the k-th
-// smallest to the k-th largest misses the median with twice that probability (Conover, Practical Nonparametric
-// Statistics, 3.2).
+// Each of the n values is below the true median with probability 1/2. The interval from the k-th smallest to the k-th
+// largest value misses the median if fewer than k values are below it, or fewer than k above it. Both have the same
+// probability, a sum of binomial probabilities (Conover, Practical Nonparametric Statistics, 3.2).
 std::optional<Interval> median_interval(std::span<const double> values)
 {
     std::vector<double> sorted(values.begin(), values.end());
@@ -147,9 +147,10 @@ std::vector<double> group_medians(std::span<const double> values)
     return medians;
 }
 
-// The top level of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013, section 9.3). The scatter
-// of the runs' medians already contains all differences between runs, so the interval needs only the medians; more
-// samples within a run only make each median more precise. Computed on logarithms, as disturbances multiply.
+// This is the top level of the method of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013,
+// section 9.3). The scatter of the runs' medians already contains all differences between runs, so the interval is
+// computed from the medians only; more samples within a run only make its median more precise. The computation uses
+// logarithms, as disturbances multiply times.
 std::optional<Interval> launch_interval(std::span<const double> medians)
 {
     if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
@@ -190,8 +191,9 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     return q;
 }
 
-// Welch (Biometrika 34, 1947): the difference of two means with possibly unequal variances. The null hypothesis is not
-// "equal" but "within the margin": p is evaluated at the margin's edge, where it is largest.
+// Welch's test (Biometrika 34, 1947) of the difference of two means whose variances may be unequal. The null hypothesis
+// is not that the means are equal, but that their difference is within the margin. So p is computed for a true
+// difference at the margin's edge, where p is largest.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin)
 {
     const Moments a = moments(old_values);
@@ -206,9 +208,10 @@ Difference difference(std::span<const double> old_values, std::span<const double
 
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
-// The error of a ratio is that of the sum of the residuals part - ratio * whole (Cochran, Sampling Techniques, 6.3).
-// One patch per stratum cannot show the variance within it. Half the squared difference of two neighbours replaces it,
-// which tends to be too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+// The error of a ratio follows from that of the sum of the residuals part - ratio * whole (Cochran, Sampling
+// Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be computed. It is estimated by
+// half the squared difference of the residuals in neighbouring strata, which tends to be too large if strata differ
+// (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
 PartRatio ratio_of_sums(std::span<const Part> blocks)
 {
     Part sum;

@@ -15,7 +15,7 @@ struct Interval {
     double low = 0, high = 0;
 };
 
-// Values by the run that measured them; a run is one process.
+// Values, grouped by the index of the run that measured them. A run is one process.
 using Launches = std::map<int, std::vector<double>>;
 
 // Summary of at least one value. A single value has the deviation 0 and no interval.
@@ -25,25 +25,28 @@ struct Summary {
     double median = 0;
     double mad = 0;  // median absolute deviation from the median, not scaled
     double least = 0, most = 0;
-    // One run: the interval of the median from order statistics, at least 95 %; nullopt below six values. Several runs:
-    // launch_interval() of their medians, widened to hold the median of all values.
+    // If the values come from one run: the interval of the median from order statistics, at least 95 %; nullopt below
+    // six values. If they come from several runs: launch_interval() of the runs' medians, widened to contain the median
+    // of all values.
     std::optional<Interval> interval;
 
     // Returns half the interval's width, relative to the median; nullopt without an interval.
     std::optional<double> half_width() const;
 };
 
-// Returns 0 without values.
+// Returns the median; 0 if there are no values.
 double median(std::vector<double> values);
 
 // Summarises independent values: those of one run.
 Summary summary(std::span<const double> values);
 
-// Summarises values from several runs. All values of one run share that run's error.
+// Summarises values from several runs. The values of one run are not independent, as they have the run's error in
+// common.
 Summary summary(const Launches& launches);
 
-// Returns the 95 % interval of the mean over runs, given the median of each: Student's t on their logarithms, with one
-// degree of freedom less than there are runs. nullopt below two runs, or if a value is not above 0.
+// Returns the 95 % interval of the mean over runs. `medians`: the median of each run. The interval is computed with
+// Student's t from the logarithms of the medians; the degrees of freedom are one less than the runs. Returns nullopt
+// for fewer than two runs, or if a value is not above 0.
 std::optional<Interval> launch_interval(std::span<const double> medians);
 
 // Returns the medians of the runs, in their order.
@@ -54,24 +57,24 @@ std::vector<double> medians_of(const Launches& launches);
 inline constexpr std::size_t group_size = 3;
 std::vector<double> group_medians(std::span<const double> values);
 
-// Returns the interval of the median from order statistics: the k-th smallest to the k-th largest of n values, with the
-// largest k for which the interval covers the median with probability 0.95 for any distribution. nullopt if even the
-// smallest and largest do not (n < 6).
+// Returns the interval of the median from order statistics: from the k-th smallest to the k-th largest of n values. k
+// is the largest number for which the interval contains the true median with a probability of at least 0.95, for any
+// distribution. Returns nullopt if even the smallest and the largest value do not suffice (n < 6).
 std::optional<Interval> median_interval(std::span<const double> values);
 
 // Result of a test whether two sets of values differ by more than a margin.
 struct Difference {
     double ratio = 1;    // of the geometric means, new / old
-    Interval interval;   // of the ratio, 95 %, for this pair alone
-    double p = 1;        // of a ratio at least as far from 1 if the true one were within the margin
+    Interval interval;   // 95 % interval of the ratio, not corrected for other tests
+    double p = 1;        // probability of a ratio at least as far from 1 if the true ratio were within the margin
     double degrees = 0;  // of freedom
 };
 
-// Welch's test on the logarithms of two sets of at least two values above 0. `margin`: a true ratio between 1 / (1 +
-// margin) and 1 + margin is not a difference.
+// Welch's test on the logarithms of two sets of at least two values above 0. `margin`: a true ratio between
+// 1 / (1 + margin) and 1 + margin does not count as a difference.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin);
 
-// Student's test on the logarithms of at least two ratios above 0, each from a run that measured both.
+// Student's test on the logarithms of at least two ratios above 0, one from each run that measured both programs.
 Difference paired_difference(std::span<const double> ratios, double margin);
 
 // Ratio of two times that were measured in the same runs.
@@ -80,26 +83,28 @@ struct Quotient {
     std::optional<Interval> interval;  // 95 %, contains the ratio
 };
 
-// Takes times of both, at least one of each, in the order of the rounds. If several runs have both, the interval is
-// launch_interval() of the runs' ratios of medians; else median_interval() of the ratios of the rounds.
+// Returns the quotient of two sets of times, which hold at least one time each, in the order of the rounds. If several
+// runs have times of both, the interval is launch_interval() of the runs' ratios of medians. Else it is
+// median_interval() of the ratios of the rounds.
 Quotient quotient(const Launches& numerator, const Launches& denominator);
 
-// Contribution of one sampled patch to two sums.
+// Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.
 struct Part {
     double part = 0, whole = 0;
 };
 
 struct PartRatio {
-    std::optional<double> ratio;  // of the sums; nullopt if the whole is 0
-    // If only one patch contributes to the whole, its variance is unknown, and this equals the ratio.
+    std::optional<double> ratio;  // sum of `part` / sum of `whole`; nullopt if the latter is 0
+    // If only one patch has a `whole` above 0, the variance is unknown; the standard error is then set to the ratio.
     double standard_error = 0;
 };
 
-// Estimates the ratio from a stratified sample: one patch from each stratum, in the order of the strata.
+// Estimates the ratio of two sums over a picture from a stratified sample of it. `blocks`: one patch from each stratum,
+// in the order of the strata.
 PartRatio ratio_of_sums(std::span<const Part> blocks);
 
-// Holm's correction: raises each p so that with the threshold 0.05 the probability of any false alarm is at most 0.05.
-// Keeps the order.
+// Returns the p-values after Holm's correction, in the given order: if all corrected values up to 0.05 are called
+// significant, the probability of any false alarm is at most 0.05.
 std::vector<double> holm(std::span<const double> p);
 
 }  // namespace mandelmarch::bench

@@ -38,7 +38,8 @@ double fastest_clock()
     return fastest;
 }
 
-// Returns "openmp 1, opencl 2": the numbers of threads of CPU backends that used their default; empty if equal.
+// Returns the numbers of threads of those CPU backends that used their default, "openmp 1, opencl 2"; empty if all are
+// equal.
 std::string unlike_threads(const Result& result)
 {
     std::vector<std::pair<std::string, int>> known;
@@ -100,7 +101,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
-    const double cores = mine.machine;  // the load is that of the whole machine
+    const double cores = mine.machine;  // all of them, as the load is that of the whole machine
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));

@@ -11,17 +11,20 @@
 
 namespace mandelmarch::bench {
 
-// Records the machine's state on construction and compares it with the state at each query.
+// Records the machine's state on construction, and compares it with the state at the time of each call.
 class Steadiness {
 public:
     Steadiness();
 
-    // Returns a warning for each reason to doubt the times: other load before the start, processors busy with other
-    // work or taken away by a hypervisor or a quota, backends with unequal numbers of threads, threads bound to cores,
-    // clock frequencies that changed or may change, configurations whose samples spread.
+    // Returns a warning for each reason to doubt the times:
+    //   - other load before the start
+    //   - processors that were busy with other work, or taken away by a hypervisor or a quota
+    //   - backends with unequal numbers of threads, or threads bound to cores
+    //   - clock frequencies that changed or may change
+    //   - configurations whose samples spread
     std::vector<std::string> warnings(const Result& result) const;
 
-    // Returns the figures behind the warnings.
+    // Returns the measured quantities that warnings are based on.
     nlohmann::ordered_json during() const;
 
 private:

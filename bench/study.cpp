@@ -39,7 +39,7 @@ constexpr std::array<Study, 13> all_studies{{
      "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes"},
 }};
 
-// A sweep value, applied to a case.
+// A sweep value, and the settings that it changes.
 struct Point {
     std::string name;
     Setting change;  // only members other than 0 apply
@@ -109,7 +109,8 @@ std::vector<Point> points_of(std::string_view study, std::string_view short_name
     return {{"", {}}};
 }
 
-// Adds the scalar kernel: a speed-up over it does not come from another program or from more threads.
+// Returns the sweep values of the study. In the standard study, the backend with the role host also gets the scalar
+// kernel as a baseline: a speed-up over it cannot come from another program or from more threads.
 std::vector<Point> points_for(const Options& options, std::string_view short_name, const BackendInfo& info)
 {
     std::vector<Point> points = points_of(options.study, short_name);
@@ -118,14 +119,14 @@ std::vector<Point> points_for(const Options& options, std::string_view short_nam
     return points;
 }
 
-// Returns true for baselines of the standard study, which --backend does not exclude.
+// Returns true for the baselines of the standard study, which are measured even if --backend does not name them.
 bool is_baseline(const BackendInfo& info, const Point& point, Precision precision, Mode mode)
 {
     if (info.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
     return info.role == Role::host && point.change.pack == 1;
 }
 
-// Returns true if the backend has what the study varies.
+// Returns true if the study measures this backend, for example because the backend has the option that is varied.
 bool takes_part(std::string_view study, const BackendInfo& info)
 {
     if (study == "tiles") return info.chunk;
@@ -164,7 +165,7 @@ Case case_of(const std::string& short_name, const Point& point, std::pair<int, i
     return made;
 }
 
-// Returns the row of a backend without a device.
+// Returns the only configuration of a backend without a device, with the reason.
 Case missing(const Backend& backend, Listing listing)
 {
     Case made;
@@ -175,7 +176,7 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Follows the syntax of Google Benchmark's filter.
+// Returns true if a filter in Google Benchmark's syntax selects the name.
 bool chosen(const std::string& filter, const std::string& name)
 {
     if (filter.empty() || filter == "all") return true;
@@ -222,7 +223,7 @@ std::vector<Mode> modes_of(const Options& options)
 {
     const std::string& mode = options.mode;
     if (mode == "fast") return {Mode::fast};
-    // Relaxation exists in fast mode only.
+    // The ablation disables optimisations, some of which, such as relaxation, exist in fast mode only.
     if (mode.empty() && options.study == "ablation") return {Mode::fast};
     if (mode == "exact" || (mode.empty() && !study_named(options.study).varies.empty())) return {Mode::exact};
     return {Mode::exact, Mode::fast};
@@ -268,7 +269,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     check_backends(registry, options.backend);
     for (const auto& backend : registry.backends()) {
         const BackendInfo info = backend->info();
-        // Speed-ups need their baselines.
+        // Include the baselines even if --backend does not name them, as speed-ups are computed from them.
         const bool baselines = options.baselines && options.study == standard_study && info.role != Role::none &&
                                info.role != Role::accelerator;
         const bool all = options.backend == "all" && (options.baselines || info.role != Role::reference);
@@ -316,7 +317,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
             }
         }
     }
-    // The order of the table: all backends for one picture together, then unavailable backends.
+    // Sort into the order of the table: all backends for one picture together, and unavailable backends at the end.
     std::ranges::stable_sort(cases, {}, [](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
         return std::tuple(fractal - fractals().data(), one.row.precision, one.row.mode);

@@ -22,7 +22,7 @@ struct Study {
 
 std::span<const Study> studies();
 
-// Throws InputError, with the known names.
+// Returns the study with this name. Throws InputError, which lists the known names, if there is none.
 const Study& study_named(std::string_view name);
 
 // A configuration to measure, with the scene and options to render it.
@@ -36,7 +36,7 @@ struct Case {
 // Returns true if `asked`, the value of --backend (`all` or names separated by commas), includes the backend.
 bool names_backend(std::string_view asked, std::string_view backend);
 
-// Throws InputError for a name that is not in the registry.
+// Throws InputError if a name in `asked` is not that of a backend in the registry.
 void check_backends(const Registry& registry, std::string_view asked);
 
 // Returns all configurations of the study that the options select. A backend without a device is one configuration,
@@ -48,7 +48,8 @@ std::vector<std::string> fractals_of(std::string_view option);
 std::vector<Precision> precisions_of(const Options& options);
 std::vector<Mode> modes_of(const Options& options);
 
-// Returns width and height, in pixels, from the option or else from the study. Throws InputError.
+// Returns width and height in pixels, from --size or, if it is not given, from the study. Throws InputError for an
+// invalid size.
 std::pair<int, int> size_of(const Options& options);
 
 // Returns the name of the device's platform: the GPU's name, or Cpu::platform() for any device that runs on the CPU.

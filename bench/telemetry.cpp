@@ -44,7 +44,8 @@ Json missing(const std::string& why) { return {{"missing", why}}; }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-// Counts a thread in user space, and threads and processes that it starts from now on.
+// Opens a counter of this event for a thread, in user space, which includes threads and processes that the thread
+// starts from now on. Returns its descriptor, or a value below 0 on failure.
 int open_counter(std::uint64_t event, int thread)
 {
     perf_event_attr attributes{};

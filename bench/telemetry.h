@@ -11,14 +11,14 @@
 
 namespace mandelmarch::bench {
 
-// Sources on Linux. Tests replace them.
+// Sources of the readings on Linux. Tests use other ones.
 struct TelemetrySources {
     std::filesystem::path powercap = "/sys/class/powercap";
     std::string nvml = "libnvidia-ml.so.1";
 };
 
-// Takes readings on construction and at each query. Values that the system does not provide are "missing", with the
-// reason; nothing is estimated.
+// Takes readings on construction and at each call of since_start(). Values that the system does not provide are
+// "missing", with the reason; nothing is estimated.
 class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});

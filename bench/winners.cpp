@@ -53,7 +53,7 @@ std::string line_of(const Result& result, const Contest& contest)
     const std::string name = label_of(result, first);
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (contest.rivals.empty()) return text + name + " alone was timed";
-    // The first rival that is not slower; if all are, the fastest of them.
+    // Name the first rival that is not slower than the winner or, if all are slower, the fastest of them.
     const auto slower = [](const Rival& rival) { return rival.judgement.verdict == Verdict::slower; };
     const auto open = std::ranges::find_if_not(contest.rivals, slower);
     const bool won = open == contest.rivals.end();
@@ -68,7 +68,7 @@ std::string line_of(const Result& result, const Contest& contest)
     return text + ": undecided, more launches would tell";
 }
 
-// Returns the number of processors left free by other programs and the hypervisor; empty if unknown.
+// Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
 std::string free_processors(const Result& result)
 {
     using Pointer = nlohmann::ordered_json::json_pointer;

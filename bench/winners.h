@@ -10,24 +10,24 @@
 
 namespace mandelmarch::bench {
 
-// A configuration that is slower than the fastest, or indistinguishable from it.
+// A configuration that is slower than the fastest one, or whose difference from it is not significant.
 struct Rival {
     const Row* row = nullptr;
-    bool tested = false;      // both have at least two common runs, or six rounds of one run
-    Difference difference{};  // of kernel times, this configuration's / the fastest's; untested: the ratio alone
+    bool tested = false;      // true if both have two runs in common, or six rounds of a single run
+    Difference difference{};  // of kernel times, this configuration's / the fastest's; only the ratio if not tested
     Judgement judgement{};    // slower, same or undecided
 };
 
-// The configurations of one fractal in one precision and mode.
+// The timed configurations of one fractal in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
-    std::vector<Rival> rivals;     // all others, fastest first
+    std::vector<Rival> rivals;     // all other configurations, fastest first
 };
 
 // Returns the contests among a standard study's timed configurations, without the reference, which is not an
-// application. Two configurations are compared by the ratios of their kernel times in the same run and round: each
-// run's median if there are several runs, else the medians of groups of three rounds. The p-values are corrected over
-// all rivals of all contests.
+// application. Two configurations are compared by the ratios of their kernel times in the same run and round. If there
+// are several runs, the test uses the median of each run; else it uses the medians of groups of three rounds. The
+// p-values are corrected over all rivals of all contests.
 std::vector<Contest> contests_of(const Result& result);
 
 // Returns a line for each contest with the winner's lead and its certainty, and a last line with the number of

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # mandelmarch_label_tests(): labels every test of this directory `slow` or `quick`. Slow tests take more than about four
-# seconds on two cores; they start first if several run at a time. gtest's tests are known only when ctest runs, so a
-# file that ctest reads labels them.
+# seconds on two cores; they start first if several run at a time. The names of gtest's tests are known only when ctest
+# runs, so a generated file, which ctest reads, labels them.
 set(slow_tests
     "build\\..*" "suite\\..*" same_bits.compilers subproject install.consumer registration programs fuzz "report\\.(front|numbers|report|viewer)"
     flight "flight\\.films" "flight\\.files" "explore\\.window" drivers ".*_faults" "openacc\\.simulated" "cuda\\.simulated" "openacc\\.ptx\\.assemble"

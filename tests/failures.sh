@@ -7,7 +7,7 @@ fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-# Must be the last line of a test.
+# Reports the result and sets the exit code. Must be the last command of a test.
 finish() {
     [ $failures = 0 ] && echo "all well"
     exit $((failures > 0))

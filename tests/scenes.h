@@ -11,8 +11,8 @@ namespace mandelmarch {
 // Returns an official scene at another size, in pixels.
 Scene official_scene(const std::string& short_name, int width, int height);
 
-// A scene that differs from the official ones: other powers, a negative scale, other radii, other up vectors, a camera
-// inside.
+// A scene with its name in messages. The odd scenes differ from the official ones: they have other powers, a negative
+// scale, other radii, other up vectors, or a camera inside the fractal.
 struct NamedScene {
     std::string name;
     Scene scene;
@@ -22,7 +22,7 @@ std::vector<NamedScene> odd_scenes();
 // Returns scenes of every fractal with random cameras, shapes and iterations; the same seed gives the same scenes.
 std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed);
 
-// Returns the picture with all layers.
+// Renders a picture with all layers.
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
 
 }  // namespace mandelmarch

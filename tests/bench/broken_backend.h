@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp with a defect that bench must find.
+// The openmp backend with a defect, which bench must detect.
 #pragma once
 
 #include <algorithm>

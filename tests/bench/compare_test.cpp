@@ -32,8 +32,8 @@ Row numbered_row(int index)
     return row;
 }
 
-// Returns realistic times: each run has its own speed (1.5 %), and each sample a disturbance (1 %). Row i takes
-// factor(i) times as long as others.
+// Returns a result with realistic times: each run has its own speed (standard deviation 1.5 %), and each sample a
+// disturbance (1 %). The times of row i are multiplied by factor(i).
 Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_launches = launches)
 {
     std::normal_distribution<double> normal;
@@ -62,7 +62,8 @@ int called(const ComparedResults& compared)
     }));
 }
 
-// Returns how many of 100 studies raise `alarm`, for builds that differ by `factor` in every row.
+// Returns in how many of 100 comparisons of two results alarm(before, after) is true. In the second result, the times
+// of row i are factor(i) times as long.
 template <class Alarm>
 int alarms(const std::function<double(int)>& factor, Alarm alarm)
 {
@@ -78,7 +79,7 @@ int alarms(const std::function<double(int)>& factor, Alarm alarm)
 
 bool compare_alarms(const Result& before, const Result& after) { return called(compare_results(before, after)) > 0; }
 
-// compare's verdicts without Holm's correction.
+// Judges like compare, but without Holm's correction.
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
@@ -88,7 +89,7 @@ bool uncorrected_alarms(const Result& before, const Result& after)
     return false;
 }
 
-// compare's verdicts with samples as units, as if those of one run were independent.
+// Judges like compare, but from all samples, as if the samples of one run were independent.
 bool pooled_alarms(const Result& before, const Result& after)
 {
     std::vector<double> p;
@@ -101,12 +102,12 @@ bool pooled_alarms(const Result& before, const Result& after)
 TEST(Compare, RaisesFewFalseAlarms)
 {
     EXPECT_LE(alarms(same, compare_alarms), 5) << "builds that are the same";
-    // The hardest case: every row differs by exactly the margin.
+    // The case with the most alarms: every row differs by exactly the margin.
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
 
-// Negative controls: each shortcut raises more alarms in the same test.
+// Negative controls: each of these simpler methods raises many alarms in the same test.
 TEST(Compare, ShortcutsRaiseMany)
 {
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
@@ -138,7 +139,7 @@ TEST(Compare, AnImprovementAloneIsNoRegression)
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
 {
-    // Without noise the difference is certain, but too small.
+    // Times without noise: the difference is certain, but within the margin.
     Result before;
     before.launches = 2;
     before.rows.push_back(numbered_row(0));
@@ -150,8 +151,8 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::slower);
 }
 
-// A row with half the time whose interval from three runs is too wide for certainty after Holm's correction for 48
-// rows. It must not be called the same.
+// One of 48 rows takes half the time, but has only three runs, so that the difference is not significant after Holm's
+// correction for 48 rows. The verdict must be undecided, not the same.
 TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
@@ -238,7 +239,7 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     EXPECT_THROW(compare_results(before, other), InputError);
 }
 
-// A regression must be found whatever replaces row 3 in the new result.
+// Returns the comparison of row 3 after `change` has modified the new result. Expects that it counts as a regression.
 Compared third_row_after(const std::function<void(Result&)>& change)
 {
     std::mt19937_64 random(7);
@@ -312,7 +313,8 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
     EXPECT_NE(text.find("warning: new result: frequency:\\x1b[2J 1 to 2 MHz\n"), std::string::npos) << text;
 }
 
-// With one run, too, a single disturbed picture does not make a row slower; a mean of logarithms would.
+// In a comparison of results with one run, a single disturbed picture must not make a row slower, as it would if means
+// of logarithms were compared.
 TEST(Compare, OneLaunchIsComparedByMedians)
 {
     std::mt19937_64 random(7);

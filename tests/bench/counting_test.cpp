@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operation counts, compared with counts by hand and with the work reported by a backend's own kernel.
+// Operation counts are compared with counts by hand, and with the work counts that a backend reports.
 #include "bench/counting.h"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ TEST(Counting, ByHand)
     EXPECT_EQ(counted([&] { -v.x; }).total(), 0U);
 }
 
-// 9 additions at the beginning, 9 at the end.
+// Apart from the rounds, multiply_add_chains() does 18 additions: 9 before the first round, 9 after the last.
 TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
 {
     for (const int rounds : {0, 1, 7}) {
@@ -77,7 +77,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
                     registry.find("openmp")->create({.precision = precision, .mode = mode, .pack = 1});
                 const Work work = renderer->render(scene, image).work;
                 EXPECT_EQ(count.pixels, image.pixels());
-                // In fast mode contraction adds or removes a few steps.
+                // In fast mode the backend's kernel is contracted, which adds or removes a few steps.
                 const double allowed = mode == Mode::exact ? 0 : 0.005 * static_cast<double>(work.iterations);
                 EXPECT_NEAR(static_cast<double>(count.work.iterations), static_cast<double>(work.iterations), allowed);
                 EXPECT_NEAR(static_cast<double>(count.work.de_calls), static_cast<double>(work.de_calls), allowed);
@@ -87,7 +87,8 @@ TEST(Counting, TheWorkIsThatOfABackend)
     }
 }
 
-// Stages: refinement in fast mode only, most operations in the march; a sample represents the whole picture.
+// Only fast mode refines, and most operations are in the march. The counts of a sample are close to those of the whole
+// picture.
 TEST(Counting, StagesAndSampling)
 {
     const Scene scene = official_scene("box", 160, 120);
@@ -106,19 +107,21 @@ TEST(Counting, StagesAndSampling)
     EXPECT_NEAR(part.per_iteration() / exact.per_iteration(), 1, 0.02);
 }
 
-// A figure of a picture: its estimate from a sample, the standard error, and the true value.
+// A quantity measured on a picture: its estimate from a sample of the pixels, the standard error of the estimate, and
+// the true value from all pixels.
 struct Figure {
     std::string what;
     double sampled, error, truth;
 
     double relative_error() const { return error / truth; }
-    // Returns the error of the estimate, in standard errors.
+    // Returns the error of the estimate as a multiple of its standard error.
     double off() const { return std::abs(sampled - truth) / error; }
 };
 
 using Choose = std::function<Count(const Scene& scene)>;
 
-// Returns the figures of five views of both fractals, for exact pictures in double with the pixels from `sample`.
+// Returns quantities of exact pictures in double, of five views of both fractals. `sample` chooses and counts the
+// pixels.
 std::vector<Figure> sampled_figures(const Choose& sample)
 {
     const auto per_estimate = [](const Count& count) {
@@ -164,7 +167,7 @@ TEST(Counting, SamplesStandForAllPixelsWithinTheirErrors)
     }
 }
 
-// Negative control: a sample of patches from one corner of the picture is recognised as biased.
+// Negative control: a sample that contains only patches in one corner of the picture is detected as biased.
 TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
 {
     int off = 0;
@@ -178,8 +181,8 @@ TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
     EXPECT_GT(off, 5) << "of " << figures.size();
 }
 
-// The picture's edges cut patches. The mean position of the sample is the middle of the picture, unlike that of a
-// lattice that begins in a corner.
+// The picture's size is not a multiple of the patches' size, so its edges cut patches. The mean position of the sampled
+// pixels must be the middle of the picture; for a lattice that begins in a corner it is not.
 TEST(Sample, IsSpreadOverTheWholePicture)
 {
     constexpr int width = 100;
@@ -220,9 +223,11 @@ TEST(Counting, Lanes)
     }
 }
 
-// Two lanes, rays of three, one, two and no steps. Together: 3 + 2 steps of both lanes, (9 + 1 + 1) + (5 + 5)
-// iterations of the slowest lane. With refill: the second lane takes the third ray after its first step, and the
-// slowest lane takes 9 + 5 + 5 iterations.
+// A vector of two lanes, and four rays of three, one, two and no steps.
+// Without refill: the first two rays take 3 steps of the vector, with (9 + 1 + 1) iterations of the slowest lane; the
+// other two take 2 steps, with (5 + 5) iterations.
+// With refill: the second lane takes the third ray after its first step. The vector takes 3 steps, with 9 + 5 + 5
+// iterations of the slowest lane.
 TEST(Counting, LanesByHand)
 {
     const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
@@ -239,7 +244,8 @@ TEST(Counting, LanesByHand)
     EXPECT_EQ(twice.refilled_error->in_iterations, 0) << "blocks that are alike";
 }
 
-// A non-integer power needs angles: many more operations for the same iterations.
+// A power that is not an integer is computed with trigonometric functions: with about the same iterations, an iteration
+// has more than twice as many operations.
 TEST(Counting, TrigonometryCosts)
 {
     Scene scene = official_scene("bulb", 64, 64);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often the intervals of several runs contain the true value, on synthetic studies: each run has its own speed, and
-// disturbances only slow samples down. Negative controls are shortcuts that the same test must detect.
+// Measures how often intervals contain the true value, on synthetic studies of several runs. Each run has its own
+// speed, and disturbances only slow samples down. The negative controls are simpler methods that must fail the same
+// test.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,12 +20,13 @@ constexpr double launch_scatter = 0.015;  // standard deviations of logarithms, 
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;
-// A skewed disturbance (the chi-squared distribution with one degree of freedom), divided by its median, 0.4549.
+// Disturbances are skewed: they follow the chi-squared distribution with one degree of freedom. This is its median,
+// which is subtracted so that the median time is not changed.
 constexpr double skew_median = 0.4549364;
 
 using Random = std::mt19937_64;
 
-// Returns the effect of the machine on each run: a factor of time common to all rows of the run.
+// Returns for each run the factor by which the machine multiplies the times of all rows of the run.
 std::map<int, double> machine(Random& random, int launches)
 {
     std::normal_distribution<double> normal;
@@ -50,7 +52,7 @@ Row study_row(Random& random, const std::string& backend, double seconds, const 
     return row;
 }
 
-// Returns the fraction of studies whose interval contains `truth`.
+// Returns the fraction of `of` studies in which interval(random) contains `truth`.
 double coverage(double truth, const std::function<Interval(Random&)>& interval, int of = studies)
 {
     Random random(3);
@@ -65,7 +67,7 @@ double coverage(double truth, const std::function<Interval(Random&)>& interval, 
 class Coverage : public testing::TestWithParam<int> {
 protected:
     int launches() const { return GetParam(); }
-    // Runs that differ in themselves only, without an effect of the machine.
+    // Returns factors of 1: the machine affects all runs alike.
     std::map<int, double> quiet() const
     {
         std::map<int, double> factors;
@@ -84,7 +86,7 @@ TEST_P(Coverage, OfATime)
     EXPECT_GE(coverage(0.1, interval), target);
 }
 
-// Negative control: samples of one run are taken for independent.
+// Negative control: an interval from all samples, as if the samples of one run were independent.
 TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 {
     const auto pooled = [&](Random& random) {
@@ -93,7 +95,7 @@ TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
     EXPECT_LT(coverage(0.1, pooled), 0.85);
 }
 
-// Negative control: the percentiles of a hierarchical bootstrap are too narrow for few runs.
+// Negative control: the interval from the percentiles of a hierarchical bootstrap is too narrow for few runs.
 TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
 {
     const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
@@ -116,7 +118,7 @@ TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
     EXPECT_LT(coverage(0.1, bootstrap, 1000), target);
 }
 
-// The machine's effect on a run is common to both rows of a ratio; pairing cancels it.
+// The machine has the same effect on both rows of a ratio in a run, so pairing the rows' times by run cancels it.
 TEST_P(Coverage, OfARatio)
 {
     const auto interval = [&](Random& random) {
@@ -129,7 +131,8 @@ TEST_P(Coverage, OfARatio)
     EXPECT_GE(coverage(3, interval), target);
 }
 
-// The reference has three samples per run, the row compared with it twelve.
+// Returns the interval of the speed-up of a synthetic study. The reference has three samples per run, the row that is
+// compared with it has twelve.
 Interval speed_up(Random& random, int launches, double reference_seconds)
 {
     const auto factors = machine(random, launches);
@@ -145,7 +148,7 @@ TEST_P(Coverage, OfASpeedUp)
     EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4); }), target);
 }
 
-// Negative control: an interval of the wrong ratio is detected.
+// Negative control: intervals of a speed-up of 43 contain 40 too rarely.
 TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 {
     EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4.3); }), 0.8);
@@ -153,7 +156,8 @@ TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 
 TEST_P(Coverage, OfPortability)
 {
-    // Two platforms; the slower backend takes 2 and 1.25 times as long, so its efficiencies are 0.5 and 0.8.
+    // On two platforms, the slower backend takes 2 and 1.25 times as long as the other one, so its efficiencies are 0.5
+    // and 0.8.
     const auto interval = [&](Random& random) {
         std::vector<Result> results;
         for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
@@ -168,7 +172,7 @@ TEST_P(Coverage, OfPortability)
     EXPECT_GE(coverage(2 / (1 / 0.5 + 1 / 0.8), interval, 300), target);
 }
 
-// Negative control of several runs: a single run does not show the differences between runs.
+// Negative control: the interval of a single run does not include the differences between runs.
 TEST(CoverageOfOneLaunch, IsOfThatLaunchAlone)
 {
     const auto interval = [](Random& random) {
@@ -200,7 +204,7 @@ TEST(LaunchInterval, HoldsTheMedianOfAll)
     EXPECT_GE(s.interval->high, 2);
 }
 
-// The interval of a median needs six rounds, and holds for any distribution.
+// An interval of the median needs six rounds, and is valid for any distribution.
 TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
 {
     const Launches row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
@@ -213,7 +217,7 @@ TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
     EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
 }
 
-// A disturbance of whole rounds cancels.
+// A disturbance that slows both rows in a round cancels in the round's ratio.
 TEST(QuotientOfOneLaunch, ComparesRoundByRound)
 {
     const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
@@ -222,7 +226,7 @@ TEST(QuotientOfOneLaunch, ComparesRoundByRound)
     EXPECT_EQ(q.interval->high, 2);
 }
 
-// Skewed times without differences between runs: the interval is for a single run.
+// The interval of a single run contains the true ratio often enough if times are skewed and runs do not differ.
 TEST(QuotientOfOneLaunch, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""csv_test.py BIN SOURCE: the CSV of a standard study, grouped by either column, gives the same winners as its JSON.
-The stored study is older than the member `application` in JSON."""
+"""csv_test.py BIN SOURCE: the CSV of a standard study gives the same winners as its JSON, grouped by the column
+`application` or by the column `backend`. The JSON of the stored study is so old that it has no `application`."""
 import csv
 import io
 import json
@@ -18,7 +18,7 @@ def lines_of(text):
 
 
 def means(rows, *keys):
-    """Returns mean kernel seconds by the keys, like a pivot table."""
+    """Returns the mean kernel seconds of each group of rows with the same keys, like a pivot table."""
     groups = {}
     for row in rows:
         groups.setdefault(tuple(row[key] for key in keys), []).append(float(row["kernel_s"]))
@@ -35,7 +35,7 @@ def winners(times):
 
 
 def expected():
-    """Returns the same from the JSON, row by row."""
+    """Returns the fastest application for each problem, from the JSON."""
     best = {}
     for row in json.loads(STUDY.read_text())["rows"]:
         if row["figures"] is None:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code divergence: which lines count, and the mean distance of all pairs.
+// Code divergence: which lines of a source count, and the mean distance over all pairs of backends.
 #include "bench/divergence.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(Divergence, LinesOfCodeAreMoreThanBlanksAndComments)
     EXPECT_TRUE(lines_of_code("// the end").empty());
 }
 
-// Sets of 4 and 3 lines share two: 2 of 5.
+// Two sets of 4 and 3 lines have two lines in common, of 5 in all: the distance is 1 - 2 / 5.
 TEST(Divergence, IsTheMeanOfJaccardsDistances)
 {
     const Coverage one{{"a", {1, 2}}, {"b", {1, 2}}};
@@ -72,9 +72,9 @@ TEST_F(MadeTree, ABackendNeedsItsFolderAndWhatThatNames)
     const ModelLines& right = found.models[1];
     EXPECT_EQ(left.backend, "left");
     EXPECT_EQ((std::vector{left.own, left.job, left.kernel}), (std::vector{2, 0, 4}));
-    // Its own template replaces core/job's.
+    // The backend `right` has its own template instead of core/job's.
     EXPECT_EQ((std::vector{right.own, right.job, right.kernel}), (std::vector{4, 1, 3}));
-    // Three lines of 6 + 8 are shared.
+    // The backends need 6 and 8 lines, of which 3 are the same lines: 11 different ones.
     EXPECT_DOUBLE_EQ(found.divergence, 1 - 3.0 / 11);
     EXPECT_DOUBLE_EQ(found.without_one_text, 1);
 }

@@ -17,16 +17,16 @@ namespace {
 
 constexpr int rows = 8;
 
-// Disturbances of a machine: standard deviations of logarithms.
+// Disturbances on a synthetic machine. The first three are standard deviations of logarithms of times.
 struct Noise {
-    double launch = 0.01;   // of each program, from its memory layout in each run
-    double moment = 0.20;   // of a pair, common to both pictures
-    double picture = 0.02;  // of one picture
+    double launch = 0.01;   // of each program in each run, for example from its memory layout
+    double moment = 0.20;   // of a pair, the same for both pictures
+    double picture = 0.02;  // of a single picture
     double hit = 0.05;      // fraction of pictures that an interruption makes twice as long
 };
 constexpr Noise loaded{.launch = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
 
-// Row i of the new program takes factor(i) times as long.
+// Returns a duel in which row i of the new program takes factor(i) times as long as that of the old one.
 Duel made_duel(std::mt19937_64& random, const std::function<double(int)>& factor, const Noise& noise = {},
                int launches = 10)
 {
@@ -79,7 +79,7 @@ TEST(Duel, EqualProgramsRaiseAtMostOneAlarmInTwenty)
     EXPECT_LE(alarms(same, loaded, judge_alarms), 20) << "of 400, under load";
 }
 
-// Negative controls: each shortcut raises many alarms.
+// Negative controls: each of these simpler methods raises many false alarms.
 TEST(Duel, ShortcutsRaiseMany)
 {
     const auto pairs_as_units = [](const Duel& duel) {
@@ -105,12 +105,12 @@ TEST(Duel, ShortcutsRaiseMany)
 TEST(Duel, FindsThreePercentInNineOfTen)
 {
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
-    // One row alone is found, too, if runs differ less.
+    // A single slower row is found, too, if runs differ less.
     const auto third = [](const Duel& duel) { return judge(duel).at(3).verdict == Verdict::slower; };
     EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.launch = 0.005}, third), 360) << "of 400";
 }
 
-// Negative control: compare, on the same pictures without their pairs.
+// Negative control: the method of `bench compare`, which does not use the pairs, finds nothing in the same pictures.
 TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
 {
     const auto unpaired = [](const Duel& duel) {
@@ -137,7 +137,7 @@ TEST(Duel, EachVerdict)
         random, [](int i) { return i == 0   ? 1.05
                                    : i == 1 ? 0.95
                                             : 1.0; }, quiet);
-    // Runs that contradict each other.
+    // Row 2 is slower in half of the runs and faster in the others.
     for (DuelPair& pair : duel.rows[2].pairs) pair.new_seconds *= pair.launch % 2 == 0 ? 1.1 : 0.9;
     duel.rows[4].new_failure = "the picture is wrong";
     duel.rows[4].pairs.clear();

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# duel_test.sh BIN: bench duel from outside: exit codes, messages, and a program that is twice as slow.
+# duel_test.sh BIN: runs `bench duel` and checks exit codes, messages, and the verdict on a program that is twice as
+# slow.
 set -euo pipefail
 bench=$1/bench
 . "$(dirname "$0")/expect.sh"
@@ -8,14 +9,14 @@ for percent in 0 100; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
 few=(--launches 4 --repetitions 4 --clock processor)
 
-# Twice the work is detected, and half of it.
+# A program with twice the work of the other one is detected, and one with half of it.
 expect 1 duel ./slowed_0 ./slowed_100 "${rows[@]}" "${few[@]}" --json slower.json
 grep -q '^mandelbox/float/exact/openmp/0 .*SLOWER$' out || fail "$(cat out)"
 expect 0 duel ./slowed_100 ./slowed_0 "${rows[@]}" "${few[@]}"
 grep -q '^mandelbox/float/exact/openmp/0 .*faster$' out || fail "$(cat out)"
 ! grep -q reference out || fail "the yardstick is in a duel"
 
-# Equal programs: every pair is measured. Verdicts are not checked, as the machine may be shared.
+# With equal programs, every pair is measured. The verdicts are not checked, as other programs may disturb the machine.
 got=0
 "$bench" duel ./slowed_0 ./slowed_0 "${rows[@]}" --launches 2 --repetitions 3 --json pairs.json >out 2>err || got=$?
 [ "$got" -le 1 ] || fail "a duel of equal programs exited with $got: $(cat err)"
@@ -47,7 +48,7 @@ grep -q 'the old program ended with 3' err || fail "$(cat err)"
 expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --launches 2
 grep -q 'the new program does not answer as bench does' err || fail "$(cat err)"
 
-# A run in which a program is killed loses its own pairs. Waiting threads sleep, whatever the user's settings.
+# If a program is killed, only the pairs of that run are lost. OMP_WAIT_POLICY is passive, whatever the user has set.
 cat >dies_once <<'SH'
 #!/bin/sh
 echo "$OMP_WAIT_POLICY" >>policies

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by tests of bench from outside: creates an empty folder, deleted on exit, and checks the exit code of $bench.
+# Sourced by tests that run bench: creates an empty folder, which is deleted on exit, and defines functions.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

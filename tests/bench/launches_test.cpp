@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several runs: merged samples, and runs that leave no result.
+// Studies of several runs: the samples are merged, and runs may leave no result.
 #include "bench/launches.h"
 
 #include <gtest/gtest.h>

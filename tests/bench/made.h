@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A synthetic result: one timed configuration and an environment.
+// Functions that make synthetic results of bench.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs: checked before the work, and written independently of each other.
+// Output files of commands are checked before the work, and a failure to write one does not affect the others.
 #include "bench/outputs.h"
 
 #include <gtest/gtest.h>

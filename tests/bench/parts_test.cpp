@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the wall time: the unaccounted fraction is a figure, and is reported if it is large.
+// Parts of the wall time. The fraction that they leave unaccounted for is computed, and is reported if it is large.
 #include <gtest/gtest.h>
 
 #include "bench/figures.h"
@@ -9,7 +9,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns a row in which no part accounts for this fraction of the wall time.
+// Returns a row whose parts leave the fraction `share` of the wall time unaccounted for.
 Row leaving(double share)
 {
     Row row = made_row("leaves", {0.1, 0.1, 0.1});
@@ -34,7 +34,8 @@ TEST(Parts, ARowIsNamedWhereTheyLeaveMoreThanALittle)
     EXPECT_FALSE(is_named(leaving(0.04)));
 }
 
-// Its wall time includes opening and building, which samples do not list.
+// If a sample consists of several pictures from a fresh renderer, its wall time includes opening the device and
+// building kernels, which are not among the sample's parts. So nothing is reported.
 TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
 {
     Row row = leaving(0.5);
@@ -43,7 +44,7 @@ TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
     EXPECT_FALSE(is_named(row));
 }
 
-// Older files have the kernel's time by the host's clock only.
+// Older files have no `host`: their kernel time was measured by the host's clock, so it is used as `host`, too.
 TEST(Parts, OfAnOlderFileTheHostsTimeIsTheKernels)
 {
     nlohmann::ordered_json json = json_of(made_result({leaving(0.25)}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multiply-add peaks of simulated devices with a known rate and disturbed runs.
+// Peaks are measured on simulated devices with a known rate, some of whose kernel runs are disturbed.
 #include "core/render/peak.h"
 
 #include <gtest/gtest.h>
@@ -14,17 +14,18 @@ namespace mandelmarch {
 namespace {
 
 constexpr double seconds_per_round = 1e-7;
-constexpr double start_seconds = 1e-5;  // per run
+constexpr double start_seconds = 1e-5;  // before the rounds of each run of the kernel
 constexpr double lanes = 16;
 constexpr double true_rate = peak_operations_per_round * lanes / seconds_per_round;
 
-// Returns a device whose runs, counted from 0, are longer by `disturbance`, in seconds.
+// Returns a simulated device. disturbance(run) is added to the time of each kernel run, in seconds; runs are counted
+// from 0.
 PeakRun device(const std::function<double(int run)>& disturbance)
 {
     return [=, run = 0](int rounds) mutable { return start_seconds + rounds * seconds_per_round + disturbance(run++); };
 }
 
-// Returns the lowest measured rate if one run among the first 20 is disturbed, over all positions of that run.
+// Disturbs one kernel run, in turn each of the first 20, and returns the lowest rate that measured() gives.
 double worst_rate(const std::function<double(const PeakRun&)>& measured)
 {
     double worst = true_rate;
@@ -34,7 +35,8 @@ double worst_rate(const std::function<double(const PeakRun&)>& measured)
     return worst;
 }
 
-// Negative control: the number of rounds is fixed by the first run that is long enough, and not checked again.
+// Negative control: a method that fixes the number of rounds after the first kernel run that is long enough. If that
+// run was disturbed, the rounds are too few.
 double calibrated_on_one_run(const PeakRun& run)
 {
     int rounds = 256;
@@ -75,7 +77,7 @@ TEST(Peak, ADeviceThatIsTooFastForTheClockIsGivenTheMostRounds)
     EXPECT_EQ(most, 1 << 28);
 }
 
-// Returns the given rates in turn; after the end, the last one again.
+// Returns a measurement that gives the rates one after the other, and then always the last one.
 bench::PeakMeasurement measurements(std::vector<double> rates)
 {
     return [rates = std::move(rates), next = std::size_t{0}](const auto& wanted) mutable {
@@ -84,7 +86,8 @@ bench::PeakMeasurement measurements(std::vector<double> rates)
     };
 }
 
-// Returns the record of peaks measured before and after the rounds.
+// Returns the record after settled_peaks(), for measurements that give these rates: one before the rounds, one after
+// them, and further ones if they are necessary.
 bench::PeakRecord record(const std::vector<double>& rates)
 {
     const bench::PeakMeasurement measure = measurements(rates);
@@ -102,7 +105,7 @@ TEST(PeakRecord, WhatADisturbanceSpoiltIsMeasuredAgain)
 
 TEST(PeakRecord, WhatAgreesIsNotMeasuredAgain)
 {
-    // A third measurement would give another rate.
+    // The first two rates agree, so there is no third measurement, which would give 500e9.
     EXPECT_EQ(record({240e9, 242e9, 500e9}).best().at(0).rate, 242e9);
 }
 

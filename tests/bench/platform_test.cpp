@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Platforms: CPUs that share a name but differ in design are two platforms.
+// CPUs with the same name but different designs are two platforms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ TEST(Platform, TwoDesignsOfOneNameAreTwoPlatforms)
     ASSERT_EQ(portability(results).size(), 1U);
     EXPECT_EQ(portability(results)[0].platforms.size(), 2U);
     EXPECT_THROW(compare_results(results[0], results[1]), InputError);
-    // Negative control: by their names alone they would be one platform.
+    // Negative control: if platforms had only their CPU's name, they would be one platform.
     std::vector<Result> by_name = results;
     for (Result& result : by_name) result.rows[0].platform = result.rows[0].device_name;
     EXPECT_EQ(portability(by_name)[0].platforms.size(), 1U);
@@ -100,7 +100,8 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
 }
 
-// Load from another program may halve a peak in one of two runs.
+// Two results from one boot are from the same machine, even if their peaks differ: load from another program may halve
+// a peak.
 TEST(Platform, OneBootIsOneMachineWhateverItsPeaks)
 {
     const auto booted = [](double peak, const char* boot) {
@@ -181,7 +182,7 @@ TEST(Platform, CompareSaysWhereEnvironmentsDiffer)
               (std::vector<std::string>{"revision: a in the old result, b in the new",
                                         "compiler flags: -O3 in the old result, -O2 in the new",
                                         "driver of opencl 0: PoCL 3 in the old result, PoCL 4 in the new"}));
-    // BackendInfo missing in an old file are called unknown, and any JSON in their place is accepted.
+    // Facts that are missing in an old file are called unknown, and any JSON in their place is accepted.
     EXPECT_EQ(differences_of({{"git", "none"}, {"backends", 5}}, {{"git", {{"revision", "b"}}}}),
               (std::vector<std::string>{"revision: unknown in the old result, b in the new"}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pennycook's metric on worked examples.
+// Pennycook's metric of performance portability, on examples whose result is known.
 #include "bench/portability.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// From "Implications of a metric for performance portability": an application with the efficiencies 100 %, 80 %, 50 %,
-// 100 % and 20 % on five platforms, and one that does not run on the fourth.
+// Examples from "Implications of a metric for performance portability": an application with the efficiencies 100 %,
+// 80 %, 50 %, 100 % and 20 % on five platforms, and an application that does not run on the fourth platform.
 TEST(Portability, TheMetricOfThePapers)
 {
     EXPECT_NEAR(performance_portability(std::vector{1.0, 0.8, 0.5, 1.0, 0.2}), 5 / (1 + 1.25 + 2 + 1 + 5), 1e-12);
@@ -40,7 +40,8 @@ Row row_of(const std::string& backend, const std::string& platform, double secon
     return row;
 }
 
-// The same example as times: the other application is the fastest on every platform.
+// Returns results with times that give the efficiencies of that example: a second application is the fastest one on
+// every platform.
 std::vector<Result> example()
 {
     const std::map<std::string, std::pair<double, double>> times{
@@ -75,7 +76,8 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
 }
 
-// Rows removed by a filter are not unsupported: H is smaller, and the output names the missing platform.
+// If a filter left an application out of a result, the application does not count as unsupported on that platform: its
+// H is smaller, and the output names the missing platform.
 TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
 {
     std::vector<Result> results = example();
@@ -92,7 +94,8 @@ TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
     EXPECT_NE(text.find(" 1,2,3,5 "), std::string::npos);
 }
 
-// Negative control: a backend without a device, and one that runs only on another of the result's platforms.
+// Negative control: an application does count as unsupported if it has no device in the result, or runs only on another
+// of the result's platforms.
 TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
 {
     std::vector<Result> results = example();
@@ -107,7 +110,7 @@ TEST(Portability, WhatRunsNowhereOrElsewhereIsUnsupported)
     EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
 }
 
-// Here the problem differs in its size.
+// The added result has another picture size, which is another problem.
 TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
 {
     std::vector<Result> results = example();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The profile renders openmp's own picture; otherwise it fails with one line.
+// The profiler's picture equals openmp's; if it does not, the study fails with one line.
 #include "bench/profile.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 bool has_packs() { return openmp::variants_of<float>("mandelbox", Mode::fast).back().pack > 1; }
 
-// Every look, scenes whose eye is in the solid, and sizes that are not a multiple of the tile.
+// Returns scenes with every look, with the eye inside the solid, and with sizes that are not multiples of a tile.
 std::vector<NamedScene> scenes()
 {
     std::vector<NamedScene> all = odd_scenes();
@@ -42,7 +42,7 @@ Image by_stages(const Scene& scene, Precision precision, Mode mode)
 
 class ProfiledPicture : public testing::TestWithParam<std::tuple<Precision, Mode>> {};
 
-// Except that films compute occlusion for each pixel.
+// The scenes are rendered without shared occlusion: the profiler computes the occlusion of films for each pixel.
 TEST_P(ProfiledPicture, IsTheBackendsOwn)
 {
     const auto [precision, mode] = GetParam();
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(All, ProfiledPicture,
                          testing::Combine(testing::Values(Precision::f32, Precision::f64),
                                           testing::Values(Mode::exact, Mode::fast)));
 
-// Returns the profile's error for openmp with a defect; empty without an error.
+// Returns the error message of the profile for an openmp with this defect; empty if there is no error.
 std::string complaint(Defect defect)
 {
     std::vector<std::unique_ptr<Backend>> backends;

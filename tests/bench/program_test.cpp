@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program with broken backends: no speed for a wrong picture, and exit code 1. The same backend without the defect
-// passes, so the tests detect the defect.
+// Runs bench with broken backends: a wrong picture must not get a speed, and the exit code must be 1. The same backend
+// without the defect passes, so it is the defect that is detected.
 #include "bench/program.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Ran {
     nlohmann::ordered_json json;
 };
 
-// Runs the program in this process, like main().
+// Runs bench in this process, with a backend that has this defect.
 Ran run(Defect defect, std::vector<std::string> arguments)
 {
     std::vector<std::unique_ptr<Backend>> backends;
@@ -94,7 +94,7 @@ TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
     EXPECT_TRUE(row["figures"].is_null());
     EXPECT_NE(ran.out.find("FAILED"), std::string::npos) << ran.out;
     EXPECT_NE(ran.err.find("mandelbox/float/exact/broken/0"), std::string::npos) << ran.err;
-    // The others are timed nevertheless.
+    // The other backends are timed nevertheless.
     EXPECT_EQ(row_of(ran, "openmp")["samples"].size(), 2U);
 }
 
@@ -109,7 +109,8 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// Without refinement the picture differs: only hits and finite values are verified.
+// `--without root` switches refinement off, so that the picture differs slightly: only its hits and that its values are
+// finite are verified.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -125,7 +126,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
     EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "root")["figures"].is_null());
-    // Float is too imprecise for normals from differences.
+    // In float, `--without normal` (normals from finite differences) is unavailable, as float is too imprecise.
     EXPECT_NE(without(sound, "normal")["unavailable"], "");
     for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
         const Ran broken = run(defect, arguments);
@@ -155,7 +156,8 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// The name of the instruction set without vectors depends on the compiler; names that do not exist are wrong arguments.
+// At least one of these names selects an instruction set without vectors, for which the profile is unavailable. Which
+// one depends on the compiler; names that do not exist are wrong arguments.
 TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
@@ -246,7 +248,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
     EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
     EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
-    // A filter with a minus selects all others.
+    // A filter that begins with a minus selects all configurations that do not match.
     arguments = small("exact");
     arguments.emplace_back("--benchmark_filter=-openmp");
     EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());

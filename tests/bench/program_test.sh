@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# program_test.sh BIN SOURCE: the program bench from outside: exit codes, files, several processes, two results of one
-# build.
+# program_test.sh BIN SOURCE: runs bench and checks exit codes, files, studies of several processes, and the comparison
+# of two results of one build.
 set -euo pipefail
 bench=$1/bench
 source=$2
 . "$(dirname "$0")/expect.sh"
 quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peaks)
 
-# Results in the project's folder require committed sources.
+# If sources are not committed, bench refuses to write into the project's folder of results.
 if "$bench" --version | grep -q changed; then
     expect 2 "${quick[@]}" --json "$source/report/results/of-no-commit.json"
     [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
@@ -24,7 +24,7 @@ grep -q '"launches": 3' a.json || fail "three launches are not in the result"
 [ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
 
-# Two results of one build: compare succeeds or, on a shared machine, reports a difference; it must not fail otherwise.
+# Compares two results of one build. On a shared machine, compare may report a difference; it must not fail otherwise.
 expect 0 "${quick[@]}" --json b.json --launches 3
 ! grep -q '^peak, ' out || fail "a peak that was not asked for"
 code=0
@@ -32,7 +32,7 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# A regression: all times of a run are made equal, then doubled.
+# Makes two results from one: in the first all times are equal, in the second they are doubled. This is a regression.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
@@ -47,7 +47,7 @@ grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
 
-# A missing row is a failure.
+# If a row is missing in the new result, this is a regression.
 python3 - <<'PY'
 import json
 result = json.load(open('even.json'))
@@ -62,7 +62,7 @@ expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
 grep -q reference p3.csv && fail "the yardstick is no application"
-# Files of other kinds in a folder are named and left out.
+# Files in a folder that are not results of a study are left out, with a message.
 mkdir -p folder/below
 cp a.json folder/
 cp b.json folder/below/
@@ -76,7 +76,7 @@ expect 2 portability folder
 grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
 expect 2 portability folder/divergence.json
 
-# Lines of the sources: the table follows from the CSV, as p3-analysis-library computes it.
+# Code divergence: the same values follow from the CSV, as p3-analysis-library computes them.
 expect 0 divergence "$source" --csv lines.csv --json lines.json
 python3 - <<'PY'
 import csv, itertools, json, sys
@@ -96,7 +96,7 @@ cmp a.json kept.json || fail "portability wrote over what it reads"
 expect 0 csv a.json
 cmp out a.csv || fail "csv makes other lines than --csv"
 
-# Unwritable outputs are refused before anything is measured; a later failure does not affect other outputs.
+# Outputs that cannot be written are refused before anything is measured. If one fails later, the others are written.
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q proof err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
@@ -108,7 +108,7 @@ expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
 [ "$(grep -c /dev/full err)" = 1 ] || fail "the full disk is not named once"
-# A failure to write messages is ignored; a failure to write the table is not.
+# If messages on stderr cannot be written, this is ignored. If the table cannot be written, bench fails.
 one=("${quick[@]}" --fractal box --mode exact --repetitions 1)
 "$bench" "${one[@]}" --json noted.json >out 2>/dev/full || fail "stderr on a full disk"
 grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
@@ -118,13 +118,13 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
-# A pipe closed by its reader is not a failure: no message, and the command's own exit code.
+# If the reader of a pipe closes it, there is no message, and the exit code is that of the command.
 unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
 unread csv a.json
 [ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"
 unread compare even.json slow.json
 [ "$(cat code)" = 1 ] && [ ! -s err ] || fail "a regression that nobody reads: $(cat code err)"
-# A killed run loses its own samples only.
+# If a run is killed, only its own samples are lost.
 "$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
 killer=$!
 until victim=$(pgrep -P $killer -f -- '--launch 1$'); do
@@ -150,7 +150,7 @@ expect 2 --list --backend openmp,nosuch
 [ "$(wc -l <err)" = 1 ] && grep -q "^--backend: 'nosuch' given" err || fail "an unknown one of two: $(cat err)"
 expect 0 --benchmark_list_tests
 expect 0 --help
-# With data on standard output there is nothing else on it.
+# If data is written to standard output, nothing else is.
 expect 0 "${quick[@]}" --fractal box --json -
 python3 -c 'import json; json.load(open("out"))' || fail "--json - prints more than JSON"
 expect 0 "${quick[@]}" --fractal box --benchmark_format=csv --benchmark_out=g.json

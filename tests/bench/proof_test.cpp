@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that may share an expected picture.
+// Configurations have the same key only if they have the same expected picture.
 #include "bench/proof.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# race_test.sh BIN: bench race from outside, with a correct serial program (racer.cpp) and faulty ones.
+# race_test.sh BIN: runs `bench race` with a correct serial program (racer.cpp) and with faulty ones.
 set -euo pipefail
 bench=$1/bench
 . "$(dirname "$0")/expect.sh"
@@ -15,7 +15,7 @@ for fault in right "${faults[@]}"; do
     printf '#!/bin/sh\nRACER=%s exec %s "$1"\n' "${fault/right/}" "$work/racer" >"$fault"
     chmod +x "$fault"
 done
-# Writes another picture from its fourth run on.
+# A program that writes another picture from its fourth run on.
 cat >unsteady <<SH
 #!/bin/sh
 echo run >>$work/runs
@@ -23,7 +23,7 @@ echo run >>$work/runs
 exec $work/racer "\$1"
 SH
 chmod +x unsteady
-# Keeps a correct picture from its first run in another folder.
+# A program that keeps the correct picture of its first run and copies it in later runs.
 cat >stale <<SH
 #!/bin/sh
 [ -e $work/kept.bmp ] || { $work/racer "\$1" && mv image.bmp $work/kept.bmp; }
@@ -34,13 +34,14 @@ printf 'neither a program nor a script' >nothing
 chmod +x nothing
 few=(--fractal box --size 60x40 --repetitions 6)
 
-# A correct program is timed; so is a slightly wrong one, whose line says so.
+# A correct program is timed. A program whose picture differs slightly is timed, too, and its line of the table says how
+# many pixels differ.
 expect 0 race ./right ./nearly "${few[@]}" --json right.json
 grep -q '^mandelmarch openmp  *same bytes .*\] .*\] .* 0$' out || fail "$(cat out)"
 says right '\(same bytes\|0.000 % off\) .*\] .*\] .* 0$'
 says nearly '[0-9.]* % off .* 0$'
 
-# Each fault is identified and has no speed; our program has one.
+# The fault of each faulty program is identified, and the program gets no speed. Our program gets one.
 expect 1 race "${faults[@]/#/./}" ./unsteady ./stale ./nothing "${few[@]}" --limit 3 --json faults.json
 says wrong 'WRONG  *[0-9]* of 2400 pixels differ, [0-9]* visibly, the first at [0-9]*,[0-9]*$'
 says size 'WRONG SIZE  *61 x 40 pixels, expected 60 x 40$'
@@ -70,7 +71,7 @@ assert [p["signal"] for p in others if p["name"] == "./crashes"] == [11]
 assert [p["exit_code"] for p in others if p["name"] == "./fails"] == [3]
 PY
 
-# Arguments of race.
+# Wrong arguments of race.
 expect 2 race ./nosuch
 [ "$(wc -l <err)" = 1 ] && grep -q 'nosuch: no program' err || fail "$(cat err)"
 expect 2 race
@@ -83,7 +84,7 @@ grep -q exec right || fail "a race wrote over a program"
 expect 1 race ./right "${few[@]}" --backend nosuch
 grep -q '^mandelmarch nosuch  *FAILED  *exit code 2' out || fail "$(cat out)"
 
-# No folder and no process is left.
+# No temporary folder and no process of a program remains.
 [ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
 ! pgrep -f "$work/racer" >/dev/null || fail "a program still runs"
 echo fine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `bench random`: the tests' random scenes, compared with the canonical pictures against fast mode's limits.
+// `bench random` renders the same random scenes as the tests, and detects pictures beyond fast mode's limits.
 #include "bench/random_scenes.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Renders exact pictures if fast ones are requested.
+// A backend that renders an exact picture if a fast one is requested.
 class PlainBackend : public Backend {
 public:
     std::string_view name() const override { return "plain"; }
@@ -50,7 +50,7 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
     const RandomResult result = measure_random(registry(), {.scenes = 3, .sets = {1001, 77}}, no_progress);
     ASSERT_EQ(result.rows.size(), 2U * 2 * 2 * 3);
     for (const RandomRow& row : result.rows) {
-        // The second of three fractals follows the first.
+        // The list contains three scenes of each fractal; the second fractal's follow those of the first.
         const bool box = row.scene.fractal->short_name == "box";
         const auto index = static_cast<std::size_t>(row.number + (box ? 3 : 0));
         const Scene scene = random_scenes(3, row.set).at(index).scene;

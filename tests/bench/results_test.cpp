@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result files: reading, rejected values, and output in Google Benchmark's formats.
+// Result files: values that are read or rejected, derived quantities, and output in Google Benchmark's formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,8 @@ std::string refusal_of(const std::string& text)
 
 TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(json_of(parse_result(text_of(whole()), "file.json")), whole()); }
 
-// Ratios are taken round by round: the slow third round cancels. The reference does not use the kernel.
+// Ratios are computed round by round, so that the slow third round cancels. There is no ratio of the reference, which
+// does not run the kernel.
 TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
@@ -44,7 +45,8 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
 }
 
-// A comparison by the columns application or backend separates the scalar kernel from the backend's packs.
+// In the CSV, both the column application and the column backend distinguish the scalar kernel from the packs of the
+// same backend.
 TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
 {
     Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
@@ -63,7 +65,8 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 pack=1,openmp,"), std::string::npos);
 }
 
-// Slow rounds cancel. The sweep has two shapes; a row without a sweep value belongs to none.
+// Ratios are computed round by round, so that slow rounds cancel. The pictures of the sweep have two aspect ratios. A
+// row without a sweep value belongs to no sweep.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
@@ -164,7 +167,7 @@ TEST(ResultFile, LanesAreReadAsTheyWereWritten)
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
-// Builds before lane_use counted one vector length only, without refill.
+// Older builds, whose results have no lane_use, counted lanes for one vector length only and without refill.
 TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
 {
     Json json = with_counts();
@@ -175,7 +178,7 @@ TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
     EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
 }
 
-// Older builds counted on a lattice, without standard errors.
+// Older builds counted the pixels of a lattice, for which no standard errors were computed.
 TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
 {
     Json json = with_counts();
@@ -188,7 +191,7 @@ TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
     EXPECT_FALSE(result.rows[0].operations_error);
 }
 
-// A relative error of the operations is the same relative error of the share.
+// The share of peak has the same relative error as the number of operations.
 TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
 {
     Result result = parse_result(text_of(with_counts()), "file.json");
@@ -212,7 +215,7 @@ TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
     EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
-// Times of the rows printed in Google Benchmark's format, medians separately.
+// Times of a row as printed in Google Benchmark's format: its repetitions, and its median.
 struct Printed {
     std::vector<double> repetitions;
     double median = 0;

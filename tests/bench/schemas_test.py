@@ -54,7 +54,7 @@ def check(name, data):
 
 
 def check_twins(kind, data):
-    """Negative control: the schema covers each key of the file."""
+    """Negative control: a file with a missing or an additional key must not follow the schema."""
     whole = data[0] if isinstance(data, list) else data
     for key in whole:
         twin = copy.deepcopy(data)

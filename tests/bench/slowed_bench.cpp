@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench with a slower openmp, for duels: the number at the end of the program's name, as in slowed_3, is the
-// percentage. The pictures are the same.
+// bench with a slower openmp, for tests of duels. The number at the end of the program's name is the added time in
+// percent: slowed_3 takes 3 % longer. The pictures are the same.
 #include <algorithm>
 #include <ctime>
 #include <memory>
@@ -23,7 +23,7 @@ double seconds_of(clockid_t clock)
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-// Uses the processor for `seconds` of its own time on every thread.
+// Keeps every thread busy until it has used `seconds` of processor time.
 void burn(double seconds)
 {
 #pragma omp parallel

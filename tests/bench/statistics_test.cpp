@@ -33,7 +33,8 @@ TEST(Statistics, MedianAndDeviation)
     EXPECT_EQ(s.count, 7);
 }
 
-// Ranks from the table of the sign test's interval (Conover, table A3): n, and the smallest rank.
+// Ranks from the table of the sign test's interval (Conover, table A3): the number of values n, and the rank of the
+// interval's lower end.
 TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
 {
     for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {
@@ -46,7 +47,7 @@ TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
     EXPECT_FALSE(median_interval({}));
 }
 
-// Returns how often an interval contains the true median, 1, of a skewed distribution.
+// Returns the fraction of samples of n values from a skewed distribution whose interval contains the true median, 1.
 template <class Interval>
 double coverage(int n, Interval interval)
 {
@@ -70,7 +71,7 @@ TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
     }
 }
 
-// Negative control: an interval one rank too narrow on either side is detected.
+// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
 TEST(Statistics, ATooNarrowIntervalDoesNot)
 {
     const auto narrow = [](std::vector<double> values) {
@@ -80,7 +81,7 @@ TEST(Statistics, ATooNarrowIntervalDoesNot)
     EXPECT_LT(coverage(9, narrow), 0.945);
 }
 
-// An example like Holm's: 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
+// An example like that in Holm's paper: the p-values 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
 TEST(Statistics, Holm)
 {
     const std::vector<double> p{0.01, 0.04, 0.03, 0.005};
@@ -94,8 +95,9 @@ TEST(Statistics, Holm)
     EXPECT_EQ(holm(std::vector<double>{0.9, 0.8})[0], 1);
 }
 
-// Logarithms -1, 0, 1 and 1, 2, 3: the shift is 2, the variance of each mean 1/3, so t = 2 / sqrt(2/3) = 2.449 with 4
-// degrees of freedom, and p = 0.0705 two-sided without a margin (tables of Student's t).
+// The values have the logarithms -1, 0, 1 and 1, 2, 3: the means differ by 2, and the variance of each mean is 1/3. So
+// t = 2 / sqrt(2/3) = 2.449 with 4 degrees of freedom, and without a margin the two-sided p is 0.0705 (tables of
+// Student's t).
 TEST(Statistics, WelchByHand)
 {
     const std::vector<double> a{std::exp(-1.0), 1, std::exp(1.0)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of a simulated machine, and the reasons given for missing values.
+// Telemetry of a simulated machine, and the reasons that are given for missing values.
 #include "bench/telemetry.h"
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
 
-// A folder like Linux' powercap, with a package and its cores.
+// A folder like Linux' powercap interface, with the domains of a package and of its cores.
 class MadeMachine : public testing::Test {
 protected:
     void SetUp() override
     {
         domain("intel-rapl:0", "package-0", "1000000");
         domain("intel-rapl:0:0", "core", "500000");
-        fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, without a counter
+        fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, which has no counter
     }
 
     void domain(const std::string& id, const std::string& name, const std::string& microjoules) const
@@ -68,7 +68,7 @@ TEST_F(MadeMachine, WhatIsMissingIsSaid)
     EXPECT_FALSE(told["energy"].contains("domains"));
 }
 
-// Counters are permitted on some machines only; there they must count work.
+// Some machines do not permit counters. On those that do, the counters must count the work.
 TEST_F(MadeMachine, CountersCountOrSayWhyNot)
 {
     const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});

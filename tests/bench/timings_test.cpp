@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of Timings as defined in core/render/backend.h, for every backend: they do not overlap and lie within the
-// wall time.
+// For every backend, the parts of Timings are as defined in core/render/backend.h: they do not overlap, and their sum
+// is not more than the wall time.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double rounding = 1e-6;  // seconds, for sums of differences of one clock
+constexpr double rounding = 1e-6;  // seconds; rounding error of a sum of differences of clock readings
 
 TEST(Timings, PartsAreApartAndWithinTheWallTime)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All timed scenes must give the same picture with any stepping: a speed on noise is worthless.
+// All timed scenes must give nearly the same picture with any stepping. If a picture is noise, its speed means nothing.
 #include "bench/views.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST_P(Views, TheCloseUpIsAllSurface)
 INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
                          [](const auto& test) { return std::string(test.param); });
 
-// Negative control: close to a pole the estimate is several times too large and hits are noise.
+// Negative control: close to a pole of the Mandelbulb the estimate is several times too large, and hits are noise.
 TEST(ViewsTwin, APoleIsNoScene)
 {
     Scene scene = official_scene_of("bulb", side, side);

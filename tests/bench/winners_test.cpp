@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines of a study, for synthetic results with a known winner.
+// The last lines of a study's output, which name the winners, for synthetic results with a known winner.
 #include "bench/winners.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns a row with times around `seconds` in each run; the runs scatter by `spread`.
+// Returns a row with times of about `seconds`. The speeds of its runs scatter by the fraction `spread`.
 Row raced(const std::string& backend, double seconds, double spread, int launches = 5)
 {
     std::vector<double> times;
@@ -37,7 +37,7 @@ TEST(Winners, TheFastestWinsByItsRatioAndForCertain)
     EXPECT_NE(text.find("for 2 comparisons\n"), std::string::npos) << text;
 }
 
-// Negative controls: no winner if the runs contradict each other, or within the margin.
+// Negative controls: there is no winner if the runs contradict each other, or if the lead is within the margin.
 TEST(Winners, AnUncertainLeadIsUndecided)
 {
     const std::string text = last_lines({raced("opencl", 0.105, 0.1), raced("openmp", 0.1, 0.002)});

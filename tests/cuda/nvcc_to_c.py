@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""nvcc_to_c.py PROGRAM: translates nvcc's PTX of this project's kernels, from a built program, to C, so that the PTX
-itself can run, one thread after the other, on a machine without a GPU. Unknown instructions are errors."""
+"""nvcc_to_c.py PROGRAM: translates the PTX that nvcc wrote into a built program to C, so that the PTX itself can run on
+a machine without a GPU, one thread after the other. Unknown instructions are errors."""
 import os
 import re
 import sys
@@ -12,7 +12,7 @@ import ptx_to_c  # noqa: E402
 ENTRY = re.compile(r"^\.visible \.entry (\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
 ptx_to_c.C_TYPES["b16"] = "uint16_t"
 ptx_to_c.SPECIAL["%ntid.x"] = "threads_of_block"  # in simulated_cuda.c
-# As in PTX: if one operand is NaN, the other; +0 is larger than -0.
+# Max and min as in PTX: if one operand is NaN, the result is the other one; +0 is larger than -0.
 HELPERS = """static double larger(double a, double b) { return a != a ? b : b != b ? a : a > b ? a : b > a ? b : signbit(a) ? b : a; }
 static double smaller(double a, double b) { return a != a ? b : b != b ? a : a < b ? a : b < a ? b : signbit(a) ? a : b; }
 """

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # simulated_test.sh BIN SOURCE COMPILER PYTHON: the cuda backend on a simulated GPU (tests/openacc/simulated_cuda.c),
-# which runs nvcc's PTX from the program: its pictures have the bits of the scalar kernel, and a missing or failing GPU
-# gives one line and the right exit code.
+# which runs the PTX that nvcc wrote into the program. Its pictures must have the bits of the scalar kernel, and a
+# missing or failing GPU must give one line and the right exit code.
 set -uo pipefail
 bin=$1
 . "$2/tests/failures.sh"
@@ -45,7 +45,7 @@ grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file doe
 $draw --backend cuda --mode fast --output fast.exr || fail "fast mode"
 "$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
 
-# Negative control: a GPU that rounds a sum differently.
+# Negative control: a simulated GPU that rounds an addition differently.
 sed -E 's/^(fd?[0-9]+) = \(\(double\)(fd[0-9]+)\) \+ \(\(double\)(fd[0-9]+)\);/\1 = fma(\2, 1.0000000000000002, \3);/' kernels.h >twin.h
 cmp -s kernels.h twin.h && fail "the twin is no twin"
 mkdir twin && mv twin.h twin/kernels.h
@@ -53,7 +53,7 @@ ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend cuda --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
-# `kernel` is the GPU's own time: each of three kernels takes a simulated second.
+# In the stats, `kernel` is the time by the GPU's clock: 3 s, as each of three kernels takes a simulated second.
 expect 0 0 '' --mode exact --output a.png --stats a.json
 grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"kernel"' a.json)"
 

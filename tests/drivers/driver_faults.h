@@ -24,7 +24,7 @@ inline bool driver_faults(std::string_view stage)
 {
     if (asked(stage, "abort")) std::abort();
     if (asked(stage, "crash")) {
-        // Some drivers' handlers ignore a signal that was only raised.
+        // Access invalid memory: the signal handlers of some drivers ignore a signal that was only raised.
         volatile int* nothing = nullptr;
         *nothing = 0;
     }
@@ -35,7 +35,7 @@ inline bool driver_faults(std::string_view stage)
     return asked(stage, "garbage");
 }
 
-// A name with control characters.
+// A device name with control characters.
 inline constexpr const char* garbage_name = "junk\x1b[2J\n\x01 device";
 
 }  // namespace mandelmarch::drivers

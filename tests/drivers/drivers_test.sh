@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# drivers_test.sh BIN SOURCE SHIM LAYER: OpenCL and Vulkan drivers that abort, crash, exit, hang or return garbage while
-# they are loaded, list devices, build, launch, map or are released. Either the picture exists or the exit code reports
-# a failure; other backends are not affected.
+# drivers_test.sh BIN SOURCE SHIM LAYER: tests OpenCL and Vulkan drivers that abort, crash, exit, hang or return garbage
+# while they are loaded, list devices, build, launch, map or are released. Either the picture must exist, or the exit
+# code must report a failure. Other backends must not be affected.
 set -uo pipefail
 bin=$1
 source=$2
@@ -54,7 +54,8 @@ drawn() {
     "$bin/imgdiff" "$1.bmp" "$at.bmp" >/dev/null || fail "$at: another picture"
 }
 
-# listed API STAGE ACTION: expects the others to be listed, this one to have failed, and code 1.
+# listed API STAGE ACTION: expects that --list-devices lists the other backends, reports that this one has failed, and
+# exits with 1.
 listed() {
     local at=list-$1-$2-$3 code=0
     with "$1" "$2" "$3" "$bin/render" --list-devices >"$at" 2>"$at.err" || code=$?
@@ -83,7 +84,7 @@ for api in $apis; do
         for stage in load enumeration; do listed $api $stage $action; done
     done
 done
-# Hangs take long: run them at the same time.
+# Tests with hangs take long, so they run at the same time.
 export MANDELMARCH_DEVICE_TIMEOUT=4
 for api in $apis; do
     for stage in load enumeration build launch map; do refused $api $stage hang 'no answer within 4 s' & done
@@ -104,7 +105,7 @@ for api in $apis; do
     [ $? = 2 ] && grep -q '^MANDELMARCH_DRIVER_LOG: no-folder/log: No such file' $api-build-speak.err || fail "$api: $(cat $api-build-speak.err)"
 done
 
-# Without isolation the driver runs in the program itself, and its crash ends the program.
+# If isolation is off, the driver runs in the program itself, and its crash ends the program.
 for api in $apis; do
     for setting in "env MANDELMARCH_ISOLATION=off" "env NO_SETTING=1"; do
         wanted=134
@@ -120,7 +121,7 @@ done
 MANDELMARCH_ISOLATION=maybe "$bin/render" --list-devices 2>err
 [ $? = 2 ] && grep -q "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off" err || fail "MANDELMARCH_ISOLATION=maybe: $(cat err)"
 
-# A driver excluded by MANDELMARCH_BACKENDS is not opened and cannot harm.
+# A driver that MANDELMARCH_BACKENDS leaves out is not opened, so its faults have no effect.
 for api in $apis; do
     MANDELMARCH_BACKENDS=openmp with $api enumeration abort "$bin/render" --list-devices >list 2>err || fail "$api left out: $(cat list err)"
     grep -q "^$api *unavailable: left out by MANDELMARCH_BACKENDS" list || fail "$api left out: $(cat list)"
@@ -129,8 +130,8 @@ done
 MANDELMARCH_BACKENDS=openmp,nonsense "$bin/render" --list-devices 2>err
 [ $? = 2 ] && grep -q "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp" err || fail "MANDELMARCH_BACKENDS: $(cat err)"
 
-# Garbage: names stay within their line; a kernel that cannot be built is an error; a wrong picture fails verification,
-# and bench reports it and times the others.
+# Drivers that return garbage: a device name is printed in one line without control characters; a kernel that cannot be
+# built is an error; a wrong picture fails verification, and bench reports that and times the other backends.
 for api in $apis; do
     with $api enumeration garbage "$bin/render" --list-devices >list 2>err || fail "$api: garbage in a name: $(cat err)"
     grep -q "^$api *0: junk\\\\x1b\[2J\\\\n" list || fail "$api: a name is printed raw: $(grep -a "^$api" list | cat -v)"
@@ -146,7 +147,7 @@ if [[ $apis = *opencl* ]]; then
     [ -s bench.json ] || fail "bench, garbage: no result"
 fi
 
-# If one backend's driver exits, the others' rows and the result file remain.
+# If the driver of one backend exits, bench still measures the other backends and writes the result file.
 for api in $apis; do
     for stage in enumeration build; do
         code=0
@@ -164,7 +165,7 @@ for api in $apis; do
     [ -s alone-$api.json ] || fail "$api: openmp alone: no result"
 done
 
-# bench equivalence continues with the others, too.
+# `bench equivalence` continues with the other backends, too.
 for api in $apis; do
     code=0
     with $api enumeration exit "$bin/bench" equivalence --fractal box --scenes 2 >table 2>err || code=$?
@@ -173,7 +174,7 @@ for api in $apis; do
     grep -q '^openmp .* 0$' table || fail "$api: equivalence: openmp is missing: $(cat table)"
 done
 
-# Environment variables of the libraries: --device decides, not ACC_DEVICE_NUM.
+# Environment variables of the libraries do not override options: --device selects the device, not ACC_DEVICE_NUM.
 if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
     for number in 0 1; do
         ACC_DEVICE_NUM=$number "$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend openacc \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Broken backends: each must fail the checks that real backends pass, on known scenes and on random ones. The same
-// backend without the defect passes, so the checks detect the defect.
+// Broken backends must fail the checks that real backends pass, on the tests' scenes and on random ones. The same
+// backend without the defect passes, so it is the defect that the checks detect.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -142,7 +142,7 @@ TEST_P(Broken, UpsideDownFails)
     EXPECT_FALSE(passes(Defect::upside_down, Mode::fast));
 }
 
-// Returns true if bench's random scenes pass.
+// Returns true if a backend with this defect passes the random scenes of `bench equivalence`.
 bool passes_random_scenes(Defect defect)
 {
     std::vector<std::unique_ptr<Backend>> backends;

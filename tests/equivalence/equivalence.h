@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// One line of the table: all scenes of a fractal with one backend, device, precision and mode.
+// One line of the printed table: the result of all scenes of a fractal with one backend, device, precision and mode.
 struct EquivalenceRow {
     std::string fractal;
     std::string backend;
@@ -31,8 +31,9 @@ struct EquivalenceRow {
 std::string to_text(const EquivalenceRow& row);
 std::string equivalence_header();
 
-// Renders the expected pictures and keeps them: in exact mode with the scalar kernel, in fast mode the canonical
-// picture in double (from the scalar kernel if `reference` does not support the fractal).
+// Renders the expected pictures and keeps them. In exact mode they are rendered by the scalar kernel. In fast mode they
+// are the canonical pictures in double, rendered by `reference` or, if it does not support the fractal, by the scalar
+// kernel.
 class Expected {
 public:
     explicit Expected(const Registry& registry) : registry_(registry) {}
@@ -43,7 +44,8 @@ private:
     std::map<std::string, Image> pictures_;
 };
 
-// Renders every scene of this fractal in `scenes`, with one renderer. Throws what the backend throws.
+// Renders those of `scenes` that have this fractal, all with one renderer, and compares them with the expected
+// pictures. Throws what the backend throws.
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected);
 

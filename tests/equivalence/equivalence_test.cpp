@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All backends, devices, fractals, precisions and modes found at run time. In exact mode every bit of colour and depth
-// equals the scalar kernel's; in fast mode the picture is the canonical one, without visible differences.
+// Tests all backends, devices, fractals, precisions and modes that are found at run time. In exact mode every bit of
+// colour and depth must equal the scalar kernel's. In fast mode the picture must be the canonical one, without visible
+// differences.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,8 @@ std::vector<NamedScene> fast_scenes()
     return scenes;
 }
 
-// CI machines have devices on their CPU; a backend of this build without a device has lost its driver.
+// On CI machines every backend has a device, if only the CPU. If a backend of this build has none, its driver is
+// missing.
 TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
 {
     const Registry registry = all_backends();
@@ -79,7 +81,7 @@ private:
             EXPECT_TRUE(row.passed()) << to_text(row);
             EXPECT_GT(row.scenes, 0);
         } catch (const Unavailable& error) {
-            // For example, a device without double. Backends of this build without any device fail the test above.
+            // Some devices do not support double, for example. If a backend has no device at all, the test above fails.
             fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.short_name, backend.name(), error.what());
         }
     }
@@ -102,7 +104,8 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
     every.check_all(*make_skeleton_backend());
 }
 
-// Devices read back bytes alone by another path than values. The sizes leave partial words and work groups.
+// Devices read back a picture of bytes only by another path than one with values. The sizes are chosen so that words
+// and work groups are partly filled.
 TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# explore_test.sh BIN SOURCE [SHIM]: the explorer in a window of its own X server, controlled by input events: it flies,
-# renders on every backend, compares, exports pictures equal to bin/render's, records a path that flythrough accepts,
-# and survives drivers that die or hang. Without Xvfb SDL's dummy window is used.
+# explore_test.sh BIN SOURCE [SHIM]: tests the explorer in a window on its own X server, controlled by input events. It
+# flies, renders on every backend, compares, exports pictures equal to bin/render's, records a path that flythrough
+# accepts, and survives drivers that die or hang. Without Xvfb, SDL's dummy window is used.
 set -uo pipefail
 bin=$1
 source=$2
@@ -36,19 +36,20 @@ play() {
     [ $code = 0 ] || fail "$name: exit code $code: $(head -c 500 "$name.err")"
 }
 
-# of NAME LINE EXPRESSION: prints the value of a Python expression of t, the output of NAME's LINE-th `tell`.
+# of NAME LINE EXPRESSION: prints the value of a Python expression. In it, t is the output of the LINE-th `tell` of
+# NAME.
 of() {
     sed -n "$2p" "$1.out" | python3 -c 'import json, sys
 t = json.load(sys.stdin)
 print(eval(sys.argv[1]))' "$3"
 }
-is() {  # is NAME LINE EXPRESSION VALUE: compares the value of such an expression
+is() {  # is NAME LINE EXPRESSION VALUE: expects that the expression, as in `of`, has this value
     local found
     found=$(of "$1" "$2" "$3" 2>&1 | tail -n 1)
     [ "$found" = "$4" ] || fail "$1: $3 is '$found', expected '$4'"
 }
 
-# Flying, turning, undo, both fractals, looks.
+# Tests flying, turning, undo, both fractals, and looks.
 cat >fly.txt <<'END'
 rest
 tell
@@ -76,7 +77,7 @@ is fly 4 't["fractal"] != "mandelbulb"' True
 is fly 5 't["colouring"]' 2
 [ -s fly.png ] || fail "fly: no screenshot"
 
-# An exported view and picture equal bin/render's for the exported parameter file.
+# The exported picture equals the one that bin/render makes from the exported parameter file.
 cat >hand.txt <<'END'
 rest
 key D 20
@@ -98,8 +99,9 @@ fi
 "$bin/render" view-001.dat --fractal box --output view.png 2>/dev/null || fail "hand: the view cannot be drawn"
 [ "$(ls -- *.part* .*tmp* 2>/dev/null | wc -l)" = 0 ] || fail "hand: unfinished files are left"
 
-# A path is recorded, smoothed, audited in the background, saved and opened again; flythrough finds its promises kept
-# and renders it. A film has 30 frames per second, a screen about 60: 180 frames of the screen are about 90 of the path.
+# A path is recorded, smoothed, audited in the background, saved and opened again. flythrough's audit finds that it
+# keeps its promises, and flythrough renders it. A path has 30 frames per second, the screen about 60: 180 frames of the
+# screen give about 90 of the path.
 cat >path.txt <<'END'
 rest
 key Ctrl+R
@@ -130,7 +132,7 @@ is path 3 't["path"]["at"] > 30' True
 "$bin/flythrough" render path-001.json --stills stills --every 30 --size 64x36 >/dev/null 2>stills.err &&
     [ "$(ls stills/*.png | wc -l)" -gt 2 ] || fail "path: no stills: $(cat stills.err)"
 
-# Every existing backend, then four panes.
+# Renders on every backend that has a device, one after the other, then in four panes.
 {
     echo rest
     "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done
@@ -144,10 +146,10 @@ printf '%s\n' rest 'key F9' 'key F9' 'key F9' rest tell 'key F5' rest tell 'shoo
 play panes --fractal box --size 400x300
 is panes 1 'len(t["panes"])' 4
 is panes 1 't["panes"][1]["differing"] > 0' True
-# The fourth pane again in float: it differs from the first one in as many pixels as the third one.
+# F5 switches the fourth pane back to float. It then differs from the first pane in as many pixels as the third pane.
 is panes 2 't["panes"][2]["differing"] == t["panes"][3]["differing"]' True
 
-# Errors appear as lines in the window, or on stderr.
+# An error appears as a line in the window or on stderr.
 printf '1 2 3\n1 2\n' >bad.dat
 printf 'rest\ntell\n' >bad.txt
 play bad bad.dat
@@ -163,7 +165,7 @@ env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER timeout 20 "$bin/explore" >
 code=$?
 [ $code = 77 ] && [ "$(wc -l <no.err)" = 1 ] || fail "no display is named: exit code $code: $(cat no.err)"
 
-# A driver that dies, and one that hangs: an error line, and another backend renders.
+# If a driver dies or hangs, an error line appears and another backend renders.
 if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
     printf '%s\n' rest tell 'key F4' rest tell >abort.txt
     printf '%s\n' 'wait 120' tell 'key F4' rest tell >hang.txt
@@ -176,7 +178,7 @@ if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
     for action in abort hang; do is $action 2 't["panes"][0]["samples"] == 4 and t["panes"][0]["failure"]' ''; done
 fi
 
-# Real key events from X.
+# Tests real key events, sent by xdotool through the X server.
 if [ -n "$server" ] && command -v xdotool >/dev/null; then
     mkdir hands
     timeout 100 "$bin/explore" --fractal box --folder hands --size 400x300 >hands.out 2>&1 &

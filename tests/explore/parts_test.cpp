@@ -27,7 +27,7 @@ constexpr double tick = 1.0 / 60;  // seconds
 
 Scene official(const char* name) { return official_scene(fractal_named(name), 16, 9); }
 
-// Flies straight on for a minute at maximum speed.
+// Flies straight ahead for a minute at maximum speed. Returns the smallest clearance.
 double clearance_after_a_minute(Motion& motion, Scene& scene)
 {
     motion.speed = 16;
@@ -48,7 +48,7 @@ TEST(ExploreMotion, WallsStopTheFlight)
     }
 }
 
-// Negative control.
+// Negative control: without the stop at walls, such a flight enters the solid.
 TEST(ExploreMotion, AFlightThroughWallsIsInside)
 {
     Scene scene = official("bulb");
@@ -104,7 +104,7 @@ TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
     EXPECT_EQ(resolution.size(960, 540, 1), std::pair(960, 540));
 }
 
-// Returns a flight with an unsteady hand, faster than a film may be.
+// Returns a path as flown with an unsteady hand, faster than films may be.
 Path unsteady()
 {
     Path path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights through a fractal that changes: keyframes, plans, and faults that an audit must find.
+// Flights through a fractal that changes its shape: keyframes, plans, and faults that an audit must find.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,17 +52,17 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     const Schedule back = scale("1s=2,5s=2.4,8s=2");
     for (const auto& [frame, value] : {std::pair{0.0, 2.0}, {30.0, 2.0}, {150.0, 2.4}, {240.0, 2.0}, {299.0, 2.0}})
         EXPECT_NEAR(back.value(frame), value, 1e-6) << frame;
-    // The largest rate is 1.5 times the mean one, 0.4 in 90 frames.
+    // The largest rate of change is 1.5 times the mean rate, which is 0.4 in 90 frames.
     const double rate = 1.5 * 0.4 / 90;
     EXPECT_LT(rate_jump([&](int f) { return back.value(f); }), 0.05 * rate);
-    // Negative control: linear interpolation.
+    // Negative control: with linear interpolation the rate jumps.
     EXPECT_GT(rate_jump([](int f) { return 2 + 0.4 * std::clamp((f - 30) / 120.0, 0.0, 1.0); }), 0.4 * rate);
     EXPECT_TRUE(back.changes());
     EXPECT_FALSE(scale("2.5").changes());
     EXPECT_FALSE(Schedule{}.changes());
 }
 
-// plan() refuses these shapes, constant ones included.
+// plan() refuses these shapes, also if they do not change.
 TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
 {
     for (const double value : {0.5, -0.5, 0.9}) {
@@ -101,7 +101,7 @@ TEST(Schedule, RefusesNonsenseInOneLine)
         }
     }
     EXPECT_THROW(parse_schedule("power", "8:5", official_scene("box", 16, 9), frames), InputError);
-    // Negative controls.
+    // Negative controls: these schedules are valid.
     for (const char* text : {"2", "2:3", "-1.5:-2", "0s=2,10s=3"}) EXPECT_NO_THROW(scale(text)) << text;
 }
 
@@ -114,7 +114,8 @@ TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
     const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };
     EXPECT_EQ(value(0), 2);
     EXPECT_EQ(value(frames - 1), static_cast<float>(2.03));
-    // The value never decreases, and its rate has no jumps: the mean is 1e-4 per frame.
+    // The value never decreases, and its rate does not jump: its changes are small compared with the mean rate, 1e-4
+    // per frame.
     double jump = 0;
     for (std::size_t i = 1; i + 1 < frames; ++i) {
         EXPECT_GE(value(i + 1), value(i));
@@ -129,12 +130,13 @@ TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads)
     EXPECT_EQ(to_text(planned()), to_text(plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 1).path));
 }
 
-// A path that was planned for one shape, flown while the shape changes.
+// A path was planned for one shape, and the shape changes while it is flown. The audit must detect that it hits the
+// fractal.
 TEST(ChangingAudit, FindsOutAPathThatKnowsNothingOfTheChange)
 {
     Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;
     ASSERT_TRUE(audit_promises(path, 0).promises_kept());
-    // The hull grows from 6 to 8.7.
+    // With this change of the scale the size of the hull grows from 6 to 8.7.
     const Schedule schedule = scale("2:1.6");
     for (std::size_t i = 0; i < path.frames.size(); ++i)
         path.frames[i].changes.shape = {static_cast<float>(schedule.value(static_cast<double>(i))), 0.5, 1};
@@ -149,7 +151,8 @@ TEST(ChangingAudit, FindsOutAShapeThatJumps)
     EXPECT_FALSE(row_of(audit_promises(path, 0), walls).kept());
 }
 
-// Free before and after, solid in between: a wall sweeps over a camera that stands still.
+// A wall sweeps over a camera that stands still: the camera is outside the solid at first and in the end, but not in
+// between. The audit must detect this.
 TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
 {
     Path path;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames have converged: compared with orbits, independently of any distance estimate, and with short steps.
+// Frames of films have converged. They are compared with the solid as found from orbits, which does not depend on any
+// distance estimate, and with pictures rendered with short steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,8 +21,8 @@ struct Place {
     Vector eye, target, up;
 };
 
-// From the first flight with torn frames: two ordinary frames, and four close to the poles, where the original estimate
-// is up to forty times too large.
+// Frames of a flight whose pictures were torn with the original estimate: two ordinary frames, and four close to the
+// poles, where the original estimate is up to forty times too large.
 constexpr Place places[] = {
     {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
     {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
@@ -42,7 +43,7 @@ Path path_at(const Place& place, bool conservative)
     return path;
 }
 
-// Returns true if the orbit of p under z -> z^8 + p stays within 4 for so many iterations.
+// Returns true if the orbit of p under z -> z^8 + p stays within the radius 4 for this number of iterations.
 bool is_solid(Vector p, int iterations)
 {
     using Complex = std::complex<double>;
@@ -62,7 +63,8 @@ bool is_solid(Vector p, int iterations)
     return true;
 }
 
-// Returns the depth at which a ray enters the solid, in steps of 0.15 tolerances; infinity if it does not.
+// Returns the depth at which a ray from the eye enters the solid, found with steps of 0.15 tolerances; infinity if it
+// does not enter it.
 double entry(const Scene& scene, Vector direction, double tolerance)
 {
     constexpr double begin = 0.003;
@@ -102,7 +104,7 @@ TEST(Truth, RaysEndBeforeTheSolid)
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     for (const Place& place : places) EXPECT_LE(share_behind(openmp, place, true), 0.01) << "frame " << place.frame;
-    // Negative control: the original estimate in the first of the torn frames.
+    // Negative control: with the original estimate, the first of the torn frames is wrong.
     EXPECT_GT(share_behind(openmp, places[2], false), 0.1);
 }
 
@@ -115,12 +117,12 @@ TEST(Truth, FramesAreThoseOfShortSteps)
         EXPECT_TRUE(row.promise);
         EXPECT_TRUE(row.kept()) << row.name << ": " << row.value;
     }
-    // Negative control: the original estimate.
+    // Negative control: the audit of the frame with the original estimate fails.
     const auto torn = truth_rows(path_at(places[2], false), openmp, options, {});
     EXPECT_FALSE(torn.back().kept()) << torn.back().value;
 }
 
-// Pixels share the occlusion of their neighbours: less work, and nearly the same picture.
+// If pixels use the occlusion of their neighbours, there is less work, and the picture is nearly the same.
 TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
 {
     const Registry registry = all_backends();
@@ -142,8 +144,8 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     EXPECT_GT(c.differing, 0U);
 }
 
-// A part of a picture equals that part of the whole one, and rays through pixel centres are every second ray of a
-// picture twice as large.
+// A crop window equals that part of the whole picture. With rays through the pixels' centres, each ray is one of a
+// picture of twice the size: every second one of it, in both directions.
 TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
 {
     const Registry registry = all_backends();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gaze over time, the panoramas from which it is chosen, and the flight's speed.
+// The director: the gaze over time, the panoramas from which it is chosen, and the speed of the flight.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int frames = 300;
 
-// A path past the fractal: from its left to its right, 0.3 above.
+// A path that passes the fractal from its left to its right, 0.3 above it.
 struct Passing {
     Shapes shapes{official_scene("bulb", 16, 9), 2, 0};
     const DistanceField& field = shapes.field();
@@ -54,7 +54,7 @@ TEST(Sphere, DirectionsAreSpreadEvenly)
         sum = sum + direction;
     }
     EXPECT_LT(length(sum), 1);
-    // A cap of 0.3 radians covers (1 - cos 0.3) / 2 of a sphere.
+    // A cap of a sphere, up to an angle of 0.3 radians from its middle, covers (1 - cos 0.3) / 2 of the sphere.
     const double expected = 500 * (1 - std::cos(0.3)) / 2;
     for (int d = 0; d < 500; ++d) {
         EXPECT_EQ(sphere.near(d).front(), d);
@@ -78,7 +78,7 @@ TEST(Panorama, SeesTheFractalWhereItIs)
     EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
 }
 
-// Negative control: looking ahead, past the fractal.
+// Negative control: a camera that always looks ahead, past the fractal, shows less.
 TEST(Director, ShowsMoreThanLookingAhead)
 {
     const Passing way;
@@ -116,7 +116,7 @@ TEST(Director, KnowsHowFarThePictureMoves)
     }
 }
 
-// The camera is slow near a wall. Its acceleration has no jumps; the negative control, a step in speed, has.
+// The camera is slow near a wall, and its acceleration does not jump. Negative control: with a step in speed it does.
 TEST(Trajectory, ChangesItsSpeedWithoutKinks)
 {
     const Passing way;

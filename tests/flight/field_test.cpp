@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances: the same bits on any number of threads and with every instruction set.
+// Distance fields give the same bits on any number of threads and with every instruction set.
 #include "flight/field/field.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ std::vector<Vector> places(int count)
     return places;
 }
 
-// Returns distances at points, and the ends of rays from twice as far away to the middle, as bits.
+// Returns, as bits, the distances at points, and the ends of rays that start twice as far away as the points and go
+// towards the middle.
 std::vector<std::uint64_t> bits_of(const DistanceField& field)
 {
     const std::vector<Vector> points = places(1001);  // not a multiple of a pack
@@ -79,10 +80,10 @@ TEST(DistanceField, TheSameBitsInEveryInstructionSet)
             EXPECT_EQ(bits_of(DistanceField(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
         }
         hwy::SetSupportedTargetsForTest(0);
-        // One lane is the scalar kernel, the others are packs.
+        // Both the scalar kernel, which has one lane, and packs were tested.
         EXPECT_TRUE(lanes.contains(1));
         EXPECT_GT(lanes.size(), 1U);
-        // Negative control: a scene that differs by a millionth.
+        // Negative control: the bits differ for a scene whose shape differs by a millionth.
         Scene other = scene;
         other.shape[0] += 1e-6;
         other.shape[2] += 1e-6;

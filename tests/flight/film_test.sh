@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# film_test.sh FLYTHROUGH: files that films and stills create and keep, outputs, and errors reported before the work.
+# film_test.sh FLYTHROUGH: which files films and stills create and keep, kinds of output files, and errors that must be
+# reported before the work.
 set -uo pipefail
 program=$(realpath "$1")
 folder=$(mktemp -d)
@@ -29,7 +30,7 @@ run() {
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
 same() { cmp -s "$1" "$2" || fail "$1 is not $2: $3"; }
 
-# A straight flight next to the Mandelbulb: a path of two segments, and a different one.
+# Two paths, straight flights next to the Mandelbulb: path.json, of two segments, and other.json, at another speed.
 python3 - <<'PY'
 import json
 for name, step in ("path", 0.02), ("other", 0.03):
@@ -41,7 +42,7 @@ small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 run 0 render other.json $small --output other.mp4
 
-# Damaged segments, each in the segment store of a film that is not joined yet.
+# The segment store of a film that is not joined yet is damaged in several ways; the film must be complete in the end.
 run 0 render path.json $small --output parts.mp4 --segments 0-1
 damage() {
     cp -r parts.mp4.parts "$1.mp4.parts"
@@ -58,7 +59,7 @@ damage junk 'head -c $(stat -c %s segment-000001.mp4) /dev/urandom >segment-0000
 damage copied 'cp segment-000000.mp4 segment-000001.mp4; cp segment-000000.mp4.made segment-000001.mp4.made'
 damage unknown 'rm segment-000001.mp4.made'
 
-# A film with the same size but other contents than its stamp records.
+# The film's file has the size that its stamp records, but other contents.
 cp whole.mp4 kept
 head -c "$(stat -c %s kept)" /dev/urandom >whole.mp4
 run 0 render path.json $small --output whole.mp4
@@ -67,7 +68,7 @@ says '2 of 2 segments'
 run 0 render path.json $small --output whole.mp4
 says '0 of 2 segments'
 
-# Outputs: a pipe, a link, a dangling link, a device, stdout.
+# Kinds of outputs: a pipe, a link, a dangling link, a device, standard output.
 mkfifo pipe
 timeout 60 cat pipe >piped &
 run 0 render path.json $small --output pipe
@@ -97,7 +98,7 @@ if [ -w /dev/shm ]; then
     rm -rf "$shm"
 fi
 
-# Without a working stderr the film and its summary are still made.
+# If stderr cannot be written, the film and its summary are made nevertheless.
 for to in '2>/dev/full' '2>&-' '2>&1 | true'; do
     rm -f mute* code
     eval "{ '$program' render path.json $small --output mute.mp4 --summary mute.json; echo \$? >code; } $to"
@@ -110,7 +111,7 @@ done
 "$program" audit path.json >/dev/full 2>stderr
 [ $? = 1 ] || fail "an audit that cannot be printed is no failure"
 
-# Stills are kept only if they are complete and of this film.
+# Existing stills are kept only if they are complete and belong to this film.
 run 0 render path.json $small --stills st --every 20
 cp -r st first
 run 0 render path.json $small --stills st --every 20
@@ -135,7 +136,7 @@ run 0 render path.json $small --stills st --every 20 --still-format jpeg
 run 0 render path.json $small --stills st --every 20 --still-format jpeg
 [ -s st/frame-000000.jpg ] || fail "an empty JPEG stays"
 
-# Errors before the work, in one line.
+# Errors that are reported before the work, in one line.
 : >file
 run 2 film $small --size 15x16
 run 2 film $small --size 14x14
@@ -165,7 +166,7 @@ run 2 render path.json $small --stills st --segments 1-0
 run 2 render path.json $small --stills st --segments 5-9
 says '5-9'
 
-# Another title or font makes another film; line breaks count.
+# With another title, other line breaks or another font, the film is another one and is rendered again.
 cp /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "it's: 100 %, [a] font; \\.ttf"
 run 0 render path.json $small --output titled.mp4 --title a --authors $'b\nc'
 cp titled.mp4 first.mp4
@@ -174,7 +175,7 @@ says '2 of 2 segments'
 MANDELMARCH_FONT="it's: 100 %, [a] font; \\.ttf" run 0 render path.json $small --output titled.mp4 --title $'a\nb' --authors c
 says '2 of 2 segments'
 
-# An ffmpeg given by a relative name, which waits until a file exists.
+# A fake ffmpeg, given by a relative name, which waits until a file exists.
 cat >slow <<'END'
 #!/bin/sh
 case "$*" in *.part-0*) : >begun; while [ ! -e "$GO" ] && kill -0 $PPID; do sleep 0.05; done ;; esac
@@ -199,7 +200,7 @@ kill -TERM $!
 wait $! && fail "a signal ended nothing"
 ls ended.mp4.parts/*/.[pm]* 2>/dev/null && fail "a signal leaves files"
 
-# An ffmpeg that never answers, when checked and for a segment.
+# An ffmpeg that never answers: when flythrough checks it, and when it encodes a segment.
 printf '#!/bin/sh\nexec sleep 100\n' >silent
 chmod +x silent
 export MANDELMARCH_FFMPEG_TIMEOUT=0.5

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planning, path files and audits: the same on any number of threads, and every audit item can fail.
+// Planning, path files and audits. Results are the same on any number of threads, and every item of an audit can fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,11 +71,12 @@ TEST(Plan, KeepsEveryPromise)
 {
     const Audit result = audit(planned(), 1);
     EXPECT_TRUE(result.promises_kept()) << table_of(planned(), result);
-    // On any number of threads.
+    // The audit is the same on any number of threads.
     EXPECT_EQ(json_of(planned(), result), json_of(planned(), audit(planned(), 4)));
 }
 
-// The estimate of films. With the original estimate the flight differs.
+// A flight planned with the conservative estimate, which films use, keeps every promise. It differs from the flight
+// planned with the original estimate.
 TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
 {
     Scene scene = official_scene("bulb", 16, 9);
@@ -94,9 +95,9 @@ TEST(Audit, EveryRowCanFail)
         EXPECT_FALSE(row_of(result, name).kept()) << name;
         return result.promises_kept();
     };
-    // Promises.
+    // Items of the audit that are promises.
     EXPECT_FALSE(fails(spoilt([](auto& f) { move_to(f[200], {0, 0, 0.1}); }), "frames inside solid"));
-    // Both frames are free, but not the path between them.
+    // Both frames are outside the solid, but the straight line between them is not.
     EXPECT_FALSE(fails(spoilt([](auto& f) {
                            move_to(f[0], {0, 0, 2});
                            move_to(f[1], {0, 0, -2});
@@ -108,7 +109,7 @@ TEST(Audit, EveryRowCanFail)
               "largest turn"));
     EXPECT_FALSE(
         fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
-    // Quality.
+    // Items of the audit that describe quality.
     const DistanceField field(planned().scene, 0);
     fails(spoilt([&](auto& f) {
               Vector place = f[300].eye;
@@ -117,7 +118,8 @@ TEST(Audit, EveryRowCanFail)
               move_to(f[300], place);
           }),
           "least DE");
-    // So short a flight begins outside; its end is inside.
+    // The first 300 frames of this short flight are outside the hull, the others inside. Without the first ones the
+    // item is kept; it is not kept if the others are moved outside.
     const std::string in_hull = "frames inside the hull";
     EXPECT_TRUE(row_of(spoilt([](auto& f) { f.erase(f.begin(), f.begin() + 300); }), in_hull).kept());
     EXPECT_FALSE(row_of(spoilt([](auto& f) {
@@ -158,7 +160,7 @@ TEST(Audit, EveryRowCanFail)
               for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
           }),
           "frames under 40 %");
-    // From far away, 30 degrees off the picture's middle, the fractal is in the corner.
+    // Seen from far away, with its direction 30 degrees off the picture's middle, the fractal is in the corner.
     fails(spoilt([](auto& f) {
               for (auto& frame : f) {
                   move_to(frame, {0, 0, 12});
@@ -167,12 +169,13 @@ TEST(Audit, EveryRowCanFail)
           }),
           "longest time with the subject at the edge");
     fails(spoilt([](auto& f) {
-              // The sky, followed by the same path again.
+              // First the camera looks at the sky, then the same part of the path is repeated.
               for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
               std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
           }),
           "the same view again");
-    // Ten seconds need no passage; a full film at one position has none.
+    // A flight of ten seconds need not have a passage. A film of full length needs some, and has none if the camera
+    // stands still.
     Path long_path = planned();
     long_path.frames.assign(7200, planned().frames[0]);
     fails(audit(long_path, 0, 0, 300), "distinct passages");
@@ -214,7 +217,7 @@ TEST(PathFile, IsReadAsItIsWritten)
     EXPECT_EQ(to_text(path_from_text(text, "test")), text);
     const Scene changed = scene_of(path, path.frames[3], 64, 36);
     EXPECT_EQ(changed.shape[2], 7.5);
-    // A fractal that changes during the flight is audited in each frame's shape.
+    // If the fractal changes during the flight, each frame is audited with the shape at that frame.
     EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
 }
 
@@ -223,7 +226,7 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
     path.scene.iterations = 100;
-    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // as planned; pictures may use fewer
+    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // as planned; pictures may need fewer
     const Scene film = picture_of(path, path.frames[0], 1920, 1080);
     const Scene large = picture_of(path, path.frames[0], 3840, 2160);
     EXPECT_LT(film.iterations, 100);
@@ -241,14 +244,16 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(asked.limits.root_share, 0);
 }
 
-// Pixels of one and a half samples: the middle sample counts half in each. Row 0 of an image is its bottom row.
+// The picture has 3 x 3 samples for 2 x 2 pixels, so that a pixel is one and a half samples wide, and the middle
+// samples belong to both of their neighbours by halves. Row 0 of an image is its bottom row.
 TEST(Shrunk, IsTheMeanOverAPixelsArea)
 {
     Image picture(3, 3, Image::Layers::bytes);
     for (std::size_t i = 0; i < 9; ++i) {
         for (std::size_t c = 0; c < 3; ++c) picture.bytes()[3 * i + c] = static_cast<std::uint8_t>(10 * i + 80 * c);
     }
-    // Weights 2 1 and 1 2 of 3 in both directions; the samples are 0 10 20 / 30 40 50 / 60 70 80 from the bottom.
+    // In both directions the weights of the samples are 2/3 1/3 0 and 0 1/3 2/3. The samples are, from the bottom,
+    // 0 10 20 / 30 40 50 / 60 70 80.
     const std::vector<std::uint8_t> red{53, 67, 13, 27};
     for (const int threads : {1, 3}) {
         const auto rgb = shrunk(picture, 2, 2, threads);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# kinds_test.sh FLYTHROUGH: kinds of films: containers, frame rates, parts of a path, titles, tags for players, job
-# arrays.
+# kinds_test.sh FLYTHROUGH: tests kinds of films: containers, frame rates, parts of a path, titles, tags for players,
+# and job arrays.
 set -uo pipefail
 program=$(realpath "$1")
 folder=$(mktemp -d)
@@ -27,7 +27,7 @@ says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 30
 # probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
-# A straight flight next to the Mandelbulb, of two segments.
+# make_path FILE RATE: writes a path of two segments with this frame rate, a straight flight next to the Mandelbulb.
 make_path() {
     python3 - "$@" <<'PY'
 import json, sys
@@ -44,7 +44,7 @@ make_path path.json 30
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
 run 0 render path.json $small --output whole.mp4
 
-# The file extension selects the container; each film has all frames at the path's rate.
+# The file extension selects the container. Each film has all of its frames, at the frame rate of the path.
 for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
     film=kind.${kind%:*}
     run 0 render path.json $small --frames 50-59 --output "$film"
@@ -63,7 +63,7 @@ for name in film film.avi film.mp5 mp4; do
     says 'expected .mp4, .mkv, .webm or .gif'
 done
 
-# Frame rates: from a path file, and planned.
+# Frame rates: films of paths at different rates, and paths that are planned at a rate.
 for rate in 24 25 50 60; do
     make_path rate.json $rate
     run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
@@ -83,7 +83,7 @@ import json, math
 thirty, sixty, slow = (json.load(open(f"plan{rate}.json")) for rate in (30, 60, 24))
 assert (sixty["frames_per_second"], slow["frames_per_second"]) == (60, 24)
 assert (len(sixty["frames"]), len(slow["frames"])) == (120, 48)
-# The first second only: flights of other lengths differ in their last frames.
+# Only the first second is compared, as flights of different lengths differ in their last frames.
 step = math.dist(thirty["frames"][0]["location"], thirty["frames"][1]["location"])
 for i in range(30):
     assert math.dist(sixty["frames"][2 * i]["location"], thirty["frames"][i]["location"]) < step, i
@@ -91,7 +91,7 @@ for i in range(6):
     assert math.dist(slow["frames"][4 * i]["location"], thirty["frames"][5 * i]["location"]) < step, i
 PY
 
-# Some frames of a path, as stills and as a film.
+# Renders some frames of a path, as stills and as a film.
 run 0 render path.json $small --stills stills --frames 10-12
 [ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
     fail "--frames 10-12 gives $(ls stills)"
@@ -107,7 +107,7 @@ done
 says 'expected A-B'
 run 2 audit path.json --frames 1-2
 
-# An array's last task may request segments beyond the last one.
+# The range of segments of an array's last task may go beyond the last segment.
 run 0 render path.json $small --output array.mp4 --segments 0-0
 run 0 render path.json $small --output array.mp4 --segments 1-9
 says '1 of 2 segments'
@@ -119,7 +119,7 @@ run 0 render path.json $small --stills array --segments 1-9
 run 2 render path.json $small --output array2.mp4 --segments 2-9
 says '2-9 given, expected some of 0-1'
 
-# Segments made on another kind of machine are named.
+# If the store has segments that were made on another kind of machine, a message says so.
 MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
 run 0 render path.json $small --output mixed.mp4 --segments 1-1
 says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
@@ -131,7 +131,9 @@ if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
 fi
 
-# Titles: complete, once per eye, in letters of the font. white FILM: prints the columns with white text at 2 s.
+# Titles are complete, are shown once for each eye, and use letters of the font. white FILM WIDTH [eyes]: checks that
+# there is white text at 2 s, not at the picture's edges, and in the middle; with `eyes`, that it is the same in both
+# halves.
 white() {
     ffmpeg -v error -ss 2 -i "$1" -frames:v 1 -pix_fmt gray -f rawvideo - | python3 -c '
 import sys
@@ -162,7 +164,7 @@ run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
 says '--authors: .*U\+674E'
 run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
 
-# Players recognise films of all directions, or for two eyes.
+# Films of all directions, or for two eyes, have the tags by which players recognise them.
 tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
 for kind in mp4 mkv webm; do
     run 0 render path.json --backend openmp --size 64x32 --frames 0-1 --projection equirectangular --output sphere.$kind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Titles fit and use letters of the font.
+// Titles fit into the picture, and use only letters that the font has.
 #include "flight/film/lettering.h"
 
 #include <gtest/gtest.h>

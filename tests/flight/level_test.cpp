@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horizon of a flight.
+// Flights keep their horizon level.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,8 @@
 namespace mandelmarch {
 namespace {
 
-// Returns a path once around a fractal in 1800 frames that looks ahead and slightly up and down; `up` leans sideways.
+// Returns a path of 1800 frames that goes once around a fractal. The camera looks ahead, and slightly up and down; its
+// up vector leans sideways.
 Path round(const std::string& fractal)
 {
     Path path;
@@ -38,7 +39,8 @@ TEST(Level, IsHeldAwayFromTheMiddle)
     EXPECT_TRUE(level_row(path).kept());
 }
 
-// The nearest axis of a cube stays up while the flight goes round, so that the horizon never turns over.
+// For a box, up is the nearest of the cube's axes. It stays the same during the whole flight, so that the horizon never
+// turns over.
 TEST(Level, IsTheNearestAxisOfABox)
 {
     Path path = round("box");
@@ -50,7 +52,7 @@ TEST(Level, IsTheNearestAxisOfABox)
 TEST(Level, IsTakenSlowly)
 {
     Path path = round("bulb");
-    // Upside down in the second half.
+    // In the second half the camera is upside down.
     for (std::size_t i = 900; i < 1800; ++i) path.frames[i] = rolled(path.frames[i], std::numbers::pi);
     Path turned = path;
     hold_level(turned.frames, *path.scene.fractal);
@@ -70,7 +72,7 @@ TEST(Level, NeedsNoHorizonStraightUp)
     EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
-// Rolling a camera by its tilt makes it level.
+// If a camera is rolled by its tilt, it is level.
 TEST(Level, IsWhereItsTiltLeads)
 {
     const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};

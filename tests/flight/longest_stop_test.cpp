@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The longest time that a camera stands still: the result of a plain search, with work proportional to the frames.
+// The longest time that a camera stands still. The result equals that of an exhaustive search, with an amount of work
+// that is proportional to the number of frames.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -30,7 +31,7 @@ TEST(Standing, IsWhatAPlainSearchFinds)
         std::vector<double> radii;
         const double step = draw(0.5);
         while (places.size() < 2 + random() % 200) {
-            // Sometimes the camera stands still, jumps, or comes back.
+            // At random, the camera stands still, jumps, comes back to an earlier place, or moves on.
             const Vector last = places.back();
             const auto what = random() % 8;
             places.push_back(what == 0   ? places[random() % places.size()]
@@ -55,7 +56,7 @@ TEST(Standing, TakesWorkThatGrowsWithTheFrames)
         for (std::size_t i = 0; i < length; ++i) places.push_back(place(i));
         return longest_stand(places, radii).distances;
     };
-    // Always still, mostly still with jumps, moving, moving slowly.
+    // Cameras that always stand still, mostly stand still but jump, move, and move slowly.
     EXPECT_LT(work([](std::size_t) { return Vector{1, 2, 3}; }), 4 * length);
     EXPECT_LT(work([](std::size_t i) { return Vector{i % 20'001 == 20'000 ? 2.0 : 0.0, 0, 0}; }), 4 * length);
     EXPECT_LT(work([](std::size_t i) { return Vector{0.3 * static_cast<double>(i), 0, 0}; }), 4 * length);

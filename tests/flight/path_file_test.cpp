@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Invalid path files: each gives one line with the place and the fault.
+// Invalid path files give an error of one line, with the place and the fault.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -34,7 +34,7 @@ std::string refusal(const std::string& changed)
     return "accepted";
 }
 
-// Replaces `from` in a path file and checks the message.
+// Replaces `from` by `to` in a valid path file, and checks the error message.
 void says(const std::string& from, const std::string& to, const std::string& message)
 {
     const std::string said = refusal(with(from, to));
@@ -55,7 +55,7 @@ TEST(PathFile, SaysWhatIsWrong)
     says("{\"location\"", "{{\"location\"", "JSON");
 }
 
-// Older files do not name the estimate: they were planned with the original one.
+// Older path files do not name an estimate: they were planned with the original estimate.
 TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
@@ -101,7 +101,7 @@ TEST(PathFile, KeepsItsRate)
     }
 }
 
-// Deep nesting must not exhaust the stack, and messages must not quote megabytes.
+// A path file may contain anything: deep nesting must not exhaust the stack, and messages must not quote megabytes.
 TEST(PathFile, MayBeAnything)
 {
     const std::string deep(300'000, '[');

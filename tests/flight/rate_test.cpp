@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight at another frame rate is the same flight, with the same promises per second.
+// At another frame rate a flight is the same, and keeps the same promises, which are given per second.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST_P(Rates, ThePlacesAreThoseOfTheFlight)
     for (int i = 0; i < frames; ++i) {
         const Frame wanted = on_circle(a_frame * i * frames_per_second / rate);
         const Frame& found = other.frames[static_cast<std::size_t>(i)];
-        // A natural spline has zero curvature at its ends, where it deviates more.
+        // At its ends a natural spline has no curvature, so it deviates more there.
         const double most = i < rate / 2 || i > frames - rate / 2 ? 1e-4 : 1e-8;
         EXPECT_LT(length(found.eye - wanted.eye), most) << i;
         EXPECT_LT(length(found.target - wanted.target), most) << i;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film killed at random moments and resumed equals the undisturbed film, and
-# no finished segment is rendered twice. Also: a full disk, a missing or failing encoder, and array jobs.
+# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film that is killed at random moments and resumed equals the undisturbed
+# film, and no finished segment is rendered twice. Also tests a full disk, a missing or failing encoder, and array jobs.
 set -uo pipefail
 program=$(realpath "$1")
 kills=$2
@@ -44,7 +44,7 @@ PY
 says "0 of $segments segments"
 grep -q '"seconds_per_frame": null' summary.json || fail "a film that was there has seconds a frame"
 
-# Kills the film at pseudo-random moments; a film that was complete before is started again.
+# Kills flythrough at pseudo-random moments. If the film is complete before the kill, it is started again.
 hits=0
 RANDOM=7
 for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
@@ -67,7 +67,7 @@ done
 "$program" render path.json $small --output killed.mp4 2>stderr || fail "after $kills kills: $(cat stderr)"
 cmp whole.mp4 killed.mp4 || fail "the film killed $kills times is another one"
 
-# Array jobs at the same time, then the join.
+# Two array jobs render different segments at the same time; then the film is joined.
 "$program" render path.json $small --output array.mp4 --segments 0-2 2>stderr0 &
 "$program" render path.json $small --output array.mp4 --segments 3-$((segments - 1)) 2>stderr || fail "the other segments: $(cat stderr)"
 wait %1 || fail "segments 0-2: $(cat stderr0)"
@@ -76,7 +76,7 @@ says 'not joined'
 says "0 of $segments segments"
 cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
 
-# A full disk, simulated by a limit on file sizes; then there is space again.
+# The disk, simulated by a limit on file sizes, is full; then there is space again.
 (ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
 [ $? = 1 ] || fail "a full disk gives another exit code than 1"
 [ "$(wc -l <stderr)" -le 3 ] || fail "a full disk says too much: $(cat stderr)"
@@ -98,7 +98,7 @@ says 'an incomplete file'
 "$program" render path.json $small --output half.mp4 2>stderr || fail "after half a file: $(cat stderr)"
 cmp whole.mp4 half.mp4 || fail "the film after half a file is another one"
 
-# A missing and a failing encoder, before the first frame.
+# A missing encoder and a failing one are detected before the first frame.
 MANDELMARCH_FFMPEG=/nowhere/ffmpeg "$program" render path.json $small --output none.mp4 2>stderr
 [ $? = 1 ] || fail "a missing ffmpeg gives another exit code than 1"
 says '/nowhere/ffmpeg'
@@ -107,7 +107,7 @@ MANDELMARCH_FFMPEG=false "$program" render path.json $small --output none.mp4 2>
 says 'does not work'
 [ -e none.mp4.parts ] && fail "work was begun without an encoder"
 
-# Several ranks, if mpirun exists and the program is linked with MPI.
+# Several MPI ranks, if mpirun exists and the program is linked with MPI.
 if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     for ranks in 1 2 4; do

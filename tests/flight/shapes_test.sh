@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before planning, from any input.
+# shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before planning, whatever input they
+# come from.
 set -uo pipefail
 program=$(realpath "$1")
 source=$2
@@ -13,7 +14,7 @@ fail() {
     failures=$((failures + 1))
 }
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 500 stderr)"; }
-# Expects exit code 2, one line on stderr, and no file.
+# refused ARGUMENT...: expects exit code 2, one line on stderr, and no output file.
 refused() {
     timeout 30 "$program" "$@" --output new.json >stdout 2>stderr </dev/null
     [ $? = 2 ] || fail "not refused: $*: $(head -c 300 stderr)"
@@ -37,16 +38,16 @@ for power in 0.5 1 1.1 1.2; do
     refused plan --frames 120 --power "$power"
     refused plan --frames 120 --power "8:$power"
 done
-# A number on the command line replaces the file's.
+# A number on the command line replaces that of the parameter file.
 timeout 60 "$program" plan --frames 120 --params p.dat --power 8 --output new.json >stdout 2>stderr || fail "$(cat stderr)"
 rm -f new.json
-# A Mandelbox's file read as a Mandelbulb's: a warning about the file, and the refusal.
+# If a Mandelbox's file is read as a Mandelbulb's, there is a warning about the file before the shape is refused.
 timeout 30 "$program" plan --frames 120 --params "$source/paramsBox.dat" --output new.json >stdout 2>stderr
 [ $? = 2 ] || fail "paramsBox.dat for a Mandelbulb: $(cat stderr)"
 says 'warning: these comments suit a mandelbox'
 says 'with power 1 cannot be flown through'
 
-# The message names what is missing and what helps, in the same words for every seed.
+# If no flight is found, the message says what is missing and what helps, in the same words for every seed.
 for seed in 1 2; do
     timeout 100 "$program" plan --fractal julia --params "$source/paramsJulia.dat" --frames 120 --seed $seed \
         --output new.json >stdout 2>stderr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter of films with one sample per pixel.
+// The filter that softens films with one sample per pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 Image black(int width, int height) { return {width, height, Image::Layers::bytes}; }
 
-// Row 0 of an image is its bottom row; the result begins at the top.
+// Row 0 of an image is its bottom row; the filtered picture begins with the top row.
 TEST(Softened, TakesATenthOfEachNeighbour)
 {
     Image picture = black(3, 3);
@@ -24,7 +24,7 @@ TEST(Softened, TakesATenthOfEachNeighbour)
             EXPECT_EQ(rgb[3 * i], 0);
         }
     }
-    // Negative control: top and bottom are not exchanged.
+    // The bottom row is the last one of the result: top and bottom are not exchanged.
     Image bottom = black(1, 2);
     bottom.bytes()[0] = 100;
     EXPECT_EQ(softened(bottom, 1), (std::vector<std::uint8_t>{10, 0, 0, 90, 0, 0}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of every fractal: its kernel source and its descriptor agree. A separate build runs these tests with the
-// tests' fractal.
+// Properties that every fractal must have; they show whether its kernel source and its descriptor agree. A separate
+// build runs these tests with the fractal tests/fractals/sierpinski.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -51,7 +51,7 @@ TEST_P(EveryFractal, IsFoundByItsNames)
     EXPECT_EQ(&fractal_named(fractal().short_name), &fractal());
 }
 
-// Random scenes are valid as parameter files.
+// Random scenes have values within the ranges of parameter files.
 TEST_P(EveryFractal, DrawsScenesInItsRanges)
 {
     for (const Scene& scene : scenes()) {
@@ -61,14 +61,14 @@ TEST_P(EveryFractal, DrawsScenesInItsRanges)
     EXPECT_NE(to_parameters(extreme_scene(fractal(), 1, 0)), to_parameters(extreme_scene(fractal(), 1, 1)));
 }
 
-// The gradient belongs to the estimate: normals from differences give nearly the same picture.
+// The gradient is that of the estimate: with normals from finite differences the picture is nearly the same.
 TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
     EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "normal")), most_off);
 }
 
-// Negative control: slightly different light is detected.
+// Negative control: the comparison detects slightly different light.
 TEST_P(EveryFractal, OtherLightIsFoundOut)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
@@ -77,7 +77,7 @@ TEST_P(EveryFractal, OtherLightIsFoundOut)
     EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "normal")), most_off);
 }
 
-// The hull cuts off no surface.
+// The hull does not cut off any surface: exact pictures with and without it are the same.
 TEST_P(EveryFractal, HullChangesNoPicture)
 {
     for (const Scene& scene : scenes()) {
@@ -85,7 +85,8 @@ TEST_P(EveryFractal, HullChangesNoPicture)
     }
 }
 
-// Far outside the flight's bounds there is no surface, and the estimate does not exceed the distance to the centre.
+// Far outside the bounds that flights use there is no surface, and the estimate is not larger than the distance to the
+// centre.
 TEST_P(EveryFractal, BodyHoldsTheFractal)
 {
     const DistanceField field(official_scene(fractal(), 16, 9), 1);
@@ -98,7 +99,7 @@ TEST_P(EveryFractal, BodyHoldsTheFractal)
     }
 }
 
-// Points that are equivalent by symmetry have the same distance.
+// At points that are equivalent by the fractal's symmetry, the estimates are the same.
 TEST_P(EveryFractal, SymmetricPlacesAreAsFar)
 {
     const DistanceField field(official_scene(fractal(), 16, 9), 1);

@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 python() { python3 -c "import json, sys; data = json.load(open(sys.argv[1])); $2" "$1"; }
 
-# The parameter file from its descriptor.
+# Copies the official parameter file from the fractal's descriptor.
 sed -n '/R"dat(/,/^)dat"/p' "$2/$name.cpp" | sed -e 's/.*R"dat(//' -e '/^)dat"/d' >"$name.dat"
 
 echo "render draws it"

@@ -31,7 +31,7 @@ FractalConstants<Number> constants(const FractalInputs<Number>& of)
     return {.values = {scale, scale - 1, of.escape * of.escape, radius}};
 }
 
-// An iteration maps |z| to at least s |z| - (s - 1) radius, so that DE >= |p| - radius.
+// After an iteration |z| is at least s |z| - (s - 1) radius. Therefore the estimate is at least |p| - radius.
 double hull(const Scene&, const ViewLimits& view)
 {
     return view.slope < 1 ? (radius + view.slope * view.distance) / (1 - view.slope) : 0;
@@ -41,7 +41,7 @@ std::optional<Bounds> body(const Scene&) { return Bounds{Bounds::Shape::sphere, 
 
 double growth(const Scene& scene) { return scene.shape[0]; }
 
-// Larger scales leave dust, which other step sizes hit elsewhere.
+// With larger scales the fractal is dust; where rays hit it depends on their step sizes.
 void random_shape(Scene& scene, SceneRandom& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
 
 void extreme_shape(Scene& scene, SceneRandom& chance)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 5, of the tests: Sierpinski's tetrahedron as a kaleidoscopic system (Knighty, Fractal Forums,
-// 2010), z -> s fold(z) - (s - 1) (1, 1, 1). Distances are only scaled by s, so the estimate is a lower bound.
+// Kernel source, part 5, for tests: Sierpinski's tetrahedron as a kaleidoscopic iterated function system (Knighty,
+// Fractal Forums, 2010), z -> s fold(z) - (s - 1) (1, 1, 1). Folds do not increase distances, and the rest of the map
+// multiplies them by s, so the estimate is a lower bound.
 
 FN scalar sierpinski_scale(Scene scene) { return scene.fractal[0]; }
 FN scalar sierpinski_offset(Scene scene) { return scene.fractal[1]; }   // s - 1
 FN scalar sierpinski_escape2(Scene scene) { return scene.fractal[2]; }  // escape radius^2
-FN scalar sierpinski_radius(Scene scene) { return scene.fractal[3]; }   // of the sphere through its corners
+FN scalar sierpinski_radius(Scene scene) { return scene.fractal[3]; }   // radius of the sphere through the corners
 
-// Mirrors points below the plane a + b = 0.
+// Mirror v in the planes x + y = 0, x + z = 0 and y + z = 0, in the lanes of `on`.
 FN vec3 mirrored_xy(mask on, vec3 v) { return pick3(on, vec3(-v.y, -v.x, v.z), v); }
 FN vec3 mirrored_xz(mask on, vec3 v) { return pick3(on, vec3(-v.z, v.y, -v.x), v); }
 FN vec3 mirrored_yz(mask on, vec3 v) { return pick3(on, vec3(v.x, -v.z, -v.y), v); }
@@ -26,10 +27,11 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
     return vec3(s * f.x - c, s * f.y - c, s * f.z - c);
 }
 
-// |z|^2, limited from below so that its terms cannot be flushed to zero.
+// Returns |z|^2, but at least 1e-30.
 FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
-// The part of a ray that can meet the surface; the descriptor proves the sphere.
+// Returns the part of a ray that can meet the surface: the part in a sphere. Its radius is computed, with a proof, in
+// the descriptor (sierpinski.cpp).
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -51,8 +53,8 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// The gradient of the estimate up to a positive factor, by forward differentiation along the three axes: only mirrors
-// turn them.
+// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes,
+// whose directions are changed by the mirrors only.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
@@ -84,10 +86,10 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     return vec3(dot3(z, x), dot3(z, y), dot3(z, w));
 }
 
-// The fraction of light absorbed by haze over a distance t: half at about the fractal's size.
+// Returns the fraction of light that haze absorbs over a distance t: a half at 3, about the fractal's size.
 FN real haze(real t) { return quotient(t, t + R(3.0)); }
 
-// The orbit's smallest distances from the planes x = 1 and y = z and from the middle, for colours.
+// Returns the orbit's smallest distances from the planes x = 1 and y = z, and its smallest |z|^2, for colours.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a parameter file give a scene within its ranges, or an InputError in one line.
+// libFuzzer: any bytes as a parameter file give a scene whose values are in their ranges, or an InputError of one line.
 #include <cmath>
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every model gives the bits of the scalar kernel in pictures of every shape, and reports its device and work.
+// Every programming model gives the bits of the scalar kernel in pictures of every shape, and reports its device and
+// work.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -46,7 +47,7 @@ double seconds_of(clockid_t clock)
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Returns the processor seconds of all threads but this one, including ended ones.
+// Returns the processor seconds of all threads except this one, including threads that have ended.
 double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 TEST_P(Models, ExactHasTheBitsOfTheScalarText)
@@ -60,7 +61,7 @@ TEST_P(Models, ExactHasTheBitsOfTheScalarText)
     }
 }
 
-// A loop that runs on one thread would give the right picture, too.
+// A model that reports several threads must use them: a loop that runs on one thread would give the right picture, too.
 TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
 {
     const auto renderer = model.create({.precision = precision});
@@ -76,7 +77,7 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
     }
 }
 
-// Negative control: another mode has other bits.
+// Negative control: the comparison detects that the bits of fast mode differ from those of exact mode.
 TEST_P(Models, FastDiffersFromExactAndIsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -125,7 +126,7 @@ TEST_P(Models, HaveAPeak)
 {
     const auto peak = model.multiply_add_peak({.precision = precision});
     ASSERT_TRUE(peak.has_value());
-    EXPECT_GT(*peak, 1e8);  // operations per second; a smaller value would be in another unit
+    EXPECT_GT(*peak, 1e8);  // operations per second; a smaller value must be in a wrong unit
 }
 
 std::vector<std::string> names()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenACC's devices: GPUs, and the host, which is not reported as a GPU. Pictures are tested in tests/models.
+// OpenACC's devices are the GPUs and the host, which must not be reported as a GPU. Pictures are tested in
+// tests/models.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"

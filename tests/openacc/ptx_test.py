@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_test.py text|assemble PROGRAM FRACTAL...: the PTX in a built program follows the floating-point policy, and ptxas
-compiles it without spills. Each check has mutants that must fail. Exit code 77: no pinned ptxas."""
+"""ptx_test.py text|assemble PROGRAM FRACTAL...: text: the PTX in a built program follows the floating-point policy.
+assemble: ptxas compiles it without spilling registers. Each check has mutants that must fail. Exit code 77: the pinned
+ptxas is missing."""
 import os
 import re
 import sys
@@ -12,8 +13,9 @@ import k40  # noqa: E402
 import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
-# Max registers, by the kernel's kind and precision. They allow 9, 5, 6, 3 and 16 blocks of 128 threads on a
-# multiprocessor of the K40, and 7, 5, 5, 3 and 16 on one of the H100.
+# Maximum of registers per thread, by the kernel's kind and precision. With these, a multiprocessor of the K40 can hold
+# 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128 threads at once,
+# one of the H100 7, 5, 5, 3 or 16.
 MOST_REGISTERS = {
     "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},
@@ -45,7 +47,8 @@ ld.f32 %r7,[%r8];
 
 
 def check_expected():
-    """Checks predicted times: the loops of a march, the cycles of their instructions, and the longest ray."""
+    """Returns faults in the prediction of times: the loops of a march, the cycles of their instructions, and the
+    longest ray."""
     found = []
     march = machine_code.march_of(machine_code.ptx(LOOPS, {("div", "f32"): 8}), {"double": 20})
     if march != (20, 3, 11, 3, False):

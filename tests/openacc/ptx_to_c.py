@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Translates the instructions that gcc's nvptx compiler writes for this project's kernels to C, so that the PTX itself
-can run, one thread after the other, on a machine without a GPU. Unknown instructions are errors."""
+"""Translates PTX to C, for the instructions that gcc's nvptx compiler writes for this project's kernels. So the PTX
+itself can run on a machine without a GPU, one thread after the other. Unknown instructions are errors."""
 import re
 
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
@@ -34,7 +34,7 @@ class Kernel:
                 self.types[declared[2]] = declared[1]
 
     def value(self, operand, kind):
-        """Returns an operand as a number of this kind."""
+        """Returns the C expression of an operand, as a number of this kind."""
         operand = operand.strip()
         if operand in SPECIAL:
             return SPECIAL[operand]

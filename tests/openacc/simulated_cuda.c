@@ -9,8 +9,8 @@
 //   SIMULATED_BLOCKS      1: blocks may have other sizes than 128 threads
 //   SIMULATED_WATCHED     1: a watchdog ends long kernels
 //   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
-//   SIMULATED_FAULT       launch, lost or timeout: fault of the first kernel; link: gcc's kernels do not link; version:
-//                         the PTX is of a newer version
+//   SIMULATED_FAULT       launch, lost or timeout: the first kernel fails in this way; link: gcc's kernels do not link;
+//                         version: the PTX has a version that the driver does not support
 #include "kernels.h"
 
 #include <stdio.h>

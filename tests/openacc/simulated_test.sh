@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# simulated_test.sh BIN SOURCE COMPILER PYTHON: the programs on a simulated GPU (simulated_cuda.c), which runs the PTX
-# from the program: its pictures have the bits of the scalar kernel, several GPUs can be selected, and a failing GPU
-# gives one line and the right exit code.
+# simulated_test.sh BIN SOURCE COMPILER PYTHON: runs the programs on a simulated GPU (simulated_cuda.c), which runs the
+# PTX in the program. Its pictures must have the bits of the scalar kernel, several GPUs can be selected, and a failing
+# GPU must give one line and the right exit code.
 set -uo pipefail
 bin=$1
 here=$2/tests/openacc
@@ -55,7 +55,7 @@ ${build/-I. /-Itwin } twin/libcuda.so.1 || fail "building the twin"
 LD_LIBRARY_PATH=$folder/twin $draw --backend openacc --output twin.exr || fail "the twin does not draw"
 "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
 
-# Several GPUs, followed by the host.
+# Devices 0 to 2 are the simulated GPUs, device 3 is the host.
 export SIMULATED_GPUS=3
 expect 0 0 '' --backend openacc --device 2 --output a.png --stats a.json
 grep -q '"name": "Simulated K40 number 2"' a.json || fail "--device 2 chose $(grep name a.json)"
@@ -64,8 +64,8 @@ expect 77 1 'there is no device 4, only 0 to 3' --backend openacc --device 4 --o
 unset SIMULATED_GPUS
 expect 0 1 '^backend openacc: openacc has the GPU Simulated K40 number 0' --output a.png
 
-# `kernel` is the GPU's own time, `host` the wall time around it: each of three kernels takes a second of the GPU.
-# Negative control: without a clock, both are the host's time.
+# In the stats, `kernel` is the time by the GPU's clock, 3 s as each of three kernels takes a simulated second, and
+# `host` is the wall time around it. Negative control: if the GPU has no clock, both are wall times.
 seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
 expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 [ "$(seconds kernel)" = 3.0 ] || fail "kernel is $(seconds kernel) s, not the GPU's 3"
@@ -73,14 +73,15 @@ expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 SIMULATED_CLOCK=0 expect 0 0 '' --backend openacc --mode exact --output a.png --stats a.json
 [ "$(seconds kernel)" != 3.0 ] || fail "kernel is 3 s without a clock"
 
-# A picture of 2^19 pixels is one launch, and two if a watchdog ends long ones.
+# The picture has slightly more than 2^19 pixels, so it is rendered in two bands; if a watchdog ends long launches, in
+# three. Each of the bands takes three launches of a second.
 large() { "$bin/mandelbulb" paramsBulb.dat --size 750x700 --backend openacc --mode fast --precision float --without trial --output a.png --stats a.json; }
 large || fail "a picture of 2^19 pixels"
 [ "$(seconds kernel)" = 6.0 ] || fail "kernel is $(seconds kernel) s, not that of two launches"
 SIMULATED_WATCHED=1 large || fail "a picture under a watchdog"
 [ "$(seconds kernel)" = 9.0 ] || fail "kernel is $(seconds kernel) s, not that of three launches under a watchdog"
 
-# On these failures, gcc's run-time library ends the device process, with its own message.
+# On these failures, gcc's run-time library prints its own message and ends the device process.
 SIMULATED_FAULT=launch expect 1 1 'last words: libgomp: cuLaunchKernel error' --backend openacc --output b.png
 SIMULATED_FAULT=lost expect 1 1 'last words: libgomp: .*unspecified launch failure' --backend openacc --output b.png
 SIMULATED_FAULT=timeout expect 1 1 'last words: libgomp: .*launch timed out' --backend openacc --output b.png

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# faults_test.sh BIN SHIM ROOT: faulty devices give one clear line and the right exit code, leave no picture, and do not
-# hang; devices with limited features give the same picture.
+# faults_test.sh BIN SHIM ROOT: on OpenCL devices with faults, programs print one clear line, exit with the right code,
+# leave no picture and do not hang. Devices with limited features give the same picture.
 set -uo pipefail
 bin=$1
 shim=$2
@@ -61,8 +61,8 @@ fails none 77 "there is no device 9" --device 9
 fails none 2 "no vector length" --pack 3
 same none --precision float
 same no-double --precision float
-same inexact --precision float  # division and square root in double
-differs inexact-liar --precision float  # negative control: inexact division is visible if it is trusted
+same inexact --precision float  # division and square root are computed in double
+differs inexact-liar --precision float  # negative control: a device that hides its inexact division gives other bits
 size=300x200
 same small-buffers --precision double  # in bands
 same small-buffers --precision float

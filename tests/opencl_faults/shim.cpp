@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded before libOpenCL: adds a fault to a device, selected by MANDELMARCH_FAULT. All other calls go to the real
-// driver.
+// A library that is preloaded before libOpenCL and adds a fault to a device; MANDELMARCH_FAULT selects the fault. Calls
+// that the fault does not affect go to the real driver.
 #include <CL/cl.h>
 #include <dlfcn.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using mandelmarch::drivers::driver_faults;
 
-// Also used as a separate driver, opened by the loader.
+// This library is also used as a driver of its own, which the loader opens.
 __attribute__((constructor)) void load() { driver_faults("load"); }
 
 bool fault(std::string_view name)
@@ -41,7 +41,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
     driver_faults("launch");
     if (fault("dies")) return CL_OUT_OF_RESOURCES;
     if (fault("hangs")) {
-        // An event that never completes.
+        // Return an event that never completes.
         cl_context context = nullptr;
         clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof(context), &context, nullptr);
         cl_int error = CL_SUCCESS;
@@ -69,7 +69,8 @@ cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* d
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
 
-// A device whose float division is about a unit off in the last place, whether it reports that ("inexact") or not.
+// Simulates a device whose float division is about a unit off in the last place. With the fault "inexact" the device
+// reports that, with "inexact-liar" it does not.
 cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings, const size_t* lengths,
                                      cl_int* error)
 {
@@ -84,7 +85,7 @@ cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const ch
     return create(context, 1, &begin, nullptr, error);
 }
 
-// The picture's planes are mapped for reading.
+// Called when the picture is mapped for reading.
 void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, cl_map_flags flags, size_t offset,
                          size_t size, cl_uint waits, const cl_event* wait, cl_event* event, cl_int* error)
 {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# bundle_test.sh BUILD SOURCE: a bundle without drivers is complete, runs from any folder and gives the build's bits.
+# bundle_test.sh BUILD SOURCE: a bundle made without drivers is complete, runs from any folder, and renders pictures
+# with the same bits as the build.
 set -uo pipefail
 build=$(realpath "$1")
 source=$(realpath "$2")
@@ -8,13 +9,13 @@ command -v patchelf >/dev/null || { echo "no patchelf, which makes bundles"; exi
 . "$source/tests/failures.sh"
 cmake --build "$build" --target bundle_program >"$folder/log" 2>&1 || { tail "$folder/log"; exit 1; }
 ARCHIVE=no "$source/packaging/bundle" "$build" "$folder/made" OFF >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
-# Move it away from where it was made.
+# Move the bundle to another folder than the one it was made in.
 mkdir "$folder/else where"
 mv "$folder"/made/* "$folder/else where/bundle"
 bundle="$folder/else where/bundle"
 in_bundle() { (cd "$folder" && env -i PATH=/usr/bin:/bin "$bundle/bin/$1" "${@:2}"); }
 
-# All libraries except glibc's are inside, by relative paths.
+# outside: prints the libraries that are found outside the bundle, except glibc's. There must be none.
 outside() {
     env -i ldd "$bundle/bin/mandelmarch" | grep -vF "$bundle/" |
         grep -vE 'linux-vdso|/ld-linux|/lib(c|m|dl|pthread|rt)\.so|^\s*$'
@@ -39,7 +40,7 @@ done >"$folder/bad"
 grep -qE 'glibc 2\.[0-9]+ or newer' "$bundle/README.md" || fail "README.md does not say which glibc it wants"
 grep -q '@' "$bundle/README.md" && fail "README.md: $(grep -m1 '@' "$bundle/README.md")"
 
-# Programs start by their names and by the first argument, and give the build's bits.
+# Each program starts by its own name and as `mandelmarch PROGRAM`. Pictures have the same bits as those of the build.
 for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
     in_bundle $program --version >/dev/null || fail "$program does not start"
     in_bundle mandelmarch $program --version >/dev/null || fail "mandelmarch $program does not start"
@@ -53,11 +54,12 @@ in_bundle imgdiff a.exr b.exr >/dev/null || fail "other bits than the build's"
 in_bundle bench --backend openmp --fractal box --precision float --size 32x24 --repetitions 2 --launches 2 --json bench.json \
     >/dev/null 2>"$folder/stderr" || fail "bench: $(cat "$folder/stderr")"
 in_bundle demo --side 16 >/dev/null 2>&1 || fail "demo"
-# Without ffmpeg one line reports that.
+# If there is no ffmpeg, one line on stderr says so.
 (cd "$folder" && env -i PATH=/nowhere "$bundle/bin/flythrough" film --frames 30 --size 64x36 --output film.mp4) 2>"$folder/stderr"
 [ $? = 1 ] && [ "$(grep -c ffmpeg "$folder/stderr")" = 1 ] || fail "without ffmpeg: $(cat "$folder/stderr")"
 
-# Negative control: without one of its libraries it does not start, so the machine's own were not used.
+# Negative control: without one of the bundle's libraries the programs miss it, so they do not use the machine's
+# library.
 mv "$bundle/lib/libOpenEXR"* "$folder/"
 [ -n "$(outside)" ] || fail "a library that is away is not missed"
 finish

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # gpu_check_test.sh BUILD SOURCE COMPILER PYTHON: packaging/gpu_check on a simulated GPU
-# (tests/openacc/simulated_cuda.c), PoCL and lavapipe, with small pictures: a broken backend, a step that hangs and
-# wrong bits do not stop other steps, results are packed after each step, and tools/gpu_results.py makes a page of them.
+# (tests/openacc/simulated_cuda.c), PoCL and lavapipe, with small pictures. A broken backend, a step that hangs and
+# wrong bits must not stop other steps. Results are packed after each step, and tools/gpu_results.py makes a page from
+# them.
 set -uo pipefail
 source=$(realpath "$2")
 . "$source/tests/failures.sh"
@@ -21,7 +22,8 @@ chmod +x hanging
 check() { gpu-check/gpu_check "$@" >out 2>&1; }
 results() { tar -xOzf "$1/results.tgz" "results/$2"; }
 
-# gpu-quarter's steps with gpu-hour's limits, as the machine may be busy. gcc's kernels do not link, and ffmpeg hangs.
+# Runs the steps of gpu-quarter with the longer time limits of gpu-hour, as this machine may be busy. Two faults are
+# simulated: gcc's kernels do not link, and ffmpeg hangs.
 quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
 SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$folder/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
 [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
@@ -38,7 +40,7 @@ grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody 
 results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
 pgrep -f "$folder/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-# The page of results.
+# The page that tools/gpu_results.py makes from the results.
 reader="$4 -B $source/tools/gpu_results.py"
 $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
 in=$(echo read/rehearsal-*)
@@ -51,14 +53,14 @@ $reader bin/render read >page 2>&1 && fail "a file that is no result is read"
 [ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
 [ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
 
-# Negative control: with other hashes, bits differ. Only the named steps run.
+# Negative control: the expected hashes are changed, so that bits differ. Only the named steps run.
 sed -i 's/^./x/' gpu-check/gpu_check.sha256
 check bin out-bits cuda && fail "other bits are not seen"
 grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
 [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
 cp "$source"/packaging/gpu_check.sha256 gpu-check
 
-# A second run resumes with the steps that have not passed; when stopped, it leaves no process.
+# A second run executes only the steps that have not passed yet. If it is stopped, no process remains.
 BACKENDS=vulkan check --work kept bin out-kept facts vulkan || fail "two steps: $(cat out)"
 BACKENDS=vulkan gpu-check/gpu_check --work kept bin out-kept >out 2>&1 &
 for _ in $(seq 300); do grep -q '^t-vk' out && break; sleep 0.1; done

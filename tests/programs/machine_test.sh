@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# machine_test.sh BIN SOURCE: programs respect the cores of their affinity mask, OpenMP's variables, and the memory and
-# processor time of their control group. Control groups are tested if this user can create them.
+# machine_test.sh BIN SOURCE: programs use only the cores in their affinity mask, follow OpenMP's variables, and respect
+# the limits of memory and processor time of their control group. Control groups are tested if this user can create
+# them.
 set -uo pipefail
 bin=$(realpath "$1")
 source=$2
@@ -25,7 +26,7 @@ first=${all%%[,-]*}
 given=$(nproc)
 box=("$bin/render" --fractal box "$source/paramsBox.dat" --size 64x64 --output p.png --stats s.json)
 
-# threads EXPECTED COMMAND...: runs the command and expects this value of `threads` in its statistics.
+# threads EXPECTED COMMAND...: runs the command and expects this value of `threads` in its stats.
 threads() {
     local expected=$1 got
     shift
@@ -42,7 +43,8 @@ threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp
 threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp --threads 3
 threads 2 "${box[@]}" --backend openmp --threads 2
 threads "$given" env OMP_PROC_BIND=true "${box[@]}" --backend openmp
-# Size of the team that rendered, as reported by OpenMP: under load it may be smaller.
+# With OMP_DYNAMIC, OpenMP may use fewer threads under load. The stats must contain the size of the team that OpenMP
+# reports.
 team=$(OMP_DYNAMIC=true OMP_DISPLAY_AFFINITY=TRUE OMP_AFFINITY_FORMAT='team of %N' "${box[@]}" --backend openmp 2>&1 |
     sed -n 's/.*team of \([0-9]*\).*/\1/p' | sort -n | tail -1)
 grep -q "\"threads\": ${team:-1}\b" s.json || fail "a team of ${team:-1} and $(grep threads s.json)"
@@ -56,7 +58,7 @@ line=$("$bin/demo" --side 16 2>/dev/null | head -1)
 line=$(taskset -c "$first" "$bin/demo" --side 16 2>/dev/null | head -1)
 [[ $line = *", 1 threads" ]] || fail "demo on one core says $line"
 
-# Binding OpenMP's threads binds nothing else: all other threads, and the device processes, may run on all cores.
+# OMP_PROC_BIND binds OpenMP's threads only: all other threads, and the device processes, may run on all cores.
 free_of_places() {
     local seconds=0 bound
     OMP_PROC_BIND=true "$@" >/dev/null 2>stderr &
@@ -82,7 +84,7 @@ if [ "$given" -gt 1 ]; then
     free_of_places "$bin/flythrough" plan q.json --frames 60 --backend openmp
 fi
 
-# An option that a backend does not support is an error; auto selects a backend that supports it.
+# If a backend does not support a given option, this is an error. With `auto`, a backend that supports it is selected.
 refused() {
     "$@" >/dev/null 2>stderr
     [ $? = 2 ] && grep -q 'not supported by backend .*, expected one of .*openmp' stderr || fail "not refused: $*: $(cat stderr)"
@@ -95,7 +97,7 @@ for backend in opencl vulkan; do
 done
 threads 1 "${box[@]}" --threads 1
 
-# Control groups of version 1 or 2, if they can be created.
+# group CONTROLLER: creates a control group of version 1 or 2, if this is permitted.
 group() {
     local controller=$1 parent=/sys/fs/cgroup
     [ -d $parent/"$controller" ] && parent=$parent/$controller
@@ -114,7 +116,7 @@ else
     echo "no group with a quota can be made here"
 fi
 if group memory && { echo $((700 << 20)) >"$made/memory.limit_in_bytes" || echo $((700 << 20)) >"$made/memory.max"; } 2>/dev/null; then
-    # Fills the group with page cache; read twice, it is on the kernel's list of active pages.
+    # Fills the group's memory with page cache. Files that were read twice are on the kernel's list of active pages.
     inside "$made" sh -c 'head -c 800M /dev/zero >big; sync big; cat big big >/dev/null'
     inside "$made" "${box[@]}" --backend openmp 2>stderr || fail "a full page cache: $(cat stderr)"
     inside "$made" "$bin/render" --fractal box "$source/paramsBox.dat" --output p.png --size 16000x16000 2>stderr && fail "more memory than the group has"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# programs_test.sh BIN SOURCE: the programs from outside: exit codes, messages, output files.
+# programs_test.sh BIN SOURCE: runs the programs and checks exit codes, messages and output files.
 set -uo pipefail
 bin=$1
 source=$2
@@ -36,7 +36,7 @@ says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 s
 
 small="--size 40x30 --backend openmp"
 
-# Pictures and their defaults.
+# Pictures, and the defaults of options.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small
 [ -f imageBulb.bmp ] || fail "the file named in the parameter file is missing"
 expect 0 "$bin/mandelbox" paramsBox.dat $small
@@ -69,7 +69,7 @@ sed 's/^imageBulb.bmp/-/' paramsBulb.dat >dash.dat
 expect 0 cmp piped.bmp a.bmp
 [ -e ./- ] && fail "a file called - is made"
 
-# Several samples per pixel smooth jagged edges: the flat background stays, and edges take values in between.
+# With several samples per pixel, the background keeps its colour, and pixels at edges get colours in between.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 3 --output fine.png
 expect 1 "$bin/imgdiff" fine.png a.png
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --samples 1 --output fine.png
@@ -84,7 +84,8 @@ done
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
 says 'expected sides of up to'
 
-# A region equals that part of the whole picture, which may be larger than any picture that can be rendered whole.
+# A picture of a region equals that part of the whole picture. The whole picture may be larger than any picture that can
+# be rendered at once.
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 0,0,40,30 --output region.exr
 expect 0 "$bin/imgdiff" region.exr a.exr
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --region 5,10,20x10 --output region.ppm
@@ -117,7 +118,7 @@ expect 2 "$bin/imgdiff" a.bmp paramsBox.dat
 expect 2 "$bin/imgdiff" a.bmp
 expect 2 "$bin/imgdiff" a.bmp a.bmp --map map.exr
 
-# A ray's trace: no picture, and imgdiff prints a command that runs.
+# --trace prints the steps of a ray and writes no picture. imgdiff prints a command with --trace, which must work.
 rm -f traced.png
 expect 1 "$bin/imgdiff" a.bmp image.bmp
 traced=$(sed -n 's/^why: bin\/render --fractal FRACTAL PARAMS.dat \(--size 40x30 --pixel [0-9]*,[0-9]* --trace\),.*/\1/p' stdout)
@@ -144,7 +145,7 @@ for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"thre
     grep -q "$text" stats.json || fail "statistics without $text"
 done
 
-# A scene finer than float's precision: one line warns of it, and the statistics record how it was rendered.
+# A scene that is too fine for float: one line warns of this, and the stats say how the scene was rendered.
 sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
      s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
 expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
@@ -155,7 +156,7 @@ expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fa
 grep -q '"stride": 0\.95' stats.json || fail "statistics without the steps"
 grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 
-# The version is one line and equals that in CITATION.cff. Sanitizer builds have no bench.
+# --version prints one line, with the version in CITATION.cff. Sanitizer builds have no bench.
 version=$(sed -n 's/^version: //p' "$source/CITATION.cff")
 for program in render mandelbulb mandelbox imgdiff demo bench flythrough; do
     [ -x "$bin/$program" ] || continue
@@ -186,7 +187,7 @@ expect 2 "$bin/render" --fractal sponge paramsBulb.dat
 expect 0 "$bin/mandelbulb" --help
 grep -q 'bytes per pixel' stdout || fail "--help gives no memory figure"
 
-# Wrong parameter files: the message starts with the place.
+# Wrong parameter files: the message begins with the file's name and the line.
 expect 2 "$bin/mandelbulb" missing.dat
 says '^missing.dat:1: .*expected'
 expect 2 "$bin/mandelbulb" .
@@ -203,7 +204,7 @@ head -c 9000000 /dev/zero >zeros.dat
 expect 2 "$bin/mandelbulb" zeros.dat
 says '^zeros.dat:'
 
-# Messages explain units, comments and super-sampling.
+# Messages about parameter files explain units, comments and super-sampling.
 awk '!/^#/ && NF == 1 && !done { print 60; done = 1; next } { print }' paramsBulb.dat >degrees.dat
 expect 2 "$bin/mandelbulb" degrees.dat
 says "field of view, in units of 65 degrees, is '60', expected"
@@ -222,7 +223,7 @@ for number in 0 1; do
     cmp -s one.png four.png && fail "super-sampling changes nothing"
 done
 
-# Wrong outputs, reported before anything is rendered.
+# Wrong output files are reported before anything is rendered.
 sed 's/^imageBulb.bmp/image/' paramsBulb.dat >noending.dat
 expect 2 "$bin/mandelbulb" noending.dat $small
 sed 's/^imageBulb.bmp/image.tiff/' paramsBulb.dat >unknown.dat
@@ -244,7 +245,7 @@ mkdir gone
 (cd gone && rmdir ../gone && "$bin/mandelbulb" "$folder/paramsBulb.dat" $small --output a.bmp 2>"$folder/stderr")
 [ $? = 2 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
 
-# One file for two purposes.
+# A file must not be used for two purposes.
 cp again.bmp twice.bmp
 ln -s twice.bmp link.bmp
 ln twice.bmp hard.bmp
@@ -261,7 +262,7 @@ expect 0 cmp twice.bmp again.bmp
 expect 0 cmp parameters.bmp paramsBulb.dat
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/null --stats /dev/null
 
-# Messages that cannot be written are ignored; results that cannot be written are a failure.
+# If a message cannot be written, this is ignored. If a result cannot be written, the program fails.
 awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >warning.dat
 expect 0 "$bin/mandelbulb" warning.dat $small --output kept.bmp
 says 'warning: '
@@ -281,7 +282,7 @@ for command in "imgdiff a.bmp a.bmp" "imgdiff a.bmp a.bmp --json" "imgdiff --hel
 done
 expect 2 bash -c "'$bin/mandelbulb' paramsBulb.dat $small --output /dev/stdout >&-"
 
-# Names with control characters and long values stay in one short line.
+# Names with control characters, and long values, are printed in one short line.
 odd=$'a\n\e[31m'
 cp warning.dat "$odd.dat"
 expect 0 "$bin/mandelbulb" "$odd.dat" $small --output a.png
@@ -298,7 +299,7 @@ expect 1 "$bin/imgdiff" "$odd.bmp" a.bmp
 expect 2 "$bin/mandelbulb" paramsBulb.dat --size "$(head -c 100000 /dev/zero | tr '\0' 7)"
 [ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
 
-# A signal in the middle of a picture leaves no file, and the exit status is the signal's.
+# A signal while a picture is rendered ends the program by that signal, and no file remains.
 sed '0,/^[^#]/s/^[^#].*/90 90 90/' paramsBulb.dat >far.dat
 for signal in INT TERM HUP; do
     env --default-signal=INT,TERM,HUP "$bin/mandelbulb" far.dat --size 3000x3000 --backend openmp --output signal.png \
@@ -313,7 +314,7 @@ for signal in INT TERM HUP; do
     [ -z "$(find . -name '.mandelmarch-*' -o -name signal.png)" ] || fail "$signal leaves $(ls -A)"
 done
 
-# Full disks, simulated by device and by limit.
+# Full disks, simulated by /dev/full and by a limit on file sizes.
 expect 1 "$bin/mandelbulb" paramsBulb.dat $small --output /dev/full
 says 'No space left'
 cp a.bmp kept.bmp

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""readme_test.py BIN SOURCE: every command in README's shell blocks works as written, in a folder with the built
-programs."""
+"""readme_test.py BIN SOURCE: every command in the README's shell blocks works as it is written, in a folder that
+contains the built programs."""
 import glob
 import os
 import re
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 BIN, SOURCE = (os.path.abspath(path) for path in sys.argv[1:3])
-# Commands that do not run here, with the reason; the make targets must exist.
+# Commands that this test does not run, and why. Their make targets must exist.
 NOT_RUN = {
     "make demo": "builds, and times every backend",
     "make test": "is what runs this test",

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# survey_test.sh BIN SOURCE: render warns of pictures that are empty or wrong, and rejects scenes that cannot give a
-# picture.
+# survey_test.sh BIN SOURCE: render warns if a picture is empty or wrong, and rejects scenes that cannot give a picture.
 set -uo pipefail
 bin=$(realpath "$1")
 source=$2
@@ -26,7 +25,8 @@ run() {
 }
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(cat stderr)"; }
 stats() { grep -Eq -- "$1" s.json || fail "the statistics do not say '$1': $(grep -A8 survey s.json)"; }
-# change FILE NUMBER VALUES NUMBER VALUES ... >new: replaces these lines of values in a parameter file.
+# change FILE NUMBER VALUES NUMBER VALUES ...: prints a parameter file in which the NUMBER-th line of values is replaced
+# by VALUES.
 change() {
     local file=$1
     shift
@@ -43,7 +43,7 @@ for fractal in Bulb Box Julia; do
     done
 done
 
-# Another fractal's parameter file.
+# The parameter file belongs to another fractal.
 run 0 bulb paramsBox.dat
 says '^paramsBox.dat:[0-9]+: warning: these comments suit a mandelbox better than a mandelbulb'
 run 2 box paramsBulb.dat
@@ -55,7 +55,7 @@ change paramsBulb.dat 7 "0 2 2.5" | grep -v '#' >other.dat
 run 0 bulb other.dat
 ! grep -q suit stderr || fail "a Mandelbulb of power 2.5: $(cat stderr)"
 
-# Nothing in view.
+# There is nothing in view.
 change paramsBox.dat 1 "14000 8000 10000" >far.dat
 run 0 box far.dat
 says 'nothing was hit'
@@ -65,12 +65,13 @@ run 0 bulb away.dat
 says 'nothing was hit'
 run 0 box paramsBox.dat --eyes 1e5
 says 'nothing was hit'
-# A picture with only a sliver in view gives no warning.
+# If only a small part of the fractal is in view, there is no warning.
 change paramsBulb.dat 1 "3 .65 .5" 4 2.7 >near.dat
 run 0 bulb near.dat
 ! grep -q 'nothing' stderr || fail "a picture: $(cat stderr)"
 
-# Inside the solid all rays end at once: an error if the picture has one colour, else a warning.
+# If the camera is inside the solid, all rays end at once. This is an error if the picture has one colour, else a
+# warning.
 change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
 run 2 bulb inside.dat
 says '^inside.dat: the camera is inside the solid'
@@ -80,17 +81,17 @@ run 0 box inside.dat
 says 'the camera is inside the solid'
 stats '"in_solid": true'
 
-# A detail level below the resolution of both precisions.
+# A detail level that is too fine for float and for double.
 change paramsBox.dat 6 "-20" >fine.dat
 run 0 box fine.dat
 says '[0-9]+ % of the rays ran out of their 8000 steps'
 stats '"out_of_steps": 0\.[0-9]*[1-9]'
 
-# Too near to the Mandelbulb's surface for float, at two distances, in exact and fast mode.
+# The camera is too near to the Mandelbulb's surface for float: two distances, in exact and fast mode.
 for depth in 1e-6 1e-7; do
     python3 - $depth >deep.dat <<'PY'
 import math, sys
-# A point just outside the surface of the Mandelbulb of power 8, found by the escape of orbits.
+# Finds a point just outside the surface of the Mandelbulb of power 8, by testing which orbits escape.
 def escapes(r0, toward):
     place = [r0 * c for c in toward]
     x, y, z = place
@@ -101,7 +102,7 @@ def escapes(r0, toward):
         r = r ** 8
         x, y, z = r * math.sin(t) * math.cos(p) + place[0], r * math.sin(t) * math.sin(p) + place[1], r * math.cos(t) + place[2]
     return False
-# Choose a line on which the distance to the surface grows at once.
+# Choose a ray from the centre on which the distance to the surface grows as soon as the ray leaves it.
 for turn in range(100):
     toward = (math.cos(0.2 + turn / 100) * 0.987, math.sin(0.2 + turn / 100) * 0.987, 0.161)
     r = 1.2
@@ -125,7 +126,7 @@ PY
     done
 done
 
-# All directions: 360 by 180 degrees.
+# Panoramas of all directions, 360 by 180 degrees.
 panorama() {
     "$bin/render" --fractal bulb paramsBulb.dat --projection equirectangular "$@" --output p.png 2>stderr
 }

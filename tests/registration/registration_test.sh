@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# registration_test.sh BIN SOURCE PYTHON: programs get a backend through its line in the list alone. With the skeleton's
-# line they support it; built from the same sources without it they reject its name.
+# registration_test.sh BIN SOURCE PYTHON: a line in the list of backends is all that programs need to support a backend.
+# Programs with the skeleton's line support it; the same sources, built without that line, reject its name.
 set -euo pipefail
 bin=$1
 source=$2
@@ -23,7 +23,8 @@ scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
 "$bin/render_with_skeleton" --list-devices | grep -q '^skeleton *0: skeleton' || fail "its device is not listed"
 "$bin/render_with_skeleton" --list-devices | grep -q '^openmp *0: ' || fail "openmp is not listed"
 
-# The same bits; in fast mode after a trial, as for every backend but the reference.
+# The skeleton's pictures have the expected bits. In fast mode there is a trial first, as for every backend but the
+# reference.
 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --output skeleton.exr --stats skeleton.json
 "$bin/render" "${scene[@]}" --backend openmp --pack 1 --output openmp.exr
 "$bin/imgdiff" skeleton.exr openmp.exr >/dev/null || fail "the skeleton draws other bits"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """front_numbers.py PAGE RESULTS: computes every number of the front page again, from the raw samples, counts and tables
-of the result files. It shares no code with the report and does not use the page's places: the sentences below define
-each number. A number without a sentence is a fault, and so is a sentence missing on the page. Exit codes: 0 success, 1
-faults."""
+of the result files. It shares no code with the report and does not use the places that the page names. Instead, the
+sentences below define each number. A number on the page that is in none of these sentences is a fault; so is a sentence
+that is missing on the page. Exit codes: 0 success, 1 faults."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.3
 
 
 def text_of(page: str) -> str:
-    """Returns the text of the front page, without its figure."""
+    """Returns the text of the front page, without its diagram."""
     page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
 
 
 def two_sided(t: float, freedom: int) -> float:
-    """Returns Student's t, from Abramowitz and Stegun's finite sums, 26.7.3 and 26.7.4."""
+    """Returns the two-sided p-value of Student's t, from Abramowitz and Stegun's finite sums, 26.7.3 and 26.7.4."""
     angle = math.atan(t / math.sqrt(freedom))
     term, total = (1.0, 1.0) if freedom % 2 == 0 else (math.cos(angle), math.cos(angle))
     for k in range(2 if freedom % 2 == 0 else 3, freedom, 2):
@@ -41,7 +41,8 @@ def two_sided(t: float, freedom: int) -> float:
 
 
 class Times:
-    """A value and its interval: Student's t on the logarithms of several runs' values, widened to contain the value."""
+    """A value and its interval. The interval is computed with Student's t from the logarithms of several runs' values,
+    and widened to contain the value."""
 
     def __init__(self, value: float, launches: list[float]):
         logs = [math.log(one) for one in launches]
@@ -73,13 +74,13 @@ class File:
         return Times(statistics.median(sum(launches, [])), [statistics.median(one) for one in launches])
 
     def speed(self, name: str, base: str) -> Times:
-        """Returns the speed over `base`, in wall time."""
+        """Returns the speed-up over the row `base`, in wall time."""
         own, other = self.launches(name, "wall"), self.launches(base, "wall")
         ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
         return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
 
     def ratio(self, above: str, below: str) -> Times:
-        """Returns the ratio of kernel times, paired by round."""
+        """Returns the ratio of the kernel times of two rows, paired by round."""
         a, b = ({(s["launch"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
         launches: dict[int, list[float]] = {}
         for at in [at for at in a if at in b]:
@@ -99,8 +100,8 @@ def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", po
 
 
 def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
-    """Returns for each model with the scalar kernel: speed per thread over the scalar kernel, times, and factor for
-    threads."""
+    """Returns, for each model that uses the scalar kernel, three values for each of its rows: the speed-up over openmp's
+    scalar kernel with equal numbers of threads, the speed-up as measured, and the ratio of the two."""
     found: dict[str, list[tuple[float, Times, float]]] = {}
     for model in ("stdpar", "omptarget", "kokkos", "openacc"):
         for row in file.rows.values():
@@ -118,13 +119,13 @@ def ends(speeds: list[tuple[float, Times, float]]) -> list[float]:
 
 
 def comparisons(file: File) -> dict[str, Times]:
-    """Returns every other backend's kernel time over openmp's."""
+    """Returns every other backend's kernel time divided by openmp's."""
     rows = [row for row in file.rows.values() if row["samples"] and row["backend"] not in ("openmp", "reference")]
     return {row["name"]: file.ratio(row["name"], name_of(row["fractal"], row["precision"], row["mode"])) for row in rows}
 
 
 def decided(times: list[Times]) -> int:
-    """Counts the values above 1, with Holm's correction."""
+    """Returns how many of the values are significantly above 1, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -138,8 +139,9 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
 
 @functools.cache
 def sentences(folder: Path) -> list[tuple[str, list[float]]]:
-    """Returns the sentences of the page for these results: `#` stands for a number, `~` for one with its interval. The
-    names of cases also follow from the results."""
+    """Returns the sentences that the page must contain for these results, and their numbers. `#` stands for a number,
+    `~` for a number with its interval. The names of configurations in the sentences are computed from the results,
+    too."""
     main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)
     exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
@@ -229,7 +231,8 @@ def is_written(text: str, value: float) -> bool:
 
 
 def faults(page: str, folder: Path) -> list[str]:
-    """Returns sentences missing on the page, wrong numbers, and numbers without a sentence."""
+    """Returns a line for each sentence that is missing on the page, each wrong number, and each number in no
+    sentence."""
     text, found = text_of(page), []
     for name in names(folder):
         text = text.replace(name, "*" * len(name))
@@ -248,7 +251,7 @@ def faults(page: str, folder: Path) -> list[str]:
 
 
 def names(folder: Path) -> list[str]:
-    """Returns names with digits, of machines, files and other things."""
+    """Returns names on the page that contain digits: of machines, files and devices."""
     cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
     machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
     return [*machines, "bench.json", "Tesla K40"]

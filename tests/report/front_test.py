@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every number in the front page's sentences equals the value at the file and place it names, computed again from the
-raw samples. Each check must fail on a wrong page or file."""
+"""Every number in the sentences of the front page names a file and a place in it. The number must equal the value
+there, computed again from the raw samples. Each check must fail on a wrong page or file."""
 
 from __future__ import annotations
 
@@ -26,12 +26,13 @@ from mandelreport.sections import Material  # noqa: E402
 
 # Read once, as checking the schemas takes seconds.
 READ = read_results(ROOT / "report" / "results")
-# Student's t, by degrees of freedom.
+# 97.5th percentiles of Student's t, by degrees of freedom.
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 
 class Sentences(html.parser.HTMLParser):
-    """Numbers in elements of class traced: `traced` those with a place, `loose` digits without one."""
+    """Numbers in the page's elements of class `traced`. traced: numbers that name a place; loose: texts with digits
+    that do not."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -76,8 +77,8 @@ def matches(entry: Any, condition: str) -> bool:
 
 
 def numbers_at(data: Any, path: str) -> list[float]:
-    """Returns the values at a place of a file; medians and intervals of rows come from the row's samples, not from its
-    figures."""
+    """Returns the values at a place in a file. Medians and intervals of rows are computed from the rows' samples, not
+    taken from their `figures`."""
     if isinstance(data, str):
         begin, _, index = path.rpartition(":")
         lines = [line.split() for line in data.splitlines()]
@@ -109,7 +110,8 @@ def interval_of(launches: list[list[float]], middle: float | None = None) -> tup
 
 
 def again(stored: Any, step: str, up: list[Any]) -> Any:
-    """Returns the stored value, or the one computed from the samples. Intervals of one run are taken as stored."""
+    """Returns the value of a step in a place's path: computed from the samples if possible, else as stored. Intervals
+    of a single run are taken as stored."""
     row = next((e for e in up if isinstance(e, dict) and "samples" in e), None)
     entry = next((e for e in up if isinstance(e, dict) and "numerator" in e), None)
     if step == "kernel_seconds" and row is not None:
@@ -164,7 +166,7 @@ def written(value: float, style: str) -> str:
 
 
 def faults(page: str, files: dict[str, Any]) -> list[str]:
-    """Returns numbers without a place, and numbers that differ from the value at their place."""
+    """Returns a line for each number that does not name a place, or differs from the value at its place."""
     sentences = Sentences(page)
     found = [f"no place: {text.strip()}" for text in sentences.loose]
     for values, text in sentences.traced:
@@ -241,7 +243,7 @@ class FrontTest(unittest.TestCase):
 
 
 class MainTest(unittest.TestCase):
-    """The main part's sentences about results: answers, and notes on figures."""
+    """The sentences about results in the main part of the report: answers, and notes on diagrams."""
 
     @classmethod
     def setUpClass(cls) -> None:

@@ -128,7 +128,8 @@ def count(fractal: str, iterations: int, view: str = "official") -> dict[str, An
 
 
 def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> dict[str, Any]:
-    """Returns a complete result: both fractals, precisions and modes on two backends, unless rows are given."""
+    """Returns a complete result, with the given rows or, by default, both fractals, precisions and modes on two
+    backends."""
     made = (
         rows
         if rows is not None
@@ -253,7 +254,7 @@ def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
 
 
 def write(folder: Path, files: dict[str, Any]) -> Path:
-    """Writes each value as JSON, or text unchanged."""
+    """Writes each file into the folder: text unchanged, other values as JSON. Returns the folder."""
     for name, data in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -6,7 +6,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-# Draws a grey picture; vulkan differs in one pixel, opencl is not available, and another backend may fail.
+# A fake render: writes a grey picture, in which one pixel differs for vulkan. opencl is not available, and another
+# backend may fail.
 RENDER = f"""#!{sys.executable}
 import json, os, sys
 from PIL import Image

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Costs of models, decided comparisons, verdicts and the metric's zeros, on synthetic results."""
+"""Costs of programming models, significant comparisons, verdicts, and zeros of the portability metric, on synthetic
+results."""
 
 from __future__ import annotations
 
@@ -66,7 +67,7 @@ class VerdictTest(unittest.TestCase):
 
 
 class HolmTest(unittest.TestCase):
-    """Ratios of five runs, each with its own error."""
+    """Holm's correction of ratios from five runs, each with its own error."""
 
     def data(self, *ratios: list[float]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
         def samples(values: list[float]) -> list[dict[str, Any]]:
@@ -91,7 +92,7 @@ class HolmTest(unittest.TestCase):
 
 
 class PortabilityTest(unittest.TestCase):
-    """A zero is for a backend that was selected and did not run."""
+    """The portability is zero only for a backend that was selected and did not run."""
 
     def entries(self) -> list[dict[str, Any]]:
         def entry(application: str, *seconds: float | None) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front page from outside: front_numbers.py computes each number again, printed factors multiply to the printed
-product, and the winner named on the page follows from the CSV alone. Each check must also fail on a wrong page or
+"""Checks of the finished front page: front_numbers.py computes each number again, the product of the printed factors is
+the printed product, and the CSV alone gives the winner that the page names. Each check must fail on a wrong page or
 number."""
 
 from __future__ import annotations
@@ -73,8 +73,8 @@ class NumbersTest(unittest.TestCase):
 
 
 class FactorsTest(unittest.TestCase):
-    """Factors behind the slower fractal: DE evaluations x iterations x operations, on the front page and in both
-    precisions of the section."""
+    """The factors that explain why one fractal is slower: DE evaluations x iterations x operations. They are on the
+    front page and, for both precisions, in the section `why`."""
 
     def test_printed_factors_multiply_to_the_printed_product(self) -> None:
         found = FACTORS.findall(text_of(FRONT)) + FACTORS.findall(text_of(sections_of(MATERIAL, ["why"])))

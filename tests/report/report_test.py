@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report from outside: its program on synthetic result files. Each important check must also fail on broken
-input."""
+"""Runs the report's program on synthetic result files and checks the page. Each important check must also fail on
+broken input."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from mandelreport.sections import gpu  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
-    """Pictures without a description, and everything that a page would load from elsewhere."""
+    """Finds faults of a page: pictures without a description, and everything that it would load from elsewhere."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -113,11 +113,12 @@ class ReportTest(unittest.TestCase):
             re.findall(r'<section id="(\w+)"', page),
             ["front", *(name for name, _ in [*MAIN, *APPENDIX])],
         )
-        # Numbers from the files: 0.1 s of the first row, its interval, 1.17 degrees, 0.25 s per frame, the revision.
+        # Values from the files: the first row's 0.1 s and its interval, 1.17 degrees, 0.25 s per frame, the revision, a
+        # backend.
         for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
-        self.assertIn(">0.12 – 0.99<", page)  # of two sets
-        # The code convergence; a race, in which a wrong picture has no time.
+        self.assertIn(">0.12 – 0.99<", page)  # range over two sets of random scenes
+        # The code convergence, and a race, in whose table a program with a wrong picture has no time.
         self.assertIn("a convergence of 0.568", page)
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[411 – 502\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
@@ -126,11 +127,11 @@ class ReportTest(unittest.TestCase):
         self.assertIn("same bits", page)
         self.assertIn("1 px, 1 visibly, max 10", page)
         self.assertIn("backend opencl: not here", page)
-        # The same files give the same bytes, in another folder and with another order of Python's sets.
+        # The same files give the same page, byte for byte, in another folder and with another order of Python's sets.
         again = self.make(made.everything(), "bin", seed="1", output="again", results="elsewhere")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(page, self.page("again"))
-        # Another number gives another page.
+        # If a number in the files is changed, the page is another one.
         changed = made.everything()
         changed["bench.json"]["rows"][0]["figures"]["kernel_seconds"]["median"] = 0.7654
         self.make(changed, "bin", output="changed", results="changed")
@@ -177,17 +178,17 @@ class ReportTest(unittest.TestCase):
             return {name: style.look(backends.number_of(name))["facecolor"] for name in backends.names}
 
         self.assertEqual(looks(of(registered)), colours | {"reference": style.SKY})
-        # A new line in the registry gets a new colour; the others keep theirs.
+        # A new backend in the registry gets a new colour; the others keep theirs.
         more = of([*registered, "skeleton"])
         self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
-        # A backend that is not in the registry has no number.
+        # A backend that is not in the registry gets the next number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
-        # More series than colours are still distinguishable, in bars and in lines.
+        # If there are more series than colours, they are still distinguishable, in bars and in lines.
         many = [f"backend{number}" for number in range(40)]
         for kind in style.look, style.line:
             self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
-        # Roles decide, if a result states them, not names.
+        # If a result states the roles of backends, the roles are used, not the names.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
@@ -210,7 +211,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(Faults(self.page()).found, [])
 
     def test_bad_files(self) -> None:
-        # Files of one test stay in its folder and are read by name: each one below comes before the broken ones.
+        # Files stay in the folder during the test and are read in the order of their names. So each broken file below
+        # must come before the ones that are already there.
         self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version 2", "expected 1")
         cut_off = made.random_scenes()
         del cut_off["sums"][0]["sets"]

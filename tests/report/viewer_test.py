@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""viewer_test.py RENDER: the report's viewer computes the same values as RENDER's programs, including odd parameters.
+"""viewer_test.py RENDER: the report's viewer computes the same values as the program RENDER, also for odd parameters.
 
-The formulas printed by --list-fractals --json give the values printed by --print-scene. So does camera.js as a whole,
-if node is installed. A value changed on one side only is detected."""
+The formulas printed by --list-fractals --json give the values printed by --print-scene. If node is installed, camera.js
+is run, too, and must give the same values. Negative controls: a value that is changed on one side only is detected."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from mandelreport import fractal_table  # noqa: E402
 CAMERA = ROOT / "report" / "viewer" / "camera.js"
 CLOSE = {"float": 1e-6, "double": 1e-14}  # relative: one or two roundings
 LARGEST = {"float": 1e37, "double": 1e300}
-# In addition to the official scene: the numbers of line 7, and the last one of line 8.
+# Parameters that are tested in addition to the official scene's: the numbers of line 7, and the last number of line 8.
 ODD = {
     "mandelbulb": [[0, 4, 3, 0], [0, 4, 2.5, 0], [0, 6, 8.5, 0], [0, 1e6, 40, 0]],
     "mandelbox": [[-1.5, 0.5, 1, 100], [3.1, 0.7, 0.6, 30], [2, 0.25, 1.5, 1e6]],
@@ -53,7 +53,7 @@ def parameters(scene: dict) -> str:
 
 
 def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) -> dict:
-    """Returns the values that follow from the formulas."""
+    """Returns the fields of a scene, computed from the formulas of --list-fractals."""
     inputs = {name: scene[name] for name in ("shape", "escape", "iterations")} | {"largest": LARGEST[precision], "conservative": 0}
     value = lambda text: float(eval(text, {"__builtins__": {}}, FUNCTIONS | inputs))  # pylint: disable=eval-used
     plain = rules["plain_step_factor"]
@@ -70,7 +70,7 @@ def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) ->
 
 
 def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
-    """Returns camera.js's own fields."""
+    """Returns the fields of a scene as camera.js computes them."""
     script = CAMERA.read_text(encoding="utf-8") + f"""
         const table = {fractal_table.script(table)}, scene = fromParameters({json.dumps(text)});
         const fields = sceneFields(table, {json.dumps(name)}, scene, new Camera(scene), ...scene.size, {json.dumps(fast)},
@@ -116,12 +116,12 @@ def main() -> int:
                         compared += 1
                         if precision == "float" and node:
                             ours = by_camera(table, row["name"], parameters(scene), fast)
-                            # Fields that differ on purpose: the picture is the same without the hull, and float uses no
-                            # differences.
+                            # These fields differ on purpose: the viewer's picture is the same without the hull, and in
+                            # float normals are not computed from differences.
                             for name in ("hull", "difference_step"):
                                 del ours[name]
                             wrong += [f"{where}: camera.js: {name}" for name in differing(ours, printed, close)]
-                    # Negative controls: one constant, the step factor, or the root share of another program.
+                    # Negative controls: a constant, the step factor or the root share is changed.
                     twins = [
                         ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
                         ("root_share", row | {"root_share": 1.5 * row["root_share"]}),

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""figures_test.py: marked places of documents are filled from result files, and stale ones are detected."""
+"""figures_test.py: tools/figures.py fills marked places of documents from result files, and detects places whose
+contents are out of date."""
 import copy
 import json
 import os
@@ -52,7 +53,7 @@ class FiguresTest(unittest.TestCase):
             json.dump(data, file)
 
     def figures(self, text, *options):
-        """Returns exit code, stderr and the document afterwards."""
+        """Runs tools/figures.py on a document. Returns the exit code, stderr and the changed document."""
         path = os.path.join(self.folder, "page.md")
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)

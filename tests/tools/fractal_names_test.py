@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""No code branches on a fractal's name: such strings occur only in the fractal's files, in tests, and in the files
-listed here."""
+"""No code branches on a fractal's name: strings with such names occur only in the fractal's files, in tests, and in the
+files listed in ALLOWED."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def names() -> set[str]:
 
 
 def strings(text: str) -> set[str]:
-    """Returns strings in quotes, outside comments, and names after MM_FRACTAL_."""
+    """Returns the words that are in quotes outside comments, and the names after MM_FRACTAL_."""
     code = re.sub(r"//.*", "", text)
     return set(re.findall(r'"(\w+)"', code)) | set(re.findall(r"\bMM_FRACTAL_(\w+)", code))
 
@@ -61,7 +61,7 @@ class FractalNames(unittest.TestCase):
         self.assertEqual({file: here for file, here in files_with_names().items() if file not in ALLOWED}, {})
 
     def test_the_check_finds_names(self) -> None:
-        """Negative control: permitted names are found."""
+        """Negative control: names in permitted files are found."""
         self.assertIn("backends/reference/reference.cpp", files_with_names())
         self.assertEqual(strings('if (name == "julia") return;  // not "bulb"'), {"julia"})
         self.assertEqual(strings("#if defined(MM_FRACTAL_julia)"), {"julia"})

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Includes between folders go down only, in the order of LAYERS. A folder stands for its subfolders that are not listed."""
+"""Sources include only files of lower layers, in the order of LAYERS. A listed folder includes its subfolders, unless
+they are listed themselves."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# Folders of one level do not include each other.
+# From the lowest layer to the highest. Folders of one layer must not include files of each other.
 LAYERS = [
     ["core/kernel"],
     ["core/base"],

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""loop_mix_test.py: the path around a loop, and the kinds of its instructions. Each check has a negative control."""
+"""loop_mix_test.py: tools/loop_mix.py finds the path around a loop and the kinds of its instructions. Each check has a
+negative control."""
 import os
 import sys
 import unittest
@@ -9,7 +10,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import loop_mix  # noqa: E402
 
-# From 0x14 the official path goes through 0x20; the one through 0x18 has no reciprocal, the one through 0x30 is longer.
+# A loop that begins at 0x14. The official scene takes the path through 0x20. The path through 0x18 has no reciprocal,
+# and the path through 0x30 is longer.
 CODE = [
     (0x10, "vmovaps %zmm1,%zmm2"),
     (0x14, "vfmadd213ps %zmm1,%zmm2,%zmm3{%k1}"),
@@ -32,7 +34,7 @@ class LoopMixTest(unittest.TestCase):
     def test_the_shortest_way_that_has_the_marks(self) -> None:
         way = loop_mix.loop(CODE, {"vrcp14": 1})
         self.assertEqual([text.split()[0] for text in way], ["vfmadd213ps", "je", "jne", "vrcp14ps", "vaddps", "jmp"])
-        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marks the shorter path is found
+        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marked instructions the shorter path is found
         longer = loop_mix.loop(CODE, {"vrcp14": 1, "vmulp": 3})
         self.assertEqual(sum(text.startswith("vmulps") for text in longer), 3)
 

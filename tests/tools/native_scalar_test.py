@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""native_scalar_test.py: the ratio of two programs' user times, and the message if there is no build."""
+"""native_scalar_test.py: tools/native_scalar.py computes the ratio of two programs' user times, and reports a missing
+build."""
 import os
 import random
 import subprocess
@@ -18,8 +19,8 @@ CASE = ("mandelbulb", "double", "exact")
 
 class NativeScalarTest(unittest.TestCase):
     def ratio(self, factor):
-        """Returns the ratio of synthetic times: the second program takes `factor` of the first one's, each with an
-        error of 1 %."""
+        """Returns the computed ratio for synthetic times. The second program's times are `factor` times the first
+        one's; each time has an error of 1 %."""
         noise = random.Random(1)
 
         def seconds(program, _):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""path_csv_test.py: a path converted to a table and back, and to Blender's cameras and back, is unchanged."""
+"""path_csv_test.py: a path is unchanged if it is converted to a table and back, or to Blender's cameras and back."""
 import json
 import math
 import os
@@ -112,7 +112,7 @@ class TableTest(unittest.TestCase):
         self.assertEqual(self.run_tool("export", "missing.json", "x.csv").returncode, 2)
 
 
-# The part of Blender's interface that the script uses.
+# Fakes of those parts of Blender's interface that the script uses.
 class Camera:
     def __init__(self):
         self.matrix_world = None
@@ -150,7 +150,7 @@ class BlenderTest(unittest.TestCase):
             gaze = blender_path.unit(blender_path.minus(was["look_at"], was["location"]))
             for a, b in zip(blender_path.unit(blender_path.minus(now["look_at"], now["location"])), gaze):
                 self.assertAlmostEqual(a, b, places=12)
-            # A camera's up is perpendicular to its gaze, in the plane of the path's up and gaze.
+            # The camera's up vector is perpendicular to its gaze, in the plane of the path's up vector and gaze.
             self.assertAlmostEqual(sum(a * b for a, b in zip(now["up"], gaze)), 0, places=12)
             self.assertGreater(sum(a * b for a, b in zip(now["up"], was["up"])), 0)
             self.assertEqual(now["brightness"], was["brightness"])

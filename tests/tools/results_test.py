@@ -12,7 +12,8 @@ LIST = """a.json 1 2 bench --launches {launches} --json {}
 b.txt 1 1 KIND=second bench print
 c.json 1 1 bench --json {}
 """
-# Prints its version; else records its call, fails if told to, and writes the requested output.
+# A fake bench: --version prints its version. Other calls are recorded, fail if the file `fails` matches them, and write
+# the requested output.
 BENCH = """#!/bin/sh
 if [ "$1" = --version ]; then echo "bench 0.1.0 ($(cat {folder}/built))"; exit; fi
 echo "$KIND $*" >> {folder}/calls
@@ -24,7 +25,7 @@ CLEAN, DIRTY = ('{"environment": {"git": {"dirty": %s}}}' % dirty for dirty in (
 
 
 def running(pid):
-    """Returns true unless the process has ended; a zombie has ended."""
+    """Returns true if the process has not ended; a zombie counts as ended."""
     try:
         with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
             return file.read().rpartition(") ")[2][0] != "Z"
@@ -80,7 +81,7 @@ class ResultsTest(unittest.TestCase):
         code, said = self.results()
         self.assertEqual(code, 0, said)
         self.assertEqual(self.text("output/a.json"), CLEAN)
-        # Negative control: the same code from another program is a failure.
+        # Negative control: the same exit code is a failure if it is not expected for this command.
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
 

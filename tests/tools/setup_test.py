@@ -17,7 +17,7 @@ class SetupTest(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = scratch.name
-        # dpkg-query finds nothing; apt-get has nothing to install, either.
+        # Fake programs: dpkg-query finds no package, and apt-get has none to install.
         for name in ("apt-get", "dpkg-query", "apt-cache", "sudo"):
             path = os.path.join(self.folder, name)
             with open(path, "w", encoding="utf-8") as file:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp fills subtiles whose rays all miss the hull; the bytes must be the same as with a test of every ray.
+// openmp fills a subtile without marching if all its rays miss the hull. The bytes must be the same as if the hull were
+// tested for every ray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ struct Drawn {
     openmp::WorkCounts spent;
 };
 
-// Renders the bytes of a picture with the best variant, and with `share` of its block hull (0: every ray is tested).
+// Renders the bytes of a picture with the best variant. The hull that is tested for whole subtiles is scaled by
+// `share`; 0: the hull is tested for every ray instead.
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
@@ -33,7 +35,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
     const Band band{.first_row = 0, .rows = scene.height};
     openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});
-    canvas.cones = false;  // they start at the block hull, which changes the samples
+    canvas.cones = false;  // cones start at the block hull, so that scaling it would change the samples
     canvas.block_hull *= static_cast<Real>(share);
     openmp::TileQueue queue(scene.width, band, 1);
     openmp::TileQueue::Share tiles{queue};
@@ -68,7 +70,8 @@ TEST(BlockHull, PaintsWhatNoRayHits)
     expect_same<double>(Mode::exact);
 }
 
-// Negative control: 0.9 of the hull cuts edges off, which shows that subtiles are filled.
+// Negative control: a block hull of 0.9 of its size cuts off edges of the fractal, which shows that subtiles are
+// filled.
 TEST(BlockHull, TooSmallCutsEdges)
 {
     for (const Mode mode : {Mode::fast, Mode::exact}) {

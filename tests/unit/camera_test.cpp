@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras that the original program lacks: all directions, two eyes.
+// Cameras that the original program does not have: panoramas of all directions, and two eyes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Scene all_directions(int width, int height)
     return scene;
 }
 
-// The reference computes directions independently.
+// The reference has its own computation of directions. Both must give the same picture.
 TEST(AllDirections, AreTheReferencesOwn)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -41,7 +41,8 @@ TEST(AllDirections, AreTheReferencesOwn)
     }
 }
 
-// The target is in the middle of the picture; a quarter of the width further right is the camera's right.
+// The middle column of the picture looks at the target; the column a quarter of the width further right looks to the
+// camera's right.
 TEST(AllDirections, TurnWithTheColumns)
 {
     Scene scene = all_directions(64, 32);
@@ -59,7 +60,8 @@ TEST(AllDirections, TurnWithTheColumns)
     EXPECT_TRUE(std::isinf(depth(aside, 32, 16)));
 }
 
-// Fast mode's techniques that use pixel distances support this camera: the picture is the canonical one.
+// Some optimisations of fast mode use the distance between pixels. They must support this camera: the picture must be
+// the canonical one.
 TEST(AllDirections, FastDrawsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -89,7 +91,7 @@ protected:
         return image;
     }
 
-    // Returns the mean column of hits in one half.
+    // Returns the mean column of the hits in one half of the picture.
     static double middle(const Image& image, int side)
     {
         const int half = image.width() / 2;
@@ -121,7 +123,8 @@ TEST_F(TwoEyes, EachHasTheBitsOfItsOwnPicture)
     }
 }
 
-// Points nearer than the screen appear further right to the left eye, farther ones further left.
+// A point that is nearer than the screen is further right in the left eye's picture than in the right eye's; a point
+// behind the screen is further left.
 TEST_F(TwoEyes, SeeNearThingsCrossed)
 {
     const double distance = 3;
@@ -140,7 +143,7 @@ TEST_F(TwoEyes, NeedAnEvenWholePicture)
     EXPECT_THROW(drawn(0.1), InputError);
 }
 
-// Eyes that do not turn with the direction would see no parallax to the side.
+// In a panorama the two eyes turn with the direction. If they did not, there would be no parallax to the side.
 TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
 {
     scene.width = 1440;
@@ -154,7 +157,7 @@ TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
     }
 }
 
-// In exact mode, so that a pixel does not depend on its strip.
+// Exact mode is used because in fast mode a pixel may depend on the strip that it is rendered in.
 TEST_F(TwoEyes, AtOnePlaceSeeThePanorama)
 {
     scene.width = 320;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cancelled renders.
+// Renders that are cancelled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(Cancelling, EveryBackendEndsAndDrawsAgain)
     }
 }
 
-// One band holds the whole picture, so its tiles are cancelled.
+// The picture is a single band, so the test checks cancellation between tiles, not between bands.
 TEST(Cancelling, OpenmpDrawsNoMoreTiles)
 {
     const Registry registry = all_backends();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cores and memory available under control groups, affinity and OpenMP's variables. Trees of files replace the
-// system's.
+// Cores and memory that are available under control groups, affinity and OpenMP's variables. Test folders replace the
+// system's /proc and /sys.
 #include "core/base/cores.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t mebibyte = 1ULL << 20;
 
-// A folder used as /.
+// A temporary folder that is used as the root folder, /.
 class Tree {
 public:
     explicit Tree(const std::string& groups) { write("/proc/self/cgroup", groups); }
@@ -41,7 +41,7 @@ private:
     const std::string root_ = made_.path().string();
 };
 
-// Sets an environment variable to another value for the lifetime of the object.
+// Sets an environment variable for the lifetime of the object.
 class Variable {
 public:
     Variable(const char* name, const char* value) : name_(name)
@@ -76,10 +76,10 @@ TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
         .write("/sys/fs/cgroup/job/step/memory.max", "max\n")
         .write("/sys/fs/cgroup/job/step/memory.current", "1000\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 2000000);
-    // Negative control: memory other than cache counts as used.
+    // Negative control: memory that is not page cache counts as used.
     tree.write("/sys/fs/cgroup/job/memory.stat", "anon 733000000\ninactive_file 0\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 733000000);
-    // memory.high is a limit, too; a cache larger than the use does not leave more than the limit.
+    // memory.high is a limit, too. If the cache is larger than the used memory, not more than the limit is available.
     tree.write("/sys/fs/cgroup/job/memory.high", "104857600\n")
         .write("/sys/fs/cgroup/job/memory.stat", "inactive_file 900000000\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 100 * mebibyte);
@@ -88,7 +88,7 @@ TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
 TEST(MemoryLeft, CountsNoPageCacheOfVersion1)
 {
     Tree tree("9:name=systemd:/\n4:memory:/docker/abc\n");
-    // In a container, the group's own folder is the root.
+    // In a container, the folder of its group is /sys/fs/cgroup/memory itself, not the path in /proc/self/cgroup.
     tree.write("/sys/fs/cgroup/memory/memory.limit_in_bytes", "734003200\n")
         .write("/sys/fs/cgroup/memory/memory.usage_in_bytes", "734000000\n")
         .write("/sys/fs/cgroup/memory/memory.stat",
@@ -162,7 +162,8 @@ TEST(CoreCount, ReadsOpenmpsVariables)
     EXPECT_EQ(binding(), "");
 }
 
-// A thread's own mask does not change the available cores, which are those at the start of the process.
+// The available cores are those that the process had at its start. A mask that a thread sets for itself does not change
+// them.
 TEST(Affinity, IsThatOfTheProcessesStartAndCanBeRestored)
 {
     const int given = cores().given;

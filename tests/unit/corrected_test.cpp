@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Divisions and square roots as corrected by core/kernel/prelude/glsl_corrected.h for devices whose results are some
-// units off: its source, compiled with a number type that simulates such a device.
+// core/kernel/prelude/glsl_corrected.h corrects divisions and square roots on devices whose results are off by some
+// units in the last place. The test compiles it with a number type that simulates such a device.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,7 +10,7 @@
 namespace mandelmarch {
 namespace {
 
-// Error of the device's division and square root, in units in the last place.
+// Error of the simulated device's divisions and square roots, in units in the last place.
 int units_off = 0;
 
 float off(float value) { return std::bit_cast<float>(std::bit_cast<int>(value) + units_off); }
@@ -44,7 +44,7 @@ Number intBitsToFloat(int bits) { return std::bit_cast<float>(bits); }
 #undef float
 #undef real
 
-// Generates numbers with random mantissas, and numbers next to powers of two.
+// Generator of test values: some have random mantissas, others are next to powers of two.
 class Numbers {
 public:
     float next()
@@ -60,7 +60,7 @@ private:
     std::mt19937 random_{1};
 };
 
-// Returns how many of many divisions and square roots differ from IEEE 754's.
+// Returns how many corrected divisions and square roots, of random values, differ from IEEE 754's results.
 int wrong()
 {
     Numbers numbers;
@@ -80,7 +80,7 @@ TEST(Corrected, QuotientsAndRootsAreThoseOfIeeeWhereTheDevicesAreUnitsOff)
     units_off = 0;
 }
 
-// Negative control: a Newton step cannot correct a device that is far off.
+// Negative control: if a result is far off, the Newton step cannot correct it.
 TEST(Corrected, ADeviceThatIsFarOffIsNotMended)
 {
     units_off = 1 << 20;

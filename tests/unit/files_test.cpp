@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// File identity: which file a name refers to, and that no file is used for two purposes.
+// Names of files: which names refer to the same file, and that a command uses no file for two purposes.
 #include "core/base/files.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hulls change no bit of an exact picture of any scene, and save work. docs/hulls.md has the proofs.
+// Hulls do not change a bit of exact pictures, and save work. The proofs are in docs/hulls.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "core/scene/hull.h"
 #include "tests/scenes.h"
 
-// Another copy of the kernel, to render with hulls that are too small.
+// A copy of the kernel, to render with hulls that are too small.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
@@ -56,7 +56,7 @@ TEST(Hull, ChangesNoBitOfRandomScenes)
     EXPECT_GT(with_hull, 100);
 }
 
-// Negative control: returns how many pixels change with a hull of `share` of its size.
+// Returns how many pixels change if the hull's size is multiplied by `share`, for negative controls.
 template <class KernelScene, class Draw>
 int changed(const Scene& scene, double share, Draw draw)
 {
@@ -87,10 +87,10 @@ TEST(Hull, OneThatIsTooSmallChangesThem)
 
 TEST(Hull, IsLittleLargerThanTheSet)
 {
-    const double box = size_of(official_scene("box", 10, 10));  // the set: 2 (s + 1) / (s - 1) = 6
+    const double box = size_of(official_scene("box", 10, 10));  // size of the Mandelbox: 2 (s + 1) / (s - 1) = 6
     EXPECT_GT(box, 6);
     EXPECT_LT(box, 6.02);
-    const double bulb = size_of(official_scene("bulb", 10, 10));  // the set: at most 2^(1/7) = 1.104
+    const double bulb = size_of(official_scene("bulb", 10, 10));  // radius of the Mandelbulb: at most 2^(1/7) = 1.104
     EXPECT_GT(bulb, 1.104);
     EXPECT_LT(bulb, 1.11);
 }
@@ -111,12 +111,12 @@ TEST(Hull, IsAbsentWhereNothingIsProven)
     scene.shape[2] = 1;
     EXPECT_EQ(size_of(scene), 0);
     scene.shape[2] = 8;
-    scene.shape[1] = 1e5;  // nothing escapes this radius in one iteration
+    scene.shape[1] = 1e5;  // escape radius that no orbit reaches in one iteration
     scene.iterations = 1;
     EXPECT_EQ(size_of(scene), 0);
 }
 
-// The bounds themselves: at points on the hull, DE in double must exceed the tolerance.
+// Checks the bounds on which hulls are based: at points on the hull, the estimate in double must exceed the tolerance.
 TEST(Hull, NoPointOutsideIsASurface)
 {
     const Scene scene = official_scene("box", 10, 10);
@@ -125,11 +125,11 @@ TEST(Hull, NoPointOutsideIsASurface)
     std::memcpy(&k, &from, sizeof(k));
     const double size = size_of(scene);
     for (int i = 0; i < 100'000; ++i) {
-        // Covers a whole face of the cube.
+        // The points cover a whole face of the cube evenly.
         const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
         const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
         const box::vec3 p{size, u * size, v * size};
-        const double t = std::sqrt(3.0) * size + 19;  // maximum for this camera
+        const double t = std::sqrt(3.0) * size + 19;  // maximum distance from this camera
         EXPECT_GT(box::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
     }
 }

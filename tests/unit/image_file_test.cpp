@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Picture files: files written are readable, appear complete or not at all, and streams can be written to.
+// Picture files: what is written can be read, a file appears complete or not at all, and pipes can be written to.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -15,7 +15,7 @@
 #include <random>
 #include <vector>
 
-// jpeglib.h needs declarations from cstdio.
+// jpeglib.h must be included after cstdio, whose declarations it uses.
 #include <jpeglib.h>
 
 #include "core/base/error.h"
@@ -248,7 +248,8 @@ std::string little_endian(std::uint32_t value, int bytes)
     return text;
 }
 
-// Returns a 32-bit BMP of two pixels, red 1, 4, green 2, 5, blue 3, 6, with these masks and this header size.
+// Returns a BMP with 32 bits per pixel, these masks and this size of the header. It has two pixels, with the channels
+// red, green and blue 1, 2, 3 and 4, 5, 6.
 std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t header_bytes)
 {
     std::string header = little_endian(header_bytes, 4) + little_endian(2, 4) + little_endian(1, 4) +

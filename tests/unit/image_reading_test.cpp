@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures from other programs, and damaged ones.
+// Reading of picture files that other programs wrote, and of damaged files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -58,7 +58,7 @@ std::string stored(const std::string& data)
 
 const std::string png_end = chunk("IEND", "");
 
-// Returns a grey PNG with one row of three pixels and `bits` per channel.
+// Returns a grey PNG with `bits` per channel and the bytes `pixels`, stored as one row.
 std::string png(std::uint32_t width, std::uint32_t height, int bits, const std::string& pixels)
 {
     const std::string header = big_endian(width) + big_endian(height) + static_cast<char>(bits) + std::string(4, '\0');
@@ -107,7 +107,7 @@ TEST(PngReading, MorePixelsThanTheFileCanHoldAreRefused)
     EXPECT_TRUE(holds(refusal(decode_png, png(70000, 1, 8, "abc")), "its size is 70000 x 1"));
 }
 
-// Returns an EXR with constant channels: 0.5, or 5 in integers.
+// Returns an EXR with these channels. Every value is 0.5; in channels of integers it is 5.
 std::string exr(const std::vector<std::string>& channels, Imf::Compression compression = Imf::ZIP_COMPRESSION,
                 int side = 4)
 {
@@ -155,14 +155,15 @@ TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
 
 TEST(ExrReading, ColoursAreLightUnlessTheyAreAnOldFilesOfOurs)
 {
-    // Linear light of 0.5 is displayed as 188 of 255.
+    // Linear light of 0.5 is displayed as 187.5 of 255; reading truncates that.
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "Z"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "depth"})).bytes()[0], 127);
     EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "depth"})).has_depths());
 }
 
-// Compositing programs expect linear light in R, G and B; the displayed values are read back bit for bit.
+// The channels R, G and B contain linear light, as compositing programs expect. The displayed values, from 0 to 1, are
+// read back bit for bit.
 TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
 {
     Image image(3, 1, Image::Layers::all);
@@ -200,7 +201,7 @@ TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
     EXPECT_TRUE(std::isinf(depth[1]));
 }
 
-// Returns the file with another last corner of its data window.
+// Returns the EXR with (x, y) as the last corner of its data window.
 std::string claiming(std::string file, std::int32_t x, std::int32_t y)
 {
     const std::string before("dataWindow\0box2i\0\x10\0\0\0", 21);
@@ -231,7 +232,7 @@ TEST(ExrReading, AHeaderThatClaimsMoreThanTheFileIsRefused)
     EXPECT_TRUE(holds(refusal(decode_exr, file), "ends in its header"));
 }
 
-// The most compressible pictures are not rejected as oversized.
+// Pictures of one colour compress best. They must not be rejected because their size is large for their file.
 TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
 {
     for (int kind = Imf::NO_COMPRESSION; kind < Imf::NUM_COMPRESSION_METHODS; ++kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drivers that crash, hang or end their process, and the errors that a program gets.
+// Isolation of drivers: if a driver crashes, hangs or ends its process, the program gets an error.
 #include "core/isolation/isolated.h"
 
 #include <fcntl.h>
@@ -51,7 +51,7 @@ public:
         if (where_ == Where::releasing) misbehave(conduct_);
     }
 
-    // Renders a picture that depends on the scene; nothing if detail is -9.
+    // Renders a picture that depends on the scene. If the scene's detail is -9, writes nothing into the image.
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (where_ == Where::nowhere) std::puts("driver: junk on stdout");
@@ -109,7 +109,7 @@ Scene scene_of(int width, int height)
     return scene;
 }
 
-// Returns a scene with which the driver misbehaves when it renders.
+// Returns a scene for which the driver misbehaves when it renders.
 Scene bad_scene()
 {
     Scene scene = scene_of(8, 8);
@@ -162,7 +162,8 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
     }
 }
 
-// Negative control of the previous test: if a driver renders nothing, no earlier picture shows.
+// Negative control of the previous test: if a driver writes no pixels, the image is black and does not show an earlier
+// picture.
 TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
 {
     const auto backend = made(Where::nowhere);
@@ -186,12 +187,13 @@ TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
     source.request_stop();
     EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
     EXPECT_EQ(image.bytes()[1], 0);
-    // The next answer must belong to the next picture.
+    // The next answer of the device process must belong to the next picture, not to the previous one.
     EXPECT_EQ(renderer->render(scene, image).timings.kernel, 1.25);
     EXPECT_NE(image.bytes()[1], 0);
 }
 
-// After the request to cancel, the driver sends no progress.
+// The driver hangs, so it sends no progress after the request to cancel. The render must then end without waiting for
+// the driver.
 TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
 {
     const auto backend = made(Where::drawing);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core/job: a model's renderer and the calls it makes to its device, recorded by a fake model.
+// core/job: the renderer of a model, and the calls that it makes to the model's device. A fake model records the calls.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,9 +11,10 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double device_seconds = 7;  // of a launch, by the device's clock
+constexpr double device_seconds = 7;  // time of each launch, by the fake device's clock
 
-// Sets every byte of the job's rows to 200, but the second to the number of pixels per thread; leaves planes unchanged.
+// A fake kernel: sets every byte of the rows to 200, except the second byte, which it sets to the number of pixels per
+// thread. Leaves the other layers unchanged.
 void draw(const void* address, int width, int rows)
 {
     const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
@@ -99,7 +100,7 @@ TEST_F(KernelArguments, ARendererKeepsItsMemoryFromPictureToPicture)
     drawn(*renderer, 20, 20);
     drawn(*renderer, 10, 10);
     EXPECT_EQ(asked_.allocations, taken);
-    drawn(*renderer, 200, 20);  // one row exceeds the band size so far
+    drawn(*renderer, 200, 20);  // a single row is larger than the band that memory was allocated for
     EXPECT_GT(asked_.allocations, taken);
 }
 
@@ -118,7 +119,8 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill: as many pixels per thread as leave two waves of threads, but at most eight.
+// With refill, each thread gets so many pixels that two waves of threads are left, but at most eight pixels; without
+// refill it gets one.
 TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scalar kernel: its elementary functions, its gradients, and its entry points over stored rays.
+// The scalar kernel: its elementary functions, its gradients, and its entry points that work on stored rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
 
-// The kernel in double for every fractal, and in float. Its estimators are not inlined, which saves a minute of build
-// time under sanitizers.
+// Compiles the kernel in double for every fractal, and in float for the Mandelbox. The estimators are not inlined,
+// which saves a minute of build time under sanitizers.
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
@@ -112,13 +112,13 @@ KernelScene scene_for_kernel(const Scene& scene)
     return to;
 }
 
-// Tests the angle, in radians, between the analytic gradient and central differences at points seen from the camera.
+// At visible points, the angle between the analytic gradient and one from central differences must be small.
 TEST(Gradient, OfTheBulbAgreesWithDifferences)
 {
     for (const double power : {8.0, 3.0, 7.5}) {
         Scene scene = official_scene("bulb", 40, 40);
         scene.shape[2] = power;
-        scene.iterations = 6;  // little chaos
+        scene.iterations = 6;  // few, so that the estimate is smooth enough for differences
         const auto k = scene_for_kernel<bulb64::Scene>(scene);
         int hits = 0;
         for (int i = 0; i < 40 * 40; ++i) {
@@ -140,7 +140,7 @@ TEST(Gradient, OfTheBoxAgreesWithDifferences)
     scene.iterations = 6;
     const auto k = scene_for_kernel<box64::Scene>(scene);
     int hits = 0;
-    int off = 0;  // differences across a fold mix two slopes
+    int off = 0;  // hits where the two gradients disagree: central differences across a fold mix two slopes
     for (int i = 0; i < 40 * 40; ++i) {
         const box64::Ray ray = box64::march(k, box64::begin(k, i % 40, i / 40), 8000);
         if (!box64::has_hit(k, ray)) continue;
@@ -172,7 +172,7 @@ TEST(Gradient, OfTheJuliaSetAgreesWithDifferences)
     EXPECT_GT(hits, 100);
 }
 
-// A ray that was stored after any number of steps continues to the same pixel.
+// A ray that is stored after any number of steps, and continued, gives the same pixel as without interruption.
 TEST(StagedEntries, DrawWhatTheWholePixelDraws)
 {
     for (const int canonical : {0, 1}) {
@@ -193,7 +193,8 @@ TEST(StagedEntries, DrawWhatTheWholePixelDraws)
     }
 }
 
-// Except for rays that step across a dip of DE below the tolerance: at most one in a hundred.
+// With other step factors, rays find the same root, except for at most one ray in a hundred: a longer step may cross a
+// short interval in which the estimate is below the tolerance.
 TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
 {
     auto k = scene_for_kernel<box64::Scene>(official_scene("box", 30, 30));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loop counts of one picture, for its actual rays. Include inside the kernel's namespace; no include guard.
+// Returns the largest loop counts of a picture's rays. Included inside the namespace of each fractal's kernel, so it
+// has no include guard.
 
 inline Loops made_by(const void* plain_scene, const void* fast_scene)
 {

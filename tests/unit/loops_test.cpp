@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loop bounds assumed by the schedule (core/render/loops.h), compared with the loops of real scenes' rays, and the
-// resulting passes.
+// core/render/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds with the
+// loops of real rays, and check the passes into which the schedule divides a picture by them.
 #include "core/render/loops.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ std::int64_t counted(Body body)
     return rounds() - before;
 }
 
-// The kernel in double, with a prelude that counts loop iterations, and the ends of loops.
+// Compiles the kernel in double with a prelude that counts the iterations of loops, including the last evaluation of a
+// loop's condition.
 #define MM_LOOPS rounds()
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
@@ -99,18 +100,20 @@ TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
     }
 }
 
-// Negative control: with one iteration less the bound is violated, for every fractal.
+// Negative control: for every fractal, these scenes reach the bounds exactly, so bounds that are smaller by one are too
+// small.
 TEST(Loops, OneLessIsTooFew)
 {
     for (const Fractal& fractal : fractals()) {
         for (const int colouring : {0, 2}) {
-            // Orbits that start near the middle take all iterations.
+            // From near the middle of the fractal, orbits take all iterations.
             Scene scene = official_scene(std::string(fractal.short_name), 5, 5);
             scene.eye = {0.01, 0.02, 0.01};
             scene.iterations = 4;
             scene.colouring = colouring;
             if (fractal.short_name == "julia") {
-                // So do those near the unit ball, whose surface is visible from outside only.
+                // This Julia set is the unit ball, whose surface is visible from outside only. Orbits near it take all
+                // iterations, too.
                 scene.eye = {1.2, 0.1, 0};
                 scene.shape = {0, 0, 0};
                 scene.escape = 0;
@@ -123,7 +126,7 @@ TEST(Loops, OneLessIsTooFew)
     }
 }
 
-// Records the schedule's calls; rays march for three passes.
+// Executor that records the schedule's calls. Its rays march for three passes.
 class Noting : public Executor {
 public:
     void run(Entry entry, const Band&, int steps) override
@@ -167,7 +170,8 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
     }
 }
 
-// Progress distinguishes a device that works on a band of many passes from one that hangs.
+// Each pass of marching reports progress, by which a device that works on a band of many passes is distinguished from a
+// device that hangs.
 TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
 {
     Scene scene = official_scene("bulb", 8, 8);
@@ -180,8 +184,8 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
-// Bands that take too long shrink to single rows; others grow to the largest size that the device holds. Without times
-// all bands have that size.
+// If bands take too long, the next ones shrink, down to single rows. If they take less than the limit, the next ones
+// grow to the largest size that the device holds. Without a time limit, all bands have that size.
 TEST(Loops, BandsAreCutByTime)
 {
     const auto bands_of = [](double seconds) {

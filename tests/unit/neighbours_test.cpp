@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp renders fast pictures lattice by lattice, so that rays start near their neighbours' hits: every pixel is
-// rendered once, and the picture is nearly that of rays that start alone.
+// openmp renders fast pictures lattice by lattice, so that rays can start near the hits of neighbouring pixels. Every
+// pixel must be rendered once, and the picture must be nearly the same as if rays did not use their neighbours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace {
 using openmp::Lattice;
 using openmp::LatticeBuffers;
 
-constexpr float not_drawn = -7;  // not a depth
+constexpr float not_drawn = -7;  // marks pixels that are not rendered yet; not a valid depth
 
-// Without vectors the scalar kernel renders all lattices at once.
+// Returns true if the machine has vectors. Without them the scalar kernel renders all pixels at once, without lattices.
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
-// A float picture whose lattices are rendered one by one, by one thread.
+// A float picture whose lattices the test renders one by one, on one thread.
 class DrawnLattices {
 public:
     explicit DrawnLattices(const Scene& scene)
@@ -58,7 +58,8 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
-    // Returns true if the steps taken are those on the canvas, so that no pixel was rendered twice.
+    // Returns true if the number of steps that were taken equals the sum over the canvas's pixels. If a pixel was
+    // rendered twice, more steps were taken.
     bool drawn_once() const
     {
         std::uint64_t steps = 0;
@@ -125,7 +126,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
                 << scene.fractal->name << ", " << scene.width << " x " << scene.height << ", " << lattice.apart;
         }
         EXPECT_TRUE(drawn.drawn_once()) << scene.fractal->name << ", " << scene.width << " x " << scene.height;
-        // Negative controls: a lattice twice, a lattice less.
+        // Negative controls: one lattice is rendered twice, or not at all.
         if (scene.width > 17) {
             drawn.draw(lattices[2]);
             EXPECT_FALSE(drawn.drawn_once());
@@ -139,7 +140,8 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
     }
 }
 
-// Compares with a picture without lattices, after `change` has modified the neighbours' depths before the last lattice.
+// Renders a picture by lattices, modifying each neighbour's depth by `change` before the last lattice, and compares it
+// with a picture rendered without lattices.
 Comparison off(const Scene& scene, const std::function<void(float& depth)>& change)
 {
     DrawnLattices alone(scene);
@@ -167,12 +169,12 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
         const Comparison drawn = off(scene, [](float&) {});
         EXPECT_LE(percent(drawn.visibly_differing, drawn), 1) << name;
         EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
-        // Rays that start beyond the surface start again.
+        // The neighbours' depths are too large, so that rays start behind the surface: such rays must start again.
         const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
         const Comparison late = off(scene, [&](float& depth) { depth *= depth > 0 ? 1 + 4 * tolerance : 1; });
         EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
         EXPECT_LE(percent(late.hit_or_miss, late), 0.02) << name;
-        // Negative controls: hits behind the fractal, and no hits.
+        // Negative controls: the neighbours' depths are behind the fractal, or say that the neighbours have missed.
         const Comparison behind = off(scene, [](float& depth) { depth *= depth > 0 ? 10 : 1; });
         EXPECT_GT(percent(behind.hit_or_miss, behind), 10) << name;
         const Comparison clear = off(scene, [](float& depth) { depth = -1; });
@@ -180,9 +182,10 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
     }
 }
 
-// Renders a film's picture with an even number of rows, filled by a wall up to the top row. Before the last lattice the
-// neighbours in pair `row` of rows get the depths of those below them, and a modified occlusion. The pair height / 2 is
-// outside the picture.
+// Renders a picture of a film, which a wall fills up to the top row. The neighbours' values are stored for every second
+// row of the picture. Before the last lattice, the values in stored row `row` are replaced: the depths by those of the
+// stored row below, the occlusion by that of the row below plus `change`. Stored row height / 2 = 32 is just outside
+// the picture.
 Image with_surroundings(std::size_t row, float change)
 {
     Scene scene = official_scene("bulb", 96, 64);
@@ -208,11 +211,12 @@ TEST(Neighbours, ShareNothingFromBeyondThePicture)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     EXPECT_EQ(compare(with_surroundings(32, 0), with_surroundings(32, 1)).differing, 0U);
-    // Negative control: a pair inside the picture.
+    // Negative control: stored row 31 is inside the picture.
     EXPECT_GT(compare(with_surroundings(31, 0), with_surroundings(31, 1)).differing, 50U);
 }
 
-// Random scenes in which pixels are few enough tolerances apart.
+// The test uses those random scenes in which the distance between pixels is small enough, in tolerances, for rays to
+// use their neighbours.
 TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";

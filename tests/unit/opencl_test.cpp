@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors give the bits of the scalar kernel and count the same work, in blocks and in lanes that refill, and at the
-// edges of strips. Skipped without an OpenCL device.
+// OpenCL's vectors give the bits of the scalar kernel and count the same work: in blocks of pixels, in lanes with
+// refill, and at the edges of strips. Skipped without an OpenCL device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -21,7 +21,8 @@ protected:
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     const Backend& opencl = *registry.find("opencl");
-    // The box's lanes refill. No size is a multiple of that of a block, a strip or a group.
+    // The Mandelbox is rendered with refill. The sizes of the pictures are not multiples of a block, a strip or a work
+    // group.
     const std::vector<NamedScene> scenes{{"bulb", official_scene("bulb", 301, 37)},
                                          {"box", official_scene("box", 301, 37)},
                                          {"a row of the box", official_scene("box", 1030, 1)},
@@ -31,7 +32,7 @@ protected:
 TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
 {
     const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
-    for (const int pack : {0, 1, 4}) {  // 0: the longest suitable for the device
+    for (const int pack : {0, 1, 4}) {  // 0: the longest vector that suits the device
         const auto renderer = opencl.create({.precision = GetParam(), .pack = pack});
         for (const auto& [name, scene] : scenes) {
             expect_same_picture(*yardstick, *renderer, scene, name + ", pack " + std::to_string(pack));
@@ -51,7 +52,7 @@ TEST_P(Opencl, BytesAloneAreThoseOfWholePictures)
     }
 }
 
-// Negative control: another detail moves hits.
+// Negative control: another detail level moves the hits.
 TEST_P(Opencl, AnotherSceneHasOtherBits)
 {
     Scene other = official_scene("box", 301, 37);

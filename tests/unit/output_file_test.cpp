@@ -39,7 +39,7 @@ std::size_t entries(const fs::path& folder)
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-// Returns how a forked process ends that runs `child` and then receives the signal while it sleeps.
+// Forks a process that calls `child` and then sleeps, and sends it the signal. Returns its status from waitpid().
 int end_of(const std::function<void()>& child, int signal)
 {
     std::array<int, 2> ready{};

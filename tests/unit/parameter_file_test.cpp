@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameter files: accepted values; everything else gives one line with the place and the fault.
+// Parameter files: values that are accepted. All others give an error of one line, with the place and the fault.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -150,7 +150,7 @@ TEST(ParameterFile, OldVariantWithSuperSamplingIsWarnedOf)
     EXPECT_TRUE(file.warnings[0].starts_with("x.dat:11: warning: ")) << file.warnings[0];
 }
 
-// A fractal's own official file gives no warning, with or without comments; another fractal's file does.
+// The official file of a fractal gives no warning, with or without its comments. The file of another fractal does.
 TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
 {
     const std::string_view box = fractal_named("box").official;

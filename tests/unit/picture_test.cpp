@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures: compared with the original program's, with the reference's, and float with double.
+// Pictures are compared with those of the original program and of the reference, and float pictures with double ones.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -24,7 +24,7 @@ protected:
     {
         return read_image(std::string(MANDELMARCH_SOURCE_DIR) + "/tests/reference/" + GetParam() + "_270.png");
     }
-    // Returns the visibly different pixels per hundred thousand.
+    // Returns the number of visibly different pixels in a hundred thousand.
     static std::uint64_t share(const Comparison& c) { return c.visibly_differing * 100'000 / c.pixels; }
 };
 
@@ -40,7 +40,7 @@ TEST_P(Picture, ReferenceIsTheOriginals)
     EXPECT_LE(compare(image, original()).visibly_differing, bulb ? 2U : 0U);
 }
 
-// Negative control: with 4 iterations the picture misses the threshold by far.
+// Negative control: with 4 iterations the picture differs from the original one by far more than is allowed.
 TEST_P(Picture, AnotherSceneIsNotTheOriginals)
 {
     Scene other = scene;
@@ -64,7 +64,7 @@ TEST_P(Picture, FastIsCloseToTheCanonicalReference)
         EXPECT_LE(share(c), 2000U) << name_of(precision);
         EXPECT_LE(c.hit_or_miss, c.pixels * 2 / 10'000) << name_of(precision);
     }
-    // Negative control: the plain hit gives another picture.
+    // Negative control: in exact mode, whose hits are not refined, the picture is another one.
     EXPECT_GT(share(compare(canonical, render(openmp, small, {}))), 2000U);
 }
 
@@ -93,7 +93,7 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
     }
 }
 
-// Agreement of random scenes with the reference's canonical pictures.
+// Differences between pictures of random scenes and the reference's canonical pictures.
 struct Offness {
     Comparison all;  // sum over the scenes
     int scenes = 0;
@@ -110,8 +110,8 @@ void add(Offness& to, const Image& canonical, const Image& image)
     if (50 * c.visibly_differing > c.pixels) ++to.far_off;
 }
 
-// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. Fractions of some
-// hundredths of a percent need the pixels of all scenes.
+// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. The limits are
+// fractions of some hundredths of a percent, so they are applied to the pixels of all scenes together.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
     const Registry registry = all_backends();
@@ -138,11 +138,11 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             const Offness& sum = sums[is_float];
             EXPECT_LE(per_million(sum.all.visibly_differing, sum.all), 20'000U) << fractal << ", float " << is_float;
             EXPECT_LE(per_million(sum.all.hit_or_miss, sum.all), 200U) << fractal << ", float " << is_float;
-            // Negative control: the plain hit gives another picture.
+            // Negative control: in exact mode, whose hits are not refined, the picture is another one.
             const Offness& twin = twins[is_float];
             EXPECT_GT(per_million(twin.all.visibly_differing, twin.all), 20'000U) << fractal << ", float " << is_float;
         }
-        // In double, precise enough for all scenes, at most one scene in forty may exceed the limit.
+        // Double is precise enough for all scenes: there at most one scene in forty may exceed the limit.
         const int most = sums[0].scenes / 40;
         EXPECT_LE(sums[0].far_off, most) << fractal;
         EXPECT_GT(twins[0].far_off, most) << fractal;
@@ -158,8 +158,9 @@ NamedScene random_scene(unsigned seed, const std::string& name)
     return {};
 }
 
-// The eye is 5e-7 in front of the surface. With differences of the original's width, which are wider than the relief
-// seen from there, half of the pixels were wrong.
+// The eye is 5e-7 in front of the surface, from where finer relief is visible than the original program's finite
+// differences resolve. If the reference took its normals from differences of that width, half of the pixels would be
+// wrong.
 TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
 {
     const Registry registry = all_backends();
@@ -171,7 +172,8 @@ TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
     EXPECT_GT(10 * compare(canonical, wide).visibly_differing, wide.pixels());
 }
 
-// No surface is visible, and DE's gradient is noise where the estimate consists of the formula's remainder term alone.
+// If the eye is inside the solid, there is no visible surface, and the gradient of the estimate may be noise. The
+// normal in canonical pictures is then the direction towards the eye.
 TEST(EyeInTheSolid, CanonicalPicturesFaceIt)
 {
     const Registry registry = all_backends();
@@ -190,7 +192,8 @@ TEST(EyeInTheSolid, CanonicalPicturesFaceIt)
     }
 }
 
-// Without the limit a radius of 1000 overflows a float's gradients: 1.5 % of the pixels.
+// If the escape radius were not limited, a radius of 1000 would overflow the gradients in float, in 1.5 % of the
+// pixels.
 TEST(Bailout, AnyRadiusFitsAFloat)
 {
     const Registry registry = all_backends();

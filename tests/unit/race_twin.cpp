@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Negative control of the thread sanitizer: a loop whose threads write one variable. The test passes if this fails.
+// Negative control of the thread sanitizer: a program with a loop whose threads all write one variable. The sanitizer
+// must report this.
 #include <cstdio>
 
 int main()

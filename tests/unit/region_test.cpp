@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A region of a picture has the same bits as that part of the whole picture.
+// A picture of a region has the same bits as that part of the whole picture.
 #include "core/render/region.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
     const bool host = GetParam() == "openmp";
     for (const Fractal& fractal : fractals()) {
         const Scene scene = official_scene(fractal, 75, 61);
-        // Drivers take seconds to compile each fractal's kernel.
+        // Drivers take seconds to compile a fractal's kernel, so they are tested with the first fractal only.
         if (!backend->draws(scene) || (!host && &fractal != &fractals().front())) continue;
         for (const Mode mode : {Mode::exact, Mode::fast}) {
             if (!host && mode == Mode::fast) continue;
@@ -61,7 +61,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
 
 INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::Values("openmp", "reference", "opencl", "vulkan"));
 
-// Negative control: the same region one pixel further right is another picture.
+// Negative control: the picture of a region one pixel further right is different.
 TEST(Region, OneAsideIsAnother)
 {
     const Registry registry = program_backends(0, nullptr);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BackendInfo and roles of backends, which programs use instead of names and every wrapper passes on.
+// BackendInfo and the roles of backends: programs use them instead of names, and wrappers of backends must pass them
+// on.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ private:
     bool has_gpu_;
 };
 
-// A backend whose driver ends the process at once.
+// A backend that ends the process as soon as its driver is queried.
 class Crashing : public Made {
 public:
     using Made::Made;

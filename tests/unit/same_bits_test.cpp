@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact mode gives the same bits for any number of threads and any pack width, and the staged entry points over stored
-// rays give the same picture as the entry for whole pixels. Each has a negative control.
+// Exact mode gives the same bits for any number of threads and any pack width, and the entry points for single stages
+// of stored rays give the same picture as the entry point for whole pixels. Each has a negative control.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -54,8 +54,8 @@ TEST_P(SameBits, OneThreadAndMany)
     }
 }
 
-// With several threads it is random which rays share a pack. If a compiler fused operations in one register of a pack
-// but not in another, one ray in a million would change.
+// With several threads, the rays that share a pack differ from picture to picture. If a compiler fused operations in
+// one SIMD vector of a pack but not in another, about one ray in a million would change.
 TEST_P(SameBits, AMillionRaysInFastMode)
 {
     const Scene scene = official_scene("box", 1080, 1080);
@@ -66,7 +66,7 @@ TEST_P(SameBits, AMillionRaysInFastMode)
     }
 }
 
-// Byte-only rendering uses a different store path; it must give the same bytes.
+// A picture of bytes only is stored by other code than a picture with all layers. Both must have the same bytes.
 TEST_P(SameBits, BytesAlone)
 {
     for (const int pack : {0, 1}) {
@@ -81,7 +81,7 @@ TEST_P(SameBits, BytesAlone)
             EXPECT_EQ(work.steps, whole.steps);
             EXPECT_EQ(work.de_calls, whole.de_calls);
             EXPECT_EQ(work.iterations, whole.iterations);
-            // Without counts the work may be 0; the picture is the same.
+            // Without counts, the reported work may be 0, but the picture must be the same.
             RendererOptions uncounted = options;
             uncounted.counts = false;
             Image again(scene.width, scene.height, Image::Layers::bytes);
@@ -126,7 +126,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
     EXPECT_GT(widths, 0) << "no pack width could be tried";
 }
 
-// The packs of every instruction set of this machine, down to the smallest.
+// The packs of every instruction set that this machine has must give the same bits.
 TEST_P(SameBits, EveryInstructionSet)
 {
     std::set<std::string> ran;
@@ -153,7 +153,7 @@ TEST_P(SameBits, EveryInstructionSet)
     EXPECT_TRUE(ran.contains(draw_report().instruction_set));
 }
 
-// AVX-512 has its usual name, not Highway's, and an empty name means no selection.
+// AVX-512 is selected by its usual name, not by Highway's. An empty name selects nothing.
 TEST(Instructions, HaveTheirUsualNames)
 {
     const Registry registry = all_backends();
@@ -190,7 +190,7 @@ TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
     EXPECT_FALSE(compare(image, sign).same());
 }
 
-// Negative control: contraction and the canonical hit change bits.
+// Negative control: fast mode, with contraction and canonical hits, gives other bits.
 TEST_P(SameBits, FastModeDiffers)
 {
     const Scene scene = official_scene("box", 64, 64);

@@ -12,7 +12,7 @@
 
 namespace mandelmarch {
 
-// Expects the same bits and the same work counts from both. `what`: name of the picture in messages.
+// Expects that both renderers give the same bits and the same work counts. `what`: name of the picture in messages.
 inline void expect_same_picture(Renderer& yardstick, Renderer& renderer, const Scene& scene, const std::string& what)
 {
     Image image(scene.width, scene.height, Image::Layers::all);

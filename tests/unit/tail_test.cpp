@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Mandelbox's tails: the last iterations of an orbit without their tests give the same estimates.
+// Tails of the Mandelbox: the last iterations of an orbit are computed without their tests. The estimates must be the
+// same.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,10 +34,10 @@ tailed::Scene scene_of(const Scene& scene, bool tails)
 struct Difference {
     int samples = 0;
     int iterations = 0;  // samples whose orbits differ in length
-    int distances = 0;   // samples whose estimates differ by a relative error above 10^-9
+    int distances = 0;   // samples whose estimates differ by more than a fraction of 10^-9
 };
 
-// Compares the estimates with and without tails at the samples of every eighth pixel's ray.
+// Compares the estimates with and without tails at all samples of the rays of every eighth pixel in both directions.
 Difference difference(const Scene& scene, const tailed::Scene& with)
 {
     const tailed::Scene without = scene_of(scene, false);
@@ -83,7 +84,7 @@ TEST(Tails, HitTheOfficialSceneInNearlyEverySample)
     EXPECT_LE(found.distances, found.samples / 200);
 }
 
-// Negative control: tails that begin too near to the spheres, or too far out.
+// Negative control: with wrong radii, tails begin too near to the spheres or too far out.
 TEST(Tails, WrongRadiiShow)
 {
     const Scene scene = official_scene("box", 270, 270);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printable texts, messages and results on the console, and numbers from environment variables.
+// Text: control characters in printed text, messages and results on the console, and numbers from environment
+// variables.
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -56,7 +57,8 @@ TEST(JsonDepth, DoesNotCountSiblingsOrTexts)
     EXPECT_THROW(check_json_depth("\"\\\\\"" + std::string(1000, '['), "x"), InputError);
 }
 
-// Returns the exit code of a program with this main() after `prepare` has changed its descriptors.
+// Forks a process that calls prepare(), which changes the process's descriptors, and then runs `body` as a program.
+// Returns its exit code.
 int code_of(int (*body)(int, char**), const std::function<void()>& prepare)
 {
     const pid_t child = fork();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A traced pixel equals the picture's pixel, and its steps lead to it.
+// Traces: a traced pixel equals the picture's pixel, and the trace's steps lead to it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +68,8 @@ TEST_P(Traces, OfAnotherPixelDiffer)
     EXPECT_FALSE(same_pixel(image, 15 * 40 + 20, trace_pixel(scene, options(Mode::exact), 21, 15)));
 }
 
-// Each sample lies at the position given by the previous one, and the last one decides.
+// Each sample of a trace lies at the position to which the previous sample leads, and the last one decides whether the
+// ray hits.
 TEST_P(Traces, HaveStepsThatLeadToTheResult)
 {
     for (const Mode mode : {Mode::exact, Mode::fast}) {
@@ -84,7 +85,7 @@ TEST_P(Traces, HaveStepsThatLeadToTheResult)
     }
 }
 
-// A canonical hit's root is bracketed ever closer: the last position tried is near it.
+// The search for a canonical hit brackets the root ever more closely, so the last position in the trace is near it.
 TEST_P(Traces, OfFastPicturesShowTheRootsTried)
 {
     const Trace trace = trace_pixel(official_scene("bulb", 40, 30), options(Mode::fast), 20, 15);

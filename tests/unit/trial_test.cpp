@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fast mode's trials: scenes whose surface is missed by its steps are rendered with shorter ones.
+// Trials of fast mode: if its usual steps miss a scene's surface, the scene is rendered with shorter steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace mandelmarch {
 namespace {
 
-// Synthetic pictures: `off` thousandths of each have a colour that is unique to the picture, so that two pictures
-// differ in the larger of their two fractions.
+// Synthetic pictures for a trial. In the picture of call i, off[i] thousandths of the pixels have a colour that no
+// other picture has. So two pictures differ in the larger of their two fractions.
 struct Pictures {
     std::vector<int> off;
-    std::vector<double> strides{};  // of the calls
+    std::vector<double> strides{};  // step factors of the calls
 
     Trial tried(const Scene& scene)
     {
@@ -54,12 +54,12 @@ TEST(Trial, ShortensStepsUntilPicturesAgree)
     EXPECT_NEAR(apart.off, 0.06, 0.001);
     EXPECT_EQ(stay_apart.strides, (std::vector{plain_step_factor, 0.4, 0.2}));
     Scene low = bulb;
-    low.shape[2] = 3;  // its own step factor is 0.4
+    low.shape[2] = 3;  // power 3, for which the usual step factor is 0.4
     Pictures low_agree{{0, 0}};
     EXPECT_EQ(low_agree.tried(low).step_factor, 0.4);
     EXPECT_EQ(low_agree.strides, (std::vector{0.4, 0.2}));
     Scene shortest = bulb;
-    shortest.limits.step_factor = 0.1;  // nothing shorter is tried, so no error is found
+    shortest.limits.step_factor = 0.1;  // the shortest: no shorter steps are tried, so no difference is found
     Pictures once{{60}};
     const Trial untried = once.tried(shortest);
     EXPECT_EQ(untried.step_factor, 0.1);
@@ -71,7 +71,7 @@ Scene random_bulb(unsigned seed, int number)
     return random_scenes(60, seed).at(static_cast<std::size_t>(number)).scene;
 }
 
-// Scenes in which fast mode's usual steps give more than 2 % wrong pixels.
+// These are scenes in which fast mode's usual steps give more than 2 % wrong pixels.
 TEST(Trial, BringsPicturesNearTheCanonicalOnes)
 {
     const Registry registry = all_backends();
@@ -103,7 +103,7 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
             }
         }
     }
-    // Exact pictures, and those with unrefined hits, never change.
+    // There is no trial for exact pictures and for pictures with unrefined hits.
     const Scene scene = random_bulb(1001, 12);
     const RendererOptions exact;
     const RendererOptions unrefined{.mode = Mode::fast, .techniques = {.root = false}};

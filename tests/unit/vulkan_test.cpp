@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Vulkan backend gives the bits of the scalar kernel, including on odd scenes, and counts the same work. One
-// renderer renders all scenes of a test, one after another. Skipped without a Vulkan device.
+// The Vulkan backend gives the bits of the scalar kernel, also for odd scenes, and counts the same work. In each test
+// one renderer renders all scenes, one after another. Skipped without a Vulkan device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -11,7 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-// Inside the solid, every DE evaluation takes all iterations: passes of one step exceed lavapipe's limit.
+// Returns a scene whose eye is inside the solid, so that every DE evaluation takes all iterations: even a pass of one
+// step has more loop iterations than lavapipe allows.
 Scene long_estimates()
 {
     Scene scene = official_scene("bulb", 24, 18);
@@ -50,7 +51,8 @@ TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
     for (const auto& [name, scene] : scenes) expect_same_picture(*yardstick, *renderer, scene, name);
 }
 
-// Negative control: a picture in the other mode has other bits. A picture in the same mode is close.
+// Negative control: the bits of fast mode differ from those of exact mode. The fast picture is close to the expected
+// one.
 TEST_P(Vulkan, FastModeHasOtherBitsAndTheCanonicalHit)
 {
     const Scene scene = official_scene("box", 150, 150);

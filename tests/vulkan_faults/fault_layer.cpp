@@ -8,7 +8,7 @@
 //   float_units      float division and square root are a unit off in the last place
 //   contraction      sums of a float product are computed in double and rounded once
 //   float_division   float division is far off: shaders compute a * b instead of a / b
-//   double_division  the same in double, and so in the double arithmetic that corrects float
+//   double_division  the same for double division, which is also used to correct float division
 //   unknown_driver   drivers do not report their name
 //   discrete_gpu     every device reports to be a discrete GPU with its own memory
 //   misuse           a fence is created with invalid flags, which the validation layers must report
@@ -34,7 +34,8 @@ using mandelmarch::Rewritten;
 using mandelmarch::without_division;
 using mandelmarch::drivers::driver_faults;
 
-// The next layer's functions, from the last instance and the last device: all of a program's have one driver.
+// Functions of the next layer, from the instance and device created last. It suffices to store one set, as all
+// instances and devices of a program have the same driver.
 struct Next {
     PFN_vkGetInstanceProcAddr instance_proc = nullptr;
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
@@ -59,7 +60,7 @@ bool wanted(std::string_view fault)
     return name != nullptr && name == fault;
 }
 
-// Returns true from the call on that must fail.
+// Counts the calls of the function that the fault affects. Returns true if this call must fail.
 bool strikes(std::string_view fault)
 {
     if (!wanted(fault)) return false;
@@ -86,7 +87,7 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
     const auto create_next = reinterpret_cast<PFN_vkCreateInstance>(next.instance_proc(nullptr, "vkCreateInstance"));
     const VkResult result = create_next(create, memory, instance);
     if (result != VK_SUCCESS) return result;
-    // Queried now: later the loader would return the first layer's function.
+    // Query the functions now: a later query would return those of the first layer.
     const auto ask = [&](auto& function, const char* name) {
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.instance_proc(*instance, name));
     };
@@ -128,7 +129,7 @@ void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* prope
 {
     next.get_properties(physical, properties);
     if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
-    // A name that fills its array without a terminating 0.
+    // Return a name that fills its array without a terminating 0.
     if (!driver_faults("enumeration")) return;
     for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
         properties->deviceName[i] =
@@ -155,7 +156,7 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
-    // Garbage: does nothing and reports success.
+    // With the action garbage, the submission does nothing and reports success.
     if (driver_faults("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
     return next.queue_submit(queue, count, infos, fence);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# faults_test.sh BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, hang or lack features; broken
-# pipeline caches; and required properties of the shaders. Needs a Vulkan device (lavapipe suffices).
+# faults_test.sh BIN SOURCE LAYER MODULES: tests Vulkan devices that run out of memory, die, hang or lack features,
+# broken pipeline caches, and required properties of the shaders. Needs a Vulkan device (lavapipe suffices).
 set -uo pipefail
 bin=$1
 source=$2
@@ -19,8 +19,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# draw FRACTAL OUTPUT OPTION...: renders a small picture with Vulkan, of the official scene, or of the file $scene at
-# $size. Returns the exit code; 60 seconds count as a hang.
+# draw FRACTAL OUTPUT OPTION...: renders a small picture with Vulkan, of the official scene or, if they are set, of the
+# file $scene at $size. Returns the exit code; the program is killed after 60 seconds.
 draw() {
     local fractal=$1 output=$2
     shift 2
@@ -28,7 +28,7 @@ draw() {
         --backend vulkan --output "$output" "$@" >stdout 2>stderr </dev/null
 }
 
-# with FAULT[:AFTER] COMMAND...: runs the command with the layer.
+# with FAULT[:AFTER] COMMAND...: runs the command with the layer that simulates the fault.
 with() {
     local fault=$1
     shift
@@ -55,7 +55,7 @@ same() { "$bin/imgdiff" "$1" "$2" >stdout || fail "$1 and $2 differ: $(tr '\n' '
 
 if "$bin/render" --fractal bulb --list-devices | grep '^vulkan *unavailable'; then exit 77; fi
 
-# The good device, and pictures to compare with: from the same kernel source without Vulkan.
+# Renders a picture on the device without faults, and the expected pictures: the same kernel source without Vulkan.
 draw bulb good.exr || { fail "no picture without a fault: $(cat stderr)"; exit 1; }
 mkdir -p true
 for fractal in bulb box; do
@@ -65,7 +65,8 @@ for fractal in bulb box; do
     done
 done
 
-# Failures at the first call, which is a probe's, and at later ones, which are the picture's.
+# Failures at the first call, which is made by a probe of the device, and at later calls, which are made for the
+# picture.
 for after in 0 2 4 5 6; do
     refused 1 'out of device memory while taking' memory:$after bulb a.exr
 done
@@ -81,7 +82,7 @@ for after in 0 3; do
 done
 MANDELMARCH_DEVICE_TIMEOUT=60
 
-# Devices that lack a feature: an error, or pictures with the same bits.
+# Devices that lack a feature give an error, or pictures with the same bits.
 refused 77 'has no double' no_double bulb a.exr
 refused 77 'no double' no_double bulb a.exr --mode fast
 refused 77 'division and square root are not exact' double_division bulb a.exr
@@ -90,7 +91,8 @@ for fault in none no_double float_units float_division double_division discrete_
         with $fault draw $fractal a.exr --precision float && same a.exr true/$fractal-float.exr
     done
 done
-# Float division: by the device, corrected if the device is a unit off, in double if it is far off.
+# Float division is done by the device; it is corrected if the device's results are a unit off in the last place, and
+# done in double if they are far off.
 for fault in none: float_units:,.float.quotients.corrected float_division:,.float.quotients.in.double; do
     with "${fault%%:*}" draw box a.exr --precision float --stats a.json
     grep -q "\"instruction_set\": \"SPIR-V${fault#*:}\"" a.json || fail "$fault: $(grep instruction_set a.json)"
@@ -100,7 +102,7 @@ for fault in float_division discrete_gpu; do
     with $fault draw box a.exr && same a.exr true/box-double.exr
 done
 with discrete_gpu "$bin/render" --fractal bulb --list-devices | grep -q '^vulkan *0: ' || fail "a GPU is not listed"
-# Negative control: fast mode, which does not probe, shows that the layer changes divisions.
+# Negative control: fast mode does not probe the device, so the wrong divisions must change its pictures.
 with double_division draw bulb wrong.exr --mode fast
 draw bulb right.exr --mode fast
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no division"
@@ -108,7 +110,7 @@ draw bulb right.exr --mode fast --precision float
 with float_units draw bulb wrong.exr --mode fast --precision float
 "$bin/imgdiff" wrong.exr right.exr >stdout && fail "the layer changes no float division"
 
-# Without a driver or a loader.
+# Without a driver or a loader the backend is unavailable.
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null draw bulb none.exr
 [ $? = 77 ] && [ "$(wc -l <stderr)" = 1 ] || fail "no driver: $(cat stderr)"
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null "$bin/render" --fractal bulb --list-devices |
@@ -122,7 +124,7 @@ draw bulb none.exr --device 99
 [ $? = 77 ] || fail "device 99: $(cat stderr)"
 ldd "$bin/render" | grep -q libvulkan && fail "render is linked with the Vulkan loader"
 
-# Broken pipeline caches: the same picture, no message, and the file is written again.
+# With a broken pipeline cache, the picture is the same, there is no message, and the file is written again.
 rm -rf cache
 draw bulb first.exr
 cache=$(find cache -name '*.bin' | sort | head -1)
@@ -136,7 +138,7 @@ break_cache() {
     draw bulb again.exr || fail "cache after $*: $(cat stderr)"
     [ -s stderr ] && fail "cache after $*: $(cat stderr)"
     same first.exr again.exr
-    # Not every driver reproduces the bytes.
+    # The file is not compared with the original one byte for byte, as not every driver writes the same bytes again.
     for file in whole/mandelmarch/*.bin; do
         file=mandelmarch/${file##*/}
         [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||
@@ -162,8 +164,8 @@ for folder_for_cache in /dev/null /proc/nowhere/at/all relative ""; do
     [ -s stderr ] && fail "cache in '$folder_for_cache': $(cat stderr)"
 done
 
-# Marches longer than one pass, thousands of steps of few iterations: lavapipe would cut them off silently. vulkan_test
-# has a scene with DE evaluations as long.
+# Rays of thousands of steps with few iterations each. In one pass, lavapipe would end their loops early without an
+# error, so they must be marched in several passes. unit/vulkan_test.cpp has a scene whose DE evaluations are that long.
 for iterations in 8 18; do
     sed "s/^-4$/-7/; s/^18 100$/$iterations 100/" "$source/paramsBox.dat" >deep-$iterations.dat
 done
@@ -172,8 +174,8 @@ for scene in deep-*.dat; do
         fail "openmp"
     draw box a.exr --precision float && same a.exr true/deep.exr || fail "$scene: another picture"
 done
-# A driver that cuts loops off silently is detected; if it does not cut them, like newer lavapipes, the picture is
-# right.
+# If an unknown driver ends loops early without an error, this is detected. If it does not, like newer versions of
+# lavapipe, the picture is correct.
 scene=deep-18.dat
 "$bin/render" --fractal box $scene --size 40x30 --backend openmp --pack 1 --precision float --output true/deep-18.exr ||
     fail "openmp"
@@ -185,7 +187,7 @@ else
         refused 1 'cut a ray off in a loop' unknown_driver box a.exr --precision float --mode $mode
     done
     unset scene
-    # Random scenes detect it, too, and leave parameter files that reproduce it.
+    # `bench equivalence` detects such a driver, too, and writes parameter files that reproduce the error.
     with unknown_driver "$bin/bench" equivalence --backend vulkan --fractal box --scenes 8 --seed 5 --folder cut \
         >stdout 2>stderr
     [ $? = 1 ] && grep -q 'vulkan, device 0, in float: .*cut a ray off' stderr || fail "bench equivalence: $(cat stderr)"
@@ -197,7 +199,7 @@ else
     with unknown_driver draw box a.exr --precision float && same a.exr true/box-float.exr || fail "an unknown driver"
 fi
 
-# Validation reports nothing. Negative control: a misuse is reported.
+# The validation layers do not report anything. Negative control: they report a misuse.
 if [ -e $validation/VkLayer_khronos_validation.json ]; then
     export VK_KHRONOS_VALIDATION_REPORT_FLAGS=error,warn
     validated() { VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation draw "$@"; }
@@ -216,7 +218,7 @@ else
     echo "no validation layers here"
 fi
 
-# Every floating-point operation of the exact modules has NoContraction; in the fast ones none has.
+# Every floating-point operation of the exact modules has NoContraction. Negative control: in the fast modules none has.
 for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv "$modules"/*_corrected.spv; do
     "$modules/spirv_tool" check "$module" >stdout || fail "$(cat stdout)"
 done

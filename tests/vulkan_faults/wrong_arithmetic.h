@@ -10,7 +10,8 @@
 
 namespace mandelmarch {
 
-// Replaces divisions of `bits` wide numbers by products. Opcodes from the SPIR-V specification, section 3.49.
+// Replaces divisions of numbers with this many bits by multiplications. Opcodes are from the SPIR-V specification,
+// section 3.49.
 inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> words, std::uint32_t bits)
 {
     constexpr std::uint32_t type_float = 22;
@@ -25,12 +26,13 @@ inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> wo
     return words;
 }
 
-// A module, taken apart and put together with other instructions. Opcodes from the SPIR-V specification, section 3.49.
+// A copy of a module in which some instructions are replaced by others. Opcodes are from the SPIR-V specification,
+// section 3.49.
 class Rewritten {
 public:
     explicit Rewritten(const std::vector<std::uint32_t>& words) : from_(words) {}
 
-    // Multiplies every float quotient and square root by 1 + 2^-23.
+    // Returns the module with every result of a float division or square root multiplied by 1 + 2^-23.
     std::vector<std::uint32_t> off_by_a_unit()
     {
         if (has_double()) return from_;
@@ -47,7 +49,7 @@ public:
         });
     }
 
-    // Computes every sum of a float product through double.
+    // Returns the module with every addition of a float product computed in double and rounded once.
     std::vector<std::uint32_t> contracted()
     {
         if (has_double()) return from_;
@@ -99,7 +101,8 @@ private:
         return to_;
     }
 
-    // A module must not declare a type twice; modules with a double are not of the kind that `words` is.
+    // Returns true if the module declares a 64-bit type. Such modules are not changed, as they must not declare the
+    // type twice.
     bool has_double() const
     {
         for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
