@@ -44,7 +44,7 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         first = same[0]
         keys = [picture.key for picture in same]
         names = _names(keys)
-        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, drawn by {names}.", names)
+        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, rendered by {names}.", names)
         canonical = yardstick(pictures, first, material.backends.reference)
         against, drawn, difference = "", None, None
         if canonical is not None:
@@ -53,8 +53,8 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
             if difference.differing:
                 drawn = Figure(
                     data_uri("image/png", difference_map(canonical, first)),
-                    f"Where the {fractal} drawn by {names} differs from {against}: {difference.differing} pixels.",
-                    f"{names}, against {against}: {difference.words}",
+                    f"Map of the {fractal}'s {difference.differing} pixels that differ between {names} and {against}.",
+                    f"{names}, compared with {against}: {difference.words}",
                 )
         shown.append(Shown(f"{fractal}-{number}", figure, keys, against, drawn, difference))
     return shown
@@ -96,9 +96,9 @@ def _float_against_double(material: Material, pictures: dict[Key, Picture]) -> T
                     ]
                 )
     return Table(
-        ["fractal", "mode", "backend", "pixels that differ", "visibly", "share", "largest / 255", "PSNR [dB]"],
+        ["fractal", "mode", "backend", "pixels that differ", "visibly", "fraction", "largest / 255", "PSNR [dB]"],
         rows,
-        "Float against double of the same backend. Visibly: a byte is off by more than 2 of 255.",
+        "Float compared with double on the same backend. Visibly: a byte differs by more than 2 of 255.",
         [3, 4, 5, 6, 7],
     )
 
@@ -127,10 +127,10 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
     if not rows:
         return Missing("FLIP of the fast pictures", "make build report")
     return Table(
-        ["fractal", "precision", "backend", "mean FLIP", "visibly off", "PSNR [dB]"],
+        ["fractal", "precision", "backend", "mean FLIP", "differ visibly", "PSNR [dB]"],
         rows,
-        "Fast pictures against the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR, 0: the same "
-        "to the eye, 1: as different as can be), the share of pixels with a byte off by more than 2, and PSNR.",
+        "Fast pictures compared with the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR; 0: the same "
+        "to the eye, 1: the largest difference), the fraction of pixels with a byte that differs by more than 2, and PSNR.",
         [3, 4, 5],
     )
 
@@ -138,7 +138,7 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
 def section(material: Material) -> dict[str, Any]:
     pictures = {picture.key: picture for picture in material.studio.all(material.backends.names)}
     if not pictures:
-        return {"missing": Missing("The pictures, as no bin/render is there", "make build report")}
+        return {"missing": Missing("The pictures, as bin/render is missing", "make build report")}
     tables = [
         table
         for fractal in SCENES
@@ -167,7 +167,7 @@ def section(material: Material) -> dict[str, Any]:
         if material.results.random
         else Missing("Fast pictures of random scenes", "bin/bench random --json report/results/random.json"),
         "devices": Table(
-            ["backend", "device"], [list(entry) for entry in devices], "What drew the pictures of this section."
+            ["backend", "device"], [list(entry) for entry in devices], "Devices that rendered the pictures of this section."
         ),
         "reasons": list(reasons),
     }
