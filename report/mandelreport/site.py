@@ -40,7 +40,7 @@ def gallery(folder: Path, programs: Path, output: Path, names: list[str]) -> lis
         name, fractal, _ = file.name.split(".")
         files.append((name, fractal, file))
     if len(files) == len(SCENES):
-        raise InputError(f"{folder}: no view, expected files NAME.FRACTAL.dat")
+        raise InputError(f"{folder}: no views, expected files NAME.FRACTAL.dat")
     views = []
     for name, fractal, file in files:
         picture = output / "views" / f"{name}.png"
@@ -82,7 +82,7 @@ def main() -> int:
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render (%(default)s)")
     parser.add_argument("--views", type=Path, default=Path("report/views"), help="folder of views, NAME.FRACTAL.dat (%(default)s)")
     parser.add_argument("--films", type=Path, default=Path("build/films"), help="folder of films, FRACTAL-SEED.mp4 (%(default)s)")
-    parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for files in between (%(default)s)")
+    parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for intermediate files (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("build/site"), help="folder of the site (%(default)s)")
     arguments = parser.parse_args()
     try:

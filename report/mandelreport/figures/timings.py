@@ -41,13 +41,13 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
         axes[i][j].set_yticks(range(len(names)), names, fontsize=8)
         axes[i][j].grid(axis="y", visible=False)
     axes[0][0].invert_yaxis()
-    figure.supxlabel("time over the scalar text's, logarithmic", fontsize=9)
+    figure.supxlabel("time / time of the scalar kernel, logarithmic", fontsize=9)
     return style.block(
         figure,
-        "Points with intervals: time over the scalar text's. " + "; ".join(said) + ".",
-        "Wall time of one picture over that of the same text as plain scalar C++ (the line at 1), with 95 % intervals, the fastest backend "
-        "first; filled marks double, open ones float. The scalar text has as many threads as the processor, those marked "
-        "(1 thread) have one: twice the time is the same speed, thread for thread.",
+        "Points with intervals: time over the scalar kernel's. " + "; ".join(said) + ".",
+        "Wall time of one picture over that of the same kernel as plain scalar C++ (the line at 1), with 95 % intervals, fastest backend "
+        "first. Filled marks: double; open marks: float. The scalar kernel runs on as many threads as the processor has, backends marked "
+        "(1 thread) on one; with two threads, twice the time is then the same speed per thread.",
     )
 
 
@@ -116,8 +116,8 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
     return style.block(
         figure,
         "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
-        "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
-        "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.",
+        "Counted operations per second as a share of the platform's measured multiply-add peak, the flat roof of a roofline "
+        "plot. The march reads no memory, so the slanted roof (memory bandwidth) does not apply.",
     )
 
 
@@ -158,6 +158,6 @@ def machines(benches: list[Bench]) -> Figure | None:
     figure.legend(loc="outside upper center", fontsize=7)
     return style.block(
         figure,
-        "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
-        "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.",
+        "Bars: the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+        "All machines: pixels per second of the fastest backend, which is named above the bar; logarithmic.",
     )

@@ -100,7 +100,7 @@ def _portability(material: Material) -> list[dict[str, Any]]:
         check=False,
     )
     if run.returncode != 0:
-        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['it failed'])[-1]}")
+        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
     return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
 
 
