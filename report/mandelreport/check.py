@@ -62,8 +62,8 @@ class Checker:
         if not holds:
             self.wrong.append(what)
 
-    def shot(self, name: str, whole: bool = False) -> None:
-        write_whole(self.pictures / f"{name}.png", self.browser.screenshot(whole))
+    def shot(self, name: str) -> None:
+        write_whole(self.pictures / f"{name}.png", self.browser.screenshot())
 
     def page(self) -> None:
         """Checks that nothing is broken, nothing overflows a narrow window, and every picture has a description."""

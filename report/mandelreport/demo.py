@@ -88,7 +88,6 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
         result.append(
             {
                 "name": name,
-                "rows": rows,
                 "pictures": pictures,
                 "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],

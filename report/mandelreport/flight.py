@@ -44,10 +44,6 @@ class Audit:
     name: str
     data: dict[str, Any]
 
-    @property
-    def fractal(self) -> str:
-        return self.data["fractal"]
-
 
 @dataclass(frozen=True)
 class Film:
@@ -98,7 +94,7 @@ def read_audit(name: str, data: dict[str, Any]) -> Audit:
     rows = data.get("rows")
     wanted = {"name", "value", "bar", "at_most", "promise", "unit", "kept", "worst"}
     if not isinstance(rows, list) or not all(isinstance(row, dict) and wanted <= row.keys() for row in rows):
-        raise InputError(f"{name}: each row of an audit needs {', '.join(sorted(wanted))}")
+        raise InputError(f"{name}: an audit's rows need {', '.join(sorted(wanted))}")
     return Audit(name, data)
 
 

@@ -27,7 +27,7 @@ def one_thread(row: Row) -> bool:
 
 def label(row: Row) -> str:
     """Returns the name of a standard study's row in tables and charts."""
-    scalar = ", scalar" if row.point == SCALAR else ""
+    scalar = "-scalar" if row.point == SCALAR else ""
     return f"{where(row)}{scalar}{' (1 thread)' if one_thread(row) else ''}"
 
 

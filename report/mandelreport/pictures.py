@@ -6,7 +6,6 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -184,8 +183,3 @@ class Studio:
         if of_a is None or of_b is None:
             return False
         return self.cache.value(compare, "bits", of_a.name, of_b.name)
-
-
-def clear(folder: Path) -> None:
-    """Deletes all cached pictures."""
-    shutil.rmtree(folder, ignore_errors=True)

@@ -8,7 +8,7 @@ import itertools
 from matplotlib.patches import Patch
 
 from ..backends import Backends
-from ..bench import Bench, Row, Times
+from ..bench import Bench, Times
 from ..blocks import Figure
 from ..models import SCALAR, label, ranked, with_scalar
 from ..text import digits, ms, percent, plain, where
@@ -62,10 +62,9 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
         fractal, precision, mode, backend, device, *point = ratio["denominator"].split("/")
         kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
         name = backend if device == "0" else f"{backend} {device}"
-        entries.append((kind, f"{name}, scalar" if point else name, backend, Times.of(ratio["ratio"])))
+        entries.append((kind, f"{name}-scalar" if point else name, backend, Times.of(ratio["ratio"])))
     kinds = list(dict.fromkeys(kind for kind, *_ in entries))
-    names = backends.order([name for _, name, _, _ in entries if "," not in name])
-    names += sorted({name for _, name, _, _ in entries if "," in name})
+    names = backends.order(name for _, name, _, _ in entries)
     figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
     said = []
     for kind, name, backend, times in entries:

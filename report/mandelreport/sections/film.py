@@ -29,7 +29,7 @@ def _table(film: Film) -> Table:
         ["processes", str(film.processes)],
     ]
     if film.details:
-        rows.append(["frames", film.details])
+        rows.append(["settings", film.details])
     return Table(["", film.fractal], rows, f"The film, from {film.name}. The time includes rendering, filtering and encoding.")
 
 

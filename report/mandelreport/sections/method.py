@@ -35,7 +35,7 @@ def _baseline(material: Material) -> str:
     host, trace = material.backends.host, material.answers.trace
     text = Markup(
         "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
-        "instructions at run time; OpenCL and Vulkan compile for the processor at hand."
+        "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
     ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
     file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
     if file is None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..agreement import Difference, compare, difference_map, encode, flip_mean, yardstick
+from ..agreement import compare, difference_map, encode, flip_mean, yardstick
 from ..blocks import Block, Figure, Missing, Table, data_uri
 from ..pictures import SCENES, SIDE, Key, Picture
 from ..random_scenes import random_table
@@ -21,9 +21,7 @@ class Shown:
     name: str  # in the page
     figure: Figure
     keys: list[Key]
-    against: str
     map: Figure | None
-    difference: Difference | None
 
 
 def _names(keys: list[Key]) -> str:
@@ -46,17 +44,16 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         names = _names(keys)
         figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, rendered by {names}.", names)
         canonical = yardstick(pictures, first, material.backends.reference)
-        against, drawn, difference = "", None, None
+        drawn = None
         if canonical is not None:
             difference = compare(material.studio, canonical, first)
-            against = str(canonical.key)
             if difference.differing:
                 drawn = Figure(
                     data_uri("image/png", difference_map(canonical, first)),
-                    f"Map of the {fractal}'s {difference.differing} pixels that differ between {names} and {against}.",
-                    f"{names}, compared with {against}: {difference.words}",
+                    f"Map of the {fractal}'s {difference.differing} pixels that differ between {names} and {canonical.key}.",
+                    f"{names}, compared with {canonical.key}: {difference.words}",
                 )
-        shown.append(Shown(f"{fractal}-{number}", figure, keys, against, drawn, difference))
+        shown.append(Shown(f"{fractal}-{number}", figure, keys, drawn))
     return shown
 
 

@@ -14,7 +14,7 @@ from ..errors import InputError
 from ..figures import portability
 from ..models import label, work_over_scalar
 from ..portability import measured, platforms
-from ..text import digits, interval_ms, ms, percent
+from ..text import digits, ms, percent
 from . import Material
 from .why import factor_table
 
@@ -23,7 +23,9 @@ def time_cell(row: Row | None) -> str:
     """Formats the kernel time and its interval in ms."""
     if row is None or not row.timed:
         return "–"
-    return ms(row.kernel.median) + (f" [{interval_ms(row.kernel)}]" if row.kernel.low is not None else "")
+    times = row.kernel
+    interval = "" if times.low is None or times.high is None else f" [{ms(times.low)} – {ms(times.high)}]"
+    return ms(times.median) + interval
 
 
 def quotient_cell(row: Row, key: str) -> str:
@@ -50,7 +52,7 @@ def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str
     order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
 
     def place(key: tuple[str, ...]) -> list[int]:
-        words = [word.split(",")[0].split()[0] for word in key]
+        words = [word.split()[0].removesuffix("-scalar") for word in key]
         return [order.index(word) if word in order else len(order) for word in words]
 
     lines = [
