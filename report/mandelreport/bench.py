@@ -77,6 +77,12 @@ class Row:
         return self.data["point"].partition("=")[2]
 
     @property
+    def verification(self) -> str:
+        """Returns the result of verification in words. Files name the expected picture "yardstick" or nothing."""
+        text = self.data["proof"]["text"]
+        return "expected picture" if text in ("", "yardstick") else text
+
+    @property
     def pixels(self) -> int:
         return self.data["setting"]["width"] * self.data["setting"]["height"]
 

@@ -34,7 +34,7 @@ def _proofs(material: Material) -> Block:
         return Missing("The verification", "make bench")
     names = material.backends.order(row.backend for row in bench.rows if row.timed)
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
-    said = {(row.fractal, row.precision, row.mode, row.backend): row.proof["text"] or "expected picture" for row in bench.rows if row.timed}
+    said = {(row.fractal, row.precision, row.mode, row.backend): row.verification for row in bench.rows if row.timed}
     return Table(
         ["fractal", "precision", "mode", *names],
         [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],

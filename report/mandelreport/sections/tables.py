@@ -195,7 +195,7 @@ def section(material: Material) -> dict[str, Any]:
         _columns(material, work, "Counted operations over the scalar kernel's, if they differ by more than 1 %; part of the speed-up is then due to the operations."),
         _packs(material),
         _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations per second as a share of the measured peak."),
-        _columns(material, lambda _, row: row.proof["text"] or "expected picture", "Results of verification."),
+        _columns(material, lambda _, row: row.verification, "Results of verification."),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),
