@@ -107,14 +107,15 @@ foreach(recipe Containerfile mandelmarch.def)
 endforeach()
 execute_process(COMMAND ${program} render --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
     COMMAND_ERROR_IS_FATAL ANY)
-set(drivers_carried "no driver for CPUs is carried: `openmp` and `reference` run everywhere, `opencl` and `vulkan` where the
-system has a driver")
+set(drivers_carried "The bundle has no drivers for CPUs: `openmp` and `reference` run everywhere,
+`opencl` and `vulkan` if the system has a driver")
 if(DRIVERS)
-    set(drivers_carried "PoCL (`opencl`) and lavapipe (`vulkan`) are carried, so that every backend but `openacc` runs on any CPU")
+    set(drivers_carried "The bundle contains PoCL (`opencl`) and lavapipe (`vulkan`), so every backend
+except `openacc` runs on any CPU")
 endif()
-set(ffmpeg_carried "ffmpeg is not carried")
+set(ffmpeg_carried "The bundle does not contain ffmpeg")
 if(FFMPEG)
-    set(ffmpeg_carried "ffmpeg is carried as libexec/ffmpeg; its licence is that of whoever built it")
+    set(ffmpeg_carried "The bundle contains ffmpeg as libexec/ffmpeg; its licence is that of this build of ffmpeg")
 endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/README.md.in ${BUNDLE}/README.md @ONLY)
 message(STATUS "${BUNDLE}: ${version}, glibc ${glibc}")

@@ -38,7 +38,7 @@ def unpack(archive, into):
         fail(f"{archive}: {str(error).partition(chr(10))[0]}, expected the results.tgz of gpu_check")
     folder = os.path.join(into, "results")
     if not os.path.exists(os.path.join(folder, "summary.txt")):
-        fail(f"{archive}: no results/summary.txt in it, expected the results.tgz of gpu_check")
+        fail(f"{archive}: lacks results/summary.txt, expected the results.tgz of gpu_check")
     return folder
 
 
@@ -84,7 +84,7 @@ def times(folder, device):
 def page(folder, device, steps):
     summary = [f"# {device}", ""]
     if text_of(folder, "rehearsal"):
-        summary += ["**A rehearsal: no GPU drew this.**", ""]
+        summary += ["**A rehearsal: these results are not from a GPU.**", ""]
     driver = re.search(r"Driver Version\s*:\s*(\S+)", text_of(folder, "nvidia-smi.txt"))
     programs = re.search(r"^render .*$", text_of(folder, "facts.log"), re.M)
     passed = sum(result == "passed" for result, _, _ in steps.values())
@@ -95,11 +95,11 @@ def page(folder, device, steps):
     summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
     if measured := times(folder, device):
-        summary += ["", "Kernel times in ms, beside the expected ones in brackets:", "", *measured]
+        summary += ["", "Kernel times in ms, with the expected range in brackets:", "", *measured]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
     if broken:
-        summary += ["", *(f"- Step {name} {result}: {words or 'no words'}" for name, result, _, words in broken)]
-    summary += ["", "## Steps", "", "| step | result | seconds | last words |", "|---|---|---|---|"]
+        summary += ["", *(f"- Step {name} {result}: {words or 'no output'}" for name, result, _, words in broken)]
+    summary += ["", "## Steps", "", "| step | result | seconds | last output line |", "|---|---|---|---|"]
     summary += [f"| {name} | {result} | {seconds} | {words.replace('|', '/')} |" for name, (result, seconds, words) in steps.items()]
     return "\n".join(summary) + "\n"
 
@@ -119,7 +119,7 @@ def free_folder(into, name):
         path = os.path.join(into, name if number == 1 else f"{name}-{number}")
         if not os.path.exists(path):
             return path
-    fail(f"{into}: it has 999 results of {name}")
+    fail(f"{into}: already has 999 results of {name}")
 
 
 def main():

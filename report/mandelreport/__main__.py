@@ -23,16 +23,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="mandelreport", description=__doc__)
     parser.add_argument("--results", type=Path, default=Path("report/results"), help="folder of result files (%(default)s)")
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render and imgdiff (%(default)s)")
-    parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for files in between (%(default)s)")
+    parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for intermediate files (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("report/out"), help="folder of the report (%(default)s)")
-    parser.add_argument("--no-pdf", action="store_true", help="the page only")
+    parser.add_argument("--no-pdf", action="store_true", help="make only the page")
     arguments = parser.parse_args()
     try:
         results = read_results(arguments.results)
         studio = Studio(arguments.programs.absolute(), Cache((arguments.work / "pictures").absolute()))
         html = page.render(Material(results, studio, arguments.work.absolute())).encode()
         if len(html) > LARGEST:
-            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}: smaller contact sheets, or fewer files")
+            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use smaller contact sheets or fewer files")
         target = arguments.output / "report.html"
         write_whole(target, html)
         print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)

@@ -227,7 +227,7 @@ class Answers:
                 }
             )
         size = [self.trace.one(rows[0][0].name, f"rows:name={rows[0][1].name}:setting.{k}", "plain") for k in ("width", "height")]
-        return {"predicted": pairs, "size": size, "host": self.backends.host, "machine": rows[0][0].machine}
+        return {"predicted": pairs, "size": size, "host": self.backends.host}
 
     def _at_film_size(self, fractal: str) -> Any:
         rows = [
@@ -253,7 +253,6 @@ class Answers:
                     "samples": one(name, "samples", "plain"),
                     "threads": one(name, "threads", "plain") if data["threads"] else None,
                     "device": data["device"]["name"],
-                    "fractal": data["fractal"],
                     "what": f"{data['precision']}, {data['mode']}",
                 }
         return None

@@ -31,6 +31,6 @@ class Backends:
         return self.names.index(backend) if backend in self.names else len(self.names)
 
     def order(self, labels: Iterable[str]) -> list[str]:
-        """Returns each label once, in order. A label starts with its backend; a device's number or a comma may
+        """Returns each label once, in order. A label starts with its backend; "-scalar" or a device's number may
         follow."""
-        return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].rstrip(",")), label))
+        return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].removesuffix("-scalar")), label))

@@ -77,6 +77,12 @@ class Row:
         return self.data["point"].partition("=")[2]
 
     @property
+    def verification(self) -> str:
+        """Returns the result of verification in words. Files name the expected picture "yardstick" or nothing."""
+        text = self.data["proof"]["text"]
+        return "expected picture" if text in ("", "yardstick") else text
+
+    @property
     def pixels(self) -> int:
         return self.data["setting"]["width"] * self.data["setting"]["height"]
 
@@ -186,7 +192,7 @@ def _check(name: str, data: Any, part: str = "", kind: str = "") -> None:
     error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
     if error is not None:
         place = "/".join(map(str, error.absolute_path)) or "its top level"
-        raise InputError(f"{name}: no {kind or 'result'} of bench, version {VERSION}: {place}: {error.message[:160]}")
+        raise InputError(f"{name}: not a {kind or 'result'} of bench, version {VERSION}: {place}: {error.message[:160]}")
 
 
 def checked(name: str, data: dict[str, Any], kind: str) -> dict[str, Any]:

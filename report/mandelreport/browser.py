@@ -42,7 +42,7 @@ class Browser:
     def __init__(self, *options: str):
         program = next((found for name in NAMES if (found := shutil.which(name))), None)
         if program is None:
-            raise Unavailable("no chromium: report/setup installs it; --no-pdf makes the page only")
+            raise Unavailable("chromium is missing: install it with report/setup, or make only the page with --no-pdf")
         self.folder = tempfile.mkdtemp(prefix="mandelreport-")
         # Chromium's sandbox does not work as root.
         root = ["--no-sandbox"] if os.geteuid() == 0 else []
@@ -129,16 +129,9 @@ class Browser:
     def size(self, width: int, height: int) -> None:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
-    def screenshot(self, whole: bool = False) -> bytes:
-        """Returns a PNG of the visible part, or of the whole page."""
-        options: dict[str, Any] = {"format": "png"}
-        if whole:
-            area = self.call("Page.getLayoutMetrics")["cssContentSize"]
-            options |= {
-                "captureBeyondViewport": True,
-                "clip": {"x": 0, "y": 0, "width": area["width"], "height": min(area["height"], 16000), "scale": 1},
-            }
-        return base64.b64decode(self.call("Page.captureScreenshot", **options)["data"])
+    def screenshot(self) -> bytes:
+        """Returns a PNG of the visible part of the page."""
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
 
     def pdf(self) -> bytes:
         """Returns the page as PDF, with its print style sheet."""

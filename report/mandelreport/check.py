@@ -58,18 +58,18 @@ class Checker:
         self.wrong: list[str] = []
 
     def expect(self, holds: bool, what: str) -> None:
-        print(f"{'fine ' if holds else 'WRONG'} {what}")
+        print(f"{'ok   ' if holds else 'WRONG'} {what}")
         if not holds:
             self.wrong.append(what)
 
-    def shot(self, name: str, whole: bool = False) -> None:
-        write_whole(self.pictures / f"{name}.png", self.browser.screenshot(whole))
+    def shot(self, name: str) -> None:
+        write_whole(self.pictures / f"{name}.png", self.browser.screenshot())
 
     def page(self) -> None:
         """Checks that nothing is broken, nothing overflows a narrow window, and every picture has a description."""
         run = self.browser.run
         run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
-        self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture is decoded")
+        self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture can be decoded")
         self.expect(run("[...document.images].every((i) => i.alt.length > 10)"), "every picture has an alternative text")
         self.expect(run("document.querySelectorAll('section').length") == SECTIONS, f"{SECTIONS} sections, the front page first")
         self.expect(run("document.querySelectorAll('#front .answer data').length") > 0, "the front page's answers have numbers")
@@ -77,7 +77,7 @@ class Checker:
             self.browser.size(width, height)
             self.expect(
                 run("document.documentElement.scrollWidth <= window.innerWidth"),
-                f"{width} pixels: nothing sticks out ({run('document.documentElement.scrollWidth')} wide)",
+                f"{width} pixels: nothing overflows ({run('document.documentElement.scrollWidth')} wide)",
             )
             run("window.scrollTo(0, 0)")
             self.shot(name)
@@ -89,7 +89,7 @@ class Checker:
         call("Emulation.setEmulatedMedia", media="print")
         self.browser.size(PAPER, 1000)
         wide = run("document.documentElement.scrollWidth")
-        self.expect(wide <= PAPER, f"paper: nothing sticks out ({wide} of {PAPER} pixels)")
+        self.expect(wide <= PAPER, f"paper: nothing overflows ({wide} of {PAPER} pixels)")
         call("Emulation.setEmulatedMedia", media="")
         self.browser.size(*DESKTOP)
         run("document.head.append(Object.assign(document.createElement('style'), "
@@ -101,7 +101,7 @@ class Checker:
     def slider(self) -> None:
         run = self.browser.run
         if not run("document.querySelector('.compare') !== null"):
-            print("no pictures on the page: no slider to try")
+            print("the page has no pictures: the slider is not checked")
             return
         run("""(() => { const slide = document.querySelector('.compare .slide input');
                         slide.value = 25; slide.dispatchEvent(new Event('input')); })()""")
@@ -118,12 +118,12 @@ class Checker:
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
         same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)
-        self.expect(same, "a picture against itself has the same bytes")
+        self.expect(same, "a picture compared with itself has the same bytes")
 
     def viewer(self) -> None:
         run = self.browser.run
         if not run("document.getElementById('viewer-canvas') !== null"):
-            print("no viewer on the page")
+            print("the page has no viewer")
             return
         self.expect(run("document.getElementById('viewer-none').hidden"), "the viewer runs in WebGL 2")
         run("document.getElementById('viewer-canvas').scrollIntoView()")
@@ -139,7 +139,7 @@ class Checker:
                     whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
                     self.expect(
                         whole,
-                        f"viewer, {fractal}, {odd or 'official'}, {mode}: whole after {time.monotonic() - begin:.0f} s "
+                        f"viewer, {fractal}, {odd or 'official'}, {mode}: complete after {time.monotonic() - begin:.0f} s "
                         f"({run('document.getElementById(`viewer-says`).textContent')})",
                     )
                     if whole:
@@ -163,7 +163,7 @@ class Checker:
         write_whole(dat, self.browser.run("Viewer.dat()").encode())
         render = self.programs / "render"
         if not render.exists():
-            print(f"no {render}: the viewer's picture is not compared")
+            print(f"{render} is missing: the viewer's picture is not compared")
             return
         drawn = self.pictures / f"{name}-render.png"
         # The viewer makes no trial render.
@@ -174,9 +174,9 @@ class Checker:
             other = differing_fields(mine, json.loads(printed.stdout))
             self.expect(not other, f"{name}: the scene's fields are bin/render's{': not ' + ', '.join(other) if other else ''}")
             twin = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
-            self.expect("root_share" in twin, f"{name}: another root share is seen")
+            self.expect("root_share" in twin, f"{name}: a wrong root share is detected")
         done = subprocess.run([*command, "--output", drawn], capture_output=True, text=True, check=False)
-        self.expect(done.returncode == 0, f"bin/render draws the viewer's parameter file {done.stderr.strip()}")
+        self.expect(done.returncode == 0, f"bin/render renders the viewer's parameter file {done.stderr.strip()}")
         if done.returncode == 0:
             a, b = (numpy.asarray(Image.open(source).convert("RGB")).astype(int) for source in (io.BytesIO(seen), drawn))
             if a.shape != b.shape:
@@ -185,7 +185,7 @@ class Checker:
             off = numpy.abs(a - b).max(axis=2)
             self.expect(
                 (off > 2).mean() <= MOST_VISIBLE[mode],
-                f"viewer against bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
+                f"viewer compared with bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
                 f"pixels differ, {(off > 2).sum()} by more than 2/255, at most {off.max()}/255",
             )
 
@@ -230,12 +230,12 @@ class Checker:
 
 
 def without_webgl(page: Path, checker: Checker) -> None:
-    """Checks that the page says so if there is no WebGL 2."""
+    """Checks that the page reports a missing WebGL 2."""
     with Browser("--disable-3d-apis") as browser:
         browser.open(page)
         checker.expect(
             browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
-            "without WebGL 2 the page says so",
+            "without WebGL 2 the page reports that",
         )
 
 
@@ -253,7 +253,7 @@ def broken_twin(checker: Checker) -> None:
         problems = " ".join(browser.problems())
     checker.expect(
         all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
-        "a broken page is seen to be broken",
+        "faults of a broken page are detected",
     )
 
 
@@ -264,7 +264,7 @@ def main() -> int:
     parser.add_argument("--pictures", type=Path, default=Path("build/report/check"))
     arguments = parser.parse_args()
     if not arguments.page.exists():
-        print(f"check: {arguments.page}: it is not there, expected a page that make report made", file=sys.stderr)
+        print(f"check: {arguments.page}: file not found; make it with make report", file=sys.stderr)
         return 2
     try:
         with Browser() as browser:

@@ -43,9 +43,9 @@ def read_table(folder: Path) -> dict[str, Any]:
     try:
         table = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise InputError(f"{path}: {error}: bin/demo --folder {folder} makes it") from error
+        raise InputError(f"{path}: {error}: create it with bin/demo --folder {folder}") from error
     if not isinstance(table, dict) or table.get("schema") != 1:
-        raise InputError(f"{path}: no table of schema 1: bin/demo --folder {folder} makes one")
+        raise InputError(f"{path}: not a table of schema 1; create one with bin/demo --folder {folder}")
     return table
 
 
@@ -88,7 +88,6 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
         result.append(
             {
                 "name": name,
-                "rows": rows,
                 "pictures": pictures,
                 "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
@@ -105,7 +104,7 @@ def live(programs: Path, work: Path) -> dict[str, Any]:
     """Returns the viewer's values, or the reason why there is no viewer."""
     absent = missing_tools()
     if absent:
-        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "make demo")}
+        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "make demo")}
     run = subprocess.run([programs / "render", "--list-fractals", "--json"], capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise InputError(f"{programs / 'render'}: {run.stderr.strip()}")
@@ -135,14 +134,14 @@ def page(folder: Path, programs: Path) -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="mandelreport.demo", description=__doc__)
-    parser.add_argument("--folder", type=Path, default=Path("build/demo"), help="what bin/demo wrote (%(default)s)")
+    parser.add_argument("--folder", type=Path, default=Path("build/demo"), help="output folder of bin/demo (%(default)s)")
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("demo/index.html"), help="the page (%(default)s)")
     arguments = parser.parse_args()
     try:
         html = page(arguments.folder, arguments.programs.absolute()).encode()
         if len(html) > LARGEST:
-            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}: a smaller --side of bin/demo?")
+            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use a smaller --side of bin/demo")
         write_whole(arguments.output, html)
     except InputError as error:
         print(f"demo: {error}", file=sys.stderr)

@@ -22,13 +22,13 @@ def _read(file: str) -> str:
     try:
         return (ROOT / file).read_text(encoding="utf-8")
     except OSError as error:
-        raise InputError(f"{file}: it cannot be read: {error.strerror}") from None
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from None
 
 
 def chapter(file: str, title: str) -> Markup:
     """Returns the text under the heading `title`, up to the next heading of its level or above."""
     found = re.search(rf"^(#+) {re.escape(title)}\n(.*?)(?=^#{{1,2}} |\Z)", _read(file), re.M | re.S)
     if not found:
-        raise InputError(f"{file}: no heading '{title}', which the report cites")
+        raise InputError(f"{file}: the heading '{title}', which the report quotes, is missing")
     # Lines of capitals alone are placeholders for later changes.
     return _html(re.sub(r"^[A-Z_]+$", "", found[2], flags=re.M))

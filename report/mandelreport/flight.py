@@ -44,10 +44,6 @@ class Audit:
     name: str
     data: dict[str, Any]
 
-    @property
-    def fractal(self) -> str:
-        return self.data["fractal"]
-
 
 @dataclass(frozen=True)
 class Film:
@@ -85,31 +81,31 @@ def read_map(name: str, data: dict[str, Any]) -> FlightMap:
         if key not in data
     ]
     if missing:
-        raise InputError(f"{name}: a flight's map without {', '.join(missing)}")
+        raise InputError(f"{name}: the flight map lacks {', '.join(missing)}")
     lengths = {len(data[key]) for key in SERIES}
     if len(lengths) != 1 or 0 in lengths:
-        raise InputError(f"{name}: the series {', '.join(SERIES)} have different numbers of frames, or none")
+        raise InputError(f"{name}: the series {', '.join(SERIES)} must have one number of frames, at least 1")
     return FlightMap(name, data)
 
 
 def read_audit(name: str, data: dict[str, Any]) -> Audit:
     if data.get("schema") != 1:
-        raise InputError(f"{name}: version {data.get('schema')} of a flight's audit, expected 1")
+        raise InputError(f"{name}: version {data.get('schema')} of a flight audit, expected 1")
     rows = data.get("rows")
     wanted = {"name", "value", "bar", "at_most", "promise", "unit", "kept", "worst"}
     if not isinstance(rows, list) or not all(isinstance(row, dict) and wanted <= row.keys() for row in rows):
-        raise InputError(f"{name}: an audit whose rows lack {', '.join(sorted(wanted))}")
+        raise InputError(f"{name}: an audit's rows need {', '.join(sorted(wanted))}")
     return Audit(name, data)
 
 
 def read_film(name: str, data: dict[str, Any]) -> Film:
     if data.get("version") != 1:
-        raise InputError(f"{name}: version {data.get('version')} of a film's summary, expected 1")
+        raise InputError(f"{name}: version {data.get('version')} of a film summary, expected 1")
     try:
         device = data["device"]
         kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
         details = (
-            f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples a pixel, "
+            f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples per pixel, "
             f"{data['precision']}, {data['mode']}"
         )
         return Film(
@@ -123,7 +119,7 @@ def read_film(name: str, data: dict[str, Any]) -> Film:
             details,
         )
     except (KeyError, TypeError) as error:
-        raise InputError(f"{name}: a film's summary without {error}") from None
+        raise InputError(f"{name}: the film summary lacks {error}") from None
 
 
 def film_of_log(name: str, text: str) -> Film | None:

@@ -27,7 +27,7 @@ def one_thread(row: Row) -> bool:
 
 def label(row: Row) -> str:
     """Returns the name of a standard study's row in tables and charts."""
-    scalar = ", scalar" if row.point == SCALAR else ""
+    scalar = "-scalar" if row.point == SCALAR else ""
     return f"{where(row)}{scalar}{' (1 thread)' if one_thread(row) else ''}"
 
 
@@ -94,7 +94,7 @@ class Costs:
         those on one."""
         groups: dict[str, list[dict[str, Any]]] = {}
         for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
-            words = "on one thread, compared thread for thread" if speeds[0][1] > 1 else "On as many threads"
+            words = "on one thread, speed per thread" if speeds[0][1] > 1 else "On as many threads"
             ends = {"least": self._end(trace, min, speeds), "most": self._end(trace, max, speeds)}
             groups.setdefault(words, []).append({"backend": backend, **ends})
         if not groups:

@@ -98,7 +98,7 @@ class Studio:
             return None
         run = subprocess.run([self.render, "--list-fractals", "--json"], capture_output=True, text=True, check=False)
         if run.returncode != 0:
-            raise InputError(f"{self.render}: {run.stderr.strip()}: an older program? make build")
+            raise InputError(f"{self.render}: {run.stderr.strip()}; if the program is old, run make build")
         return json.loads(run.stdout)
 
     def _draw(self, key: Key, ending: str) -> Path | None:
@@ -107,7 +107,7 @@ class Studio:
         target = self.cache.path(ending, self.program, scene.read_text(encoding="utf-8"), key, SIDE)
         refused = target.with_suffix(ending + ".refused")
         if not target.exists() and not refused.exists():
-            print(f"report: drawing {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
+            print(f"report: rendering {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
             stats = target.with_suffix(ending + ".stats")
             run = subprocess.run(
                 [

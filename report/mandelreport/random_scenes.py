@@ -18,7 +18,7 @@ def read_random(name: str, data: dict[str, Any]) -> dict[str, Any]:
     try:
         random_table([data])
     except (KeyError, IndexError, TypeError, ValueError) as error:
-        raise InputError(f"{name}: not as bench random writes it: {error!r}") from None
+        raise InputError(f"{name}: not a valid result of bench random: {error!r}") from None
     return data
 
 
@@ -49,16 +49,17 @@ def random_table(results: list[dict[str, Any]]) -> Table:
         "precision",
         "backend",
         "sets and their seeds",
-        "visibly off by set [%]",
-        "hit or miss by set [%]",
+        "visible differences by set [%]",
+        "hit or miss differs by set [%]",
         "scenes over 2 %",
-        "of these short of digits",
+        "of these limited by float",
         "worst [%]",
     ]
     return Table(
         headers,
         rows,
-        "Fast pictures of random scenes against the reference's canonical ones (bench random). Short of digits: exact "
-        "mode's picture in float is more than 2 % off that in double, too.",
+        "Fast pictures of random scenes compared with the reference's canonical ones (bench random): pixels that differ visibly, and "
+        "pixels that hit the surface in one picture only. Limited by float: in exact mode, too, more than 2 % of the pixels differ "
+        "between float and double.",
         [3, 4, 5, 6, 7, 8],
     )

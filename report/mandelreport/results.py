@@ -87,7 +87,7 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
     try:
         data = json.loads(text)
     except ValueError as error:
-        raise InputError(f"{name}: no JSON: {error}") from None
+        raise InputError(f"{name}: not JSON: {error}") from None
     results.files[name] = data
     kind = data if isinstance(data, dict) else {}
     if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
@@ -142,7 +142,7 @@ def _told_apart(benches: list[Bench]) -> list[Bench]:
 def read_results(folder: Path) -> Results:
     """Reads every result below `folder`. Raises InputError for a broken file or another version."""
     if not folder.is_dir():
-        raise InputError(f"{folder}: no folder of results, expected one with the files that make bench writes")
+        raise InputError(f"{folder}: not a folder, expected one with results of make bench")
     results = Results()
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
@@ -155,6 +155,6 @@ def read_results(folder: Path) -> Results:
             elif kind in (".jpg", ".jpeg", ".png"):
                 results.contact_sheets.append(path)
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{name}: it cannot be read: {error}") from None
+            raise InputError(f"{name}: cannot be read: {error}") from None
     results.benches = _told_apart(results.benches)
     return results

@@ -26,7 +26,7 @@ def missing_tools() -> list[str]:
 def _run(*command: object) -> None:
     run = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
     if run.returncode != 0:
-        lines = (run.stdout + run.stderr).strip().splitlines() or ["it said nothing"]
+        lines = (run.stdout + run.stderr).strip().splitlines() or ["failed without a message"]
         raise InputError(f"{command[0]}: {lines[-1]}")
 
 

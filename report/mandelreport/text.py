@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .bench import Row, Times
+from .bench import Row
 
 
 def digits(value: float, count: int = 3) -> str:
@@ -26,12 +26,6 @@ def plain(value: float) -> str:
 
 def ms(seconds: float) -> str:
     return digits(1e3 * seconds)
-
-
-def interval_ms(times: Times) -> str:
-    if times.low is None or times.high is None:
-        return f"n = {times.count}"
-    return f"{ms(times.low)} – {ms(times.high)}"
 
 
 def percent(share: float | None, decimals: int = 1) -> str:

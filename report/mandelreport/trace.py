@@ -24,9 +24,8 @@ STYLES = {
     "four": lambda value: digits(value, 4),
     "whole": lambda value: f"{value:,.0f}",
     "plain": lambda value: f"{value:.0f}",
-    "decimal": lambda value: f"{value:.2f}",
 }
-RULES = {"least": min, "most": max, "count": len, "sum": sum}
+RULES = {"least": min, "most": max, "count": len}
 CONDITION = re.compile(r"([\w.]+)(!=|=|>|<)(.*)", re.S)
 
 

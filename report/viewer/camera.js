@@ -64,7 +64,7 @@ function packed(fields, layout, size) {
     const bytes = new ArrayBuffer(size);
     const ints = new Int32Array(bytes), floats = new Float32Array(bytes);
     for (const [name, offset, stride, whole] of layout) {
-        if (!(name in fields)) throw new Error(`the viewer does not know the scene's field ${name}`);
+        if (!(name in fields)) throw new Error(`the viewer has no value for the scene's field ${name}`);
         const to = whole ? ints : floats;
         [fields[name]].flat().forEach((value, i) => { to[(offset + i * (stride || 4)) / 4] = value; });
     }

@@ -54,7 +54,7 @@ class Painter {
         if (this.parallel && !gl.getProgramParameter(made.program, this.parallel.COMPLETION_STATUS_KHR)) return false;
         if (!gl.getProgramParameter(made.program, gl.LINK_STATUS)) {
             const log = gl.getShaderInfoLog(made.shader) || gl.getProgramInfoLog(made.program);
-            throw new Error(`the browser cannot compile the kernel text: ${log}`);
+            throw new Error(`the browser cannot compile the kernel: ${log}`);
         }
         const block = gl.getUniformBlockIndex(made.program, "SceneBlock");
         gl.uniformBlockBinding(made.program, block, 0);

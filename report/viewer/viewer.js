@@ -75,7 +75,7 @@ const Viewer = (() => {
         if (!running) return;
         try {
             if (!painter.ready(fractal)) {
-                say(`The browser is compiling the kernel text for the ${fractal} …`);
+                say(`The browser is compiling the kernel for the ${fractal} …`);
             } else {
                 const seconds = Math.min(0.1, (now - last) / 1000);
                 moving = fly(seconds) || moving;
@@ -85,7 +85,7 @@ const Viewer = (() => {
                     dirty = false;
                     moving = false;
                 } else if (tile) {
-                    say(drawResting() ? "The whole picture." : `Drawing: ${Math.round(100 * (tile ? tile.y : 0) / canvas.height)} %`);
+                    say(drawResting() ? "Complete." : `Rendering: ${Math.round(100 * (tile ? tile.y : 0) / canvas.height)} %`);
                 }
             }
             last = now;
@@ -196,7 +196,7 @@ const Viewer = (() => {
         canvas.addEventListener("webglcontextlost", (event) => {
             event.preventDefault();
             running = false;
-            say("The browser has taken the graphics device away; reload the page.");
+            say("The browser has reset the graphics device; reload the page.");
         });
         for (const button of document.querySelectorAll("[data-hold]")) {
             button.addEventListener("pointerdown", () => pressed.add(button.dataset.hold));
@@ -216,7 +216,7 @@ const Viewer = (() => {
             const text = find("viewer-dat");
             const fallback = () => { text.select(); document.execCommand("copy"); };
             if (navigator.clipboard) navigator.clipboard.writeText(text.value).catch(fallback); else fallback();
-            say("The parameter file is on the clipboard.");
+            say("Parameter file copied to the clipboard.");
         });
         find("viewer-save").addEventListener("click", () => {
             const link = document.createElement("a");

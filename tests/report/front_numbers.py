@@ -175,24 +175,25 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     digits = [[main.ratio(name_of(f, "double", m), name_of(f, "float", m)) for f in FRACTALS] for m in ("exact", "fast")]
     return [
         ("it: # of # exact pictures have the same bits.", same),
-        ("run at ~ to ~ times the speed of the same text", every),
-        ("is faster than another backend in # of # comparisons", count),
+        ("run at ~ to ~ times the speed of the same kernel", every),
+        ("is faster in # of # comparisons with other backends", count),
         ("the slowest to the fastest of # cases of # x # pixels", [len(next(iter(cost.values()))), *side]),
         *((f"{model} ~ to ~", ends(speeds)) for model, speeds in cost.items()),
-        ("for Mandelbulb and Mandelbox in float, # x # pixels", side),
-        *((f"in {m} mode openmp is ~ and ~ times as fast as the scalar text on as many threads, of which # and # is less work", simd(m)) for m in ("exact", "fast")),
+        ("For Mandelbulb and Mandelbox in float, # x # pixels", side),
+        *((f"in {m} mode openmp is ~ and ~ times as fast as the scalar kernel on as many threads (factors of # and # come from fewer operations)", simd(m)) for m in ("exact", "fast")),
         ("takes ~ and ~ times as long as openmp in exact mode", [n for one in serial for n in one.numbers()]),
         ("in exact mode: # of # exact pictures", same),
         ("at most # % of an official scene's pixels", [100 * max(r["proof"]["visibly_differing"] / r["proof"]["pixels"] for r in fast)]),
-        ("In # of # comparisons the other backend takes longer, at the level of # % for all", [*count, 5]),
-        (f"The next best takes {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
+        ("In # of # comparisons the other backend takes significantly longer, at a level of # % for all", [*count, 5]),
+        (f"The next best backend takes from {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
         *(box_or_bulb(*pair[0].split("/")[1:3], main.ratio(*pair)) for pair in pairs),
-        ("These are pictures of # x # pixels", side),
-        ("a pixel takes # times as many calls of the estimator and a call # times as many iterations, counted over all pixels; an iteration "
-         "takes # times as many operations, counted in a sample of #. Their product is # times the operations.", factors),
-        ("double take ~ and ~ times as long in exact mode, ~ and ~ in fast mode", [n for two in digits for one in two for n in one.numbers()]),
+        ("All these pictures have # x # pixels", side),
+        ("a pixel of the Mandelbox takes # times as many evaluations of the distance estimator (DE), and a DE evaluation # times as many "
+         "iterations, both counted over all pixels. An iteration takes # times as many operations, counted in a sample of # pixels. The "
+         "product is # times as many operations.", factors),
+        ("double takes ~ and ~ times as long in exact mode, and ~ and ~ times in fast mode", [n for two in digits for one in two for n in one.numbers()]),
         *other_files(folder),
-        ("In brackets: # % intervals, each by itself, of # launches", [95, main.data["launches"]]),
+        ("In brackets: individual # % intervals of # runs", [95, main.data["launches"]]),
     ]
 
 
@@ -205,10 +206,10 @@ def other_files(folder: Path) -> list[tuple[str, list[float]]]:
     film = json.loads((folder / "film.json").read_text())
     gpu = [n for f in FRACTALS for ms in [wide.kernel(at(f)).numbers(1e3)] for n in (paper[f], *ms, ms[0] / paper[f])]
     return [
-        ("# and # % of the fast pixels are visibly off in float, # and # % in double", [sums[f, p] for p in ("float", "double") for f in ("bulb", "box")]),
-        ("float and fast mode, # x # pixels: at least # ms for the Mandelbulb where openmp takes ~ ms, # times as long; at least # ms for the Mandelbox "
-         "where openmp takes ~ ms, # times as long", film_size + gpu),
-        ("# minutes: # frames of # x # pixels (float, fast, # x # samples a pixel) in # s, # s a frame",
+        ("# and # % of the pixels differ visibly from the canonical picture in float, and # and # % in double", [sums[f, p] for p in ("float", "double") for f in ("bulb", "box")]),
+        ("float and fast mode, # x # pixels, is at least # ms for the Mandelbulb (openmp on the processor: ~ ms, # times as long) and at least # ms "
+         "for the Mandelbox (openmp on the processor: ~ ms, # times as long)", film_size + gpu),
+        ("# minutes for # frames of # x # pixels (float, fast, # x # samples per pixel): # s in all, # s per frame",
          [film["seconds"] / 60, film["frames_rendered"], film["width"], film["height"], film["samples"], film["samples"], film["seconds"], film["seconds"] / film["frames_rendered"]]),
         ("together, on # threads of", [film["threads"]]),
     ]

@@ -49,8 +49,8 @@ class CostTest(unittest.TestCase):
 
     def test_one_thread_and_the_scalar_text_are_marked(self) -> None:
         rows = [row("openmp", 0.1, pack=48), SCALAR, row("kokkos", 0.8, threads=1), row("vulkan", 0.2, threads=1)]
-        self.assertEqual([label(Row(data)) for data in rows], ["openmp", "openmp, scalar", "kokkos (1 thread)", "vulkan"])
-        self.assertEqual(ranked(with_scalar(bench(*rows), "reference")), ["openmp", "vulkan", "openmp, scalar", "kokkos (1 thread)"])
+        self.assertEqual([label(Row(data)) for data in rows], ["openmp", "openmp-scalar", "kokkos (1 thread)", "vulkan"])
+        self.assertEqual(ranked(with_scalar(bench(*rows), "reference")), ["openmp", "vulkan", "openmp-scalar", "kokkos (1 thread)"])
 
     def test_a_baseline_beside_itself_has_no_interval(self) -> None:
         self.assertEqual(quotient_cell(Row(row("reference", 1, speed=1.0)), "over_scalar"), "1")

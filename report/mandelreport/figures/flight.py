@@ -74,7 +74,7 @@ def ground(flight: FlightMap) -> Figure:
             markeredgewidth=0.6,
             label=f"{len(passages)} passages",
         )
-        axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="begin")
+        axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="start")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
         # The part of the hull around the path, a square in both maps; the approach is cut off.
         inside = [i for i in range(len(xs)) if max(abs(flight.series(key)[i]) for key in "xyz") <= hull] or range(len(xs))
@@ -98,8 +98,8 @@ def ground(flight: FlightMap) -> Figure:
         f"{flight.data['ball_count']} free balls, {flight.data['gate_count']} gates, the path and its "
         f"{len(flight.data['passages'])} distinct passages.",
         f"{flight.fractal}, seed {flight.data['seed']}: {len(balls):,} of {flight.data['ball_count']:,} "
-        "free balls (pale; those on and beside the path), the gates, the path. Dashed: the hull. The balls lie in the part "
-        "of space that holds a copy of every place under the symmetry, the path within them.",
+        "free balls (pale; those on and near the path), the gates, the path. Dashed: the hull. By symmetry one part of space "
+        "represents all of it; the balls and the path lie in that part.",
     )
 
 
@@ -116,7 +116,7 @@ def over_time(flight: FlightMap) -> Figure:
     turn = flight.series("turn")
     figure, axes = style.panels(4, 1, 8, 6.6, sharex=True)
     plots = [
-        ("clearance\n[% of the hull's size]", seconds, clearance, True),
+        ("clearance\n[% of hull size]", seconds, clearance, True),
         ("speed\n[hull sizes / s]", seconds[1:], speed, True),
         ("step /\nclearance", seconds[1:], steps, False),
         ("turn\n[degrees / frame]", seconds, turn, False),
@@ -142,9 +142,9 @@ def over_time(flight: FlightMap) -> Figure:
     return style.block(
         figure,
         f"Four curves over {digits(seconds[-1])} seconds of the {flight.fractal}'s flight: clearance from "
-        f"{digits(min(clearance))} to {digits(max(clearance))} % of the hull's size; speed up to "
-        f"{digits(max(speed))} hull sizes a second; steps up to {digits(max(steps))} of the clearance; turns up "
-        f"to {digits(max(turn))} degrees a frame.",
-        f"{flight.fractal}: clearance, speed, step over clearance and turn, frame by frame. Dotted: the "
-        "narrowest places of distinct passages.",
+        f"{digits(min(clearance))} to {digits(max(clearance))} % of the hull size; speed up to "
+        f"{digits(max(speed))} hull sizes per second; steps up to {digits(max(steps))} of the clearance; turns up "
+        f"to {digits(max(turn))} degrees per frame.",
+        f"{flight.fractal}: clearance, speed, step over clearance and turn, by frame. Dotted: the narrowest "
+        "places of distinct passages.",
     )

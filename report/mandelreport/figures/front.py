@@ -49,7 +49,7 @@ def times(bench: Bench, backends: Backends) -> Figure:
         axis.xaxis.set_major_formatter(lambda x, _: plain(x))
         axis.grid(axis="y", visible=False)
         axis.set_title(fractal)
-    axes[-1][0].set_xlabel("kernel time of a picture [ms], logarithmic")
+    axes[-1][0].set_xlabel("kernel time per picture [ms], logarithmic")
     handles = [
         axes[0][0].plot([], [], marker=marker, fillstyle=fill, color="black", linestyle="", label=f"{precision}, {mode}")[0]
         for (precision, mode), (fill, marker) in KINDS.items()
@@ -58,7 +58,7 @@ def times(bench: Bench, backends: Backends) -> Figure:
     size = rows[0].setting
     return style.block(
         figure,
-        "Points of kernel times with intervals. " + "; ".join(said) + ".",
+        "Kernel times as points with intervals. " + "; ".join(said) + ".",
         f"Kernel time of one picture of {size['width']} x {size['height']} pixels, median and 95 % interval; "
         f"{bench.machine}, {bench.name}.",
         wide=False,

@@ -46,8 +46,8 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
     return style.block(
         figure,
         "Cascade of Pennycook's metric by application efficiency. " + "; ".join(said) + ".",
-        "Cascade: the metric over the first 1, 2, ... platforms in the order of falling efficiency (marks and "
-        "lines), and the efficiency on each (dashes). Filled marks: double, open ones: float.",
+        "Cascade: the metric over the first 1, 2, ... platforms in order of decreasing efficiency (marks and lines), and the "
+        "efficiency on each platform (dashes). Filled marks: double; open marks: float.",
     )
 
 
@@ -69,18 +69,18 @@ def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backen
         axis.plot([1], [mean], linestyle="", label=name, **_mark(backends.number_of(name)))
         said.append(f"{name} {digits(mean)}")
     together, apart = divergence["convergence"], divergence["convergence_without_one_text"]
-    axis.plot([together], [1], "k*", markersize=14, label=f"all {len(names)}, one text")
-    axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, a text each")
+    axis.plot([together], [1], "k*", markersize=14, label=f"all {len(names)}, one kernel source")
+    axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, one source each")
     axis.annotate("", (together, 0.985), (apart, 0.985), arrowprops={"arrowstyle": "->", "color": "0.5"})
     axis.set(xlim=(0, 1.05), ylim=(0, 1.08), xlabel="code convergence", ylabel="performance portability")
     axis.legend(loc="center left", fontsize=8)
     return style.block(
         figure,
-        f"Navigation chart. Convergence of all backends {digits(together)}, with a text each {digits(apart)}. Portability: "
+        f"Navigation chart. Convergence of all backends {digits(together)}, with one source each {digits(apart)}. Portability: "
         f"{', '.join(said)}.",
-        "Navigation chart: a backend alone needs one source, so that it stands at the right, at its mean portability over "
-        "the problems; its efficiency is the best backend's time over its own. Of all together the fastest counts on each "
-        "platform. The arrow is what one kernel text saves over one for each model, in shared lines of code.",
+        "Navigation chart. A single backend needs one source, so it is at the right edge, at its mean portability over all "
+        "problems; its efficiency is the best backend's time over its own. For all backends together, the fastest on each "
+        "platform counts. The arrow shows the gain in shared lines of code from one kernel source instead of one per model.",
     )
 
 

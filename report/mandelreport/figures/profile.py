@@ -71,12 +71,12 @@ def profile(bench: Bench) -> Figure | None:
     axis.set_yticks([at for at, _ in labels], [text for _, text in labels], fontsize=7)
     axis.invert_yaxis()
     axis.grid(axis="y", visible=False)
-    axis.set(xlabel="share [%]", xlim=(0, 100))
+    axis.set(xlabel="fraction [%]", xlim=(0, 100))
     handles = [Patch(label=stage, **style.look(s)) for s, stage in enumerate(STAGES)]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
     return style.block(
         figure,
-        "Stacked bars of the stages' shares. " + "; ".join(said) + ".",
-        "Where a picture's time goes on one core (openmp), and where its counted operations are; fast mode's "
-        "cones belong to begin.",
+        "Stacked bars of the stages' fractions. " + "; ".join(said) + ".",
+        "Time of a picture by stage, on one core (openmp), and its counted operations by stage. In fast mode, begin includes "
+        "the cones.",
     )

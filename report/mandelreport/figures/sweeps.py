@@ -106,13 +106,13 @@ def ablation(bench: Bench) -> Figure | None:
         axis.axhline(1, color="black", linewidth=0.8)
         axis.set_xticks(range(len(points)), points, rotation=30, ha="right", fontsize=7)
         axis.grid(axis="x", visible=False)
-        axis.set(xlabel="switched off", title=fractal)
+        axis.set(xlabel="disabled technique", title=fractal)
         if j == 0:
-            axis.set_ylabel("time over the time with all")
+            axis.set_ylabel("time / time with all")
         axis.legend(fontsize=8)
     return style.block(
         figure,
-        "Bar charts of times without a technique over the time with all. " + "; ".join(said) + ".",
-        "Ablation: kernel time without a technique, as a multiple of the time with all of them, taken round by round, with "
-        "its 95 % interval. 1: it is worth nothing there. Without root the picture is another one.",
+        "Bar charts: time without a technique over the time with all techniques. " + "; ".join(said) + ".",
+        "Ablation: kernel time without a technique as a multiple of the time with all techniques, taken round by round, with its "
+        "95 % interval. 1: the technique gains nothing. Without root the picture differs.",
     )

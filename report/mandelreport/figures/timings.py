@@ -8,7 +8,7 @@ import itertools
 from matplotlib.patches import Patch
 
 from ..backends import Backends
-from ..bench import Bench, Row, Times
+from ..bench import Bench, Times
 from ..blocks import Figure
 from ..models import SCALAR, label, ranked, with_scalar
 from ..text import digits, ms, percent, plain, where
@@ -41,13 +41,13 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
         axes[i][j].set_yticks(range(len(names)), names, fontsize=8)
         axes[i][j].grid(axis="y", visible=False)
     axes[0][0].invert_yaxis()
-    figure.supxlabel("time over the scalar text's, logarithmic", fontsize=9)
+    figure.supxlabel("time / time of the scalar kernel, logarithmic", fontsize=9)
     return style.block(
         figure,
-        "Points with intervals: time over the scalar text's. " + "; ".join(said) + ".",
-        "Wall time of one picture over that of the same text as plain scalar C++ (the line at 1), with 95 % intervals, the fastest backend "
-        "first; filled marks double, open ones float. The scalar text has as many threads as the processor, those marked "
-        "(1 thread) have one: twice the time is the same speed, thread for thread.",
+        "Points with intervals: time over the scalar kernel's. " + "; ".join(said) + ".",
+        "Wall time of one picture over that of the same kernel as plain scalar C++ (the line at 1), with 95 % intervals, fastest backend "
+        "first. Filled marks: double; open marks: float. The scalar kernel runs on as many threads as the processor has, backends marked "
+        "(1 thread) on one; with two threads, twice the time is then the same speed per thread.",
     )
 
 
@@ -62,10 +62,9 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
         fractal, precision, mode, backend, device, *point = ratio["denominator"].split("/")
         kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
         name = backend if device == "0" else f"{backend} {device}"
-        entries.append((kind, f"{name}, scalar" if point else name, backend, Times.of(ratio["ratio"])))
+        entries.append((kind, f"{name}-scalar" if point else name, backend, Times.of(ratio["ratio"])))
     kinds = list(dict.fromkeys(kind for kind, *_ in entries))
-    names = backends.order([name for _, name, _, _ in entries if "," not in name])
-    names += sorted({name for _, name, _, _ in entries if "," in name})
+    names = backends.order(name for _, name, _, _ in entries)
     figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
     said = []
     for kind, name, backend, times in entries:
@@ -116,8 +115,8 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
     return style.block(
         figure,
         "Bar charts of the share of the measured peak. " + "; ".join(said) + ".",
-        "Counted operations a second as a share of the measured multiply-add peak of the platform: the roof "
-        "of a roofline plot. The kernel reads no memory while it marches, so the slanted part never counts.",
+        "Counted operations per second as a share of the platform's measured multiply-add peak, the flat roof of a roofline "
+        "plot. The march reads no memory, so the slanted roof (memory bandwidth) does not apply.",
     )
 
 
@@ -158,6 +157,6 @@ def machines(benches: list[Bench]) -> Figure | None:
     figure.legend(loc="outside upper center", fontsize=7)
     return style.block(
         figure,
-        "Bars of the fastest backend's rate on each machine. " + "; ".join(said) + ".",
-        "All machines: pixels a second of the fastest backend, whose name stands above the bar. Logarithmic.",
+        "Bars: the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+        "All machines: pixels per second of the fastest backend, which is named above the bar; logarithmic.",
     )

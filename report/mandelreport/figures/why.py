@@ -70,10 +70,10 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
     if not pairs:
         return None
     names = [
-        "calls\na pixel",
-        "iterations\na call",
-        "operations\nan iteration",
-        "lanes that\nwait (sample)",
+        "DE evaluations\nper pixel",
+        "iterations per\nDE evaluation",
+        "operations\nper iteration",
+        "idle lanes\n(sample)",
         "all four",
         "measured\ntime",
     ]
@@ -109,7 +109,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
     return style.block(
         figure,
         "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
-        "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Lanes that "
-        "wait: the shares of busy lanes, the other way round. Calls and iterations are counted over all pixels, operations and lanes in a "
-        f"sample of {pairs[0][0].sample:,} of each picture. The first four multiply to the fifth.",
+        "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Idle lanes: the Mandelbulb's "
+        "fraction of active lanes over the Mandelbox's. DE evaluations and iterations are counted over all pixels, operations and lanes in a "
+        f"sample of {pairs[0][0].sample:,} pixels of each picture. The fifth group is the product of the first four.",
     )

@@ -15,8 +15,8 @@ from .method import instructions
 def _told(what: Any, words: Callable[[Any], str]) -> str:
     """Returns the machine's reading, or why it is missing. Older builds of bench did not take it."""
     if what is None:
-        return "not asked"
-    return f"not told: {what['missing']}" if "missing" in what else words(what)
+        return "not recorded"
+    return f"missing: {what['missing']}" if "missing" in what else words(what)
 
 
 def _gpu(gpu: dict[str, Any]) -> str:
@@ -40,7 +40,7 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
     return {
         "file": bench.name,
         "pixels": bench.size,
-        "launches, seed": f"{bench.data['launches']}, {bench.data['seed']}",
+        "runs, seed": f"{bench.data['launches']}, {bench.data['seed']}",
         "SIMD": instructions(bench, host) or "–",
         "date": e["date"][:16].replace("T", " "),
         "revision": git["revision"][:12] + (", with uncommitted changes" if git["dirty"] else ""),
@@ -51,9 +51,9 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
         "governor": cpu["governor"] or "unknown",
         "memory": f"{e['memory']['total_bytes'] / 2**30:.1f} GiB",
         "system": f"{e['os']['name']}, {e['os']['kernel']}, {e['os']['architecture']}",
-        "load meanwhile": f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
-        "others' share": f"{100 * during['others_share']:.1f} %",
-        "stolen": f"{100 * during['stolen_share']:.2f} %",
+        "load during the run": f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
+        "used by others": f"{100 * during['others_share']:.1f} %",
+        "stolen by the hypervisor": f"{100 * during['stolen_share']:.2f} %",
         **_telemetry(e),
         "warnings": str(len(bench.data["warnings"])),
     }
@@ -68,7 +68,7 @@ def _environments(material: Material) -> Table | None:
     for key in facts[0]:
         values = [of[key] for of in facts]
         rows.append([key, *(["as A" if k and value == values[0] and len(value) > 12 else value for k, value in enumerate(values)])])
-    return Table(["", *(material.letter(bench.name) for bench in benches)], rows, "The results of the standard study.")
+    return Table(["", *(material.letter(bench.name) for bench in benches)], rows, "Results of the standard study.")
 
 
 def _backends(material: Material) -> Table | None:
@@ -90,7 +90,7 @@ def section(material: Material) -> dict[str, Any]:
         for b in material.results.benches
         if b.study != "standard"
     ]
-    headers = ["file", "study", "machine", "launches", "revision", "date"]
-    tables = [_environments(material), _backends(material), Table(headers, others, "The other result files.", [3]) if others else None]
+    headers = ["file", "study", "machine", "runs", "revision", "date"]
+    tables = [_environments(material), _backends(material), Table(headers, others, "Other result files.", [3]) if others else None]
     warnings = [(material.letter(b.name), b.data["warnings"]) for b in material.results.study("standard") if b.data["warnings"]]
     return {"tables": [table for table in tables if table], "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}

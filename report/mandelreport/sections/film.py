@@ -24,13 +24,13 @@ def _table(film: Film) -> Table:
     rows = [
         ["GPU(s) or CPU used", film.device],
         ["number of frames", f"{film.frames:,}"],
-        ["average seconds per frame", digits(film.per_frame) if film.per_frame else "none was rendered in this run"],
+        ["average seconds per frame", digits(film.per_frame) if film.per_frame else "no frame was rendered in this run"],
         ["frames rendered in this run, seconds", f"{film.rendered:,} in {digits(film.seconds)} s"],
         ["processes", str(film.processes)],
     ]
     if film.details:
-        rows.append(["frames", film.details])
-    return Table(["", film.fractal], rows, f"The film, from {film.name}. Drawing, filtering and encoding are in the time.")
+        rows.append(["settings", film.details])
+    return Table(["", film.fractal], rows, f"The film, from {film.name}. The time includes rendering, filtering and encoding.")
 
 
 def _sheet(path: Path) -> Figure:
@@ -43,10 +43,9 @@ def _sheet(path: Path) -> Figure:
         small.save(buffer, format="JPEG", quality=SHEET_QUALITY, optimize=True)
     return Figure(
         data_uri("image/jpeg", buffer.getvalue()),
-        f"Contact sheet of the film ({path.stem}): small frames in their order, row by row, from outside the fractal to "
-        "its holes.",
-        f"The film in small: {path.stem}.",
-        see="row by row, the camera comes from outside, turns into a hole and goes on from hole to hole.",
+        f"Contact sheet of the film ({path.stem}): small frames in order, row by row, from outside the fractal into its holes.",
+        f"Frames of the film: {path.stem}.",
+        see="row by row, the camera approaches from outside, enters a hole and continues from hole to hole.",
     )
 
 
@@ -55,7 +54,7 @@ def section(material: Material) -> dict[str, Any]:
     map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
     ground = dataclasses.replace(
         figures.ground(results.maps[-1]),
-        see="the path (red) stays within the free balls (pale) and goes from passage to passage (diamonds).",
+        see="the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).",
     ) if results.maps else None
     promises = [row for audit in results.audits for row in audit.data["rows"] if row["promise"]]
     return {

@@ -30,10 +30,10 @@ def _audit_table(audit: Audit) -> Table:
         )
     data = audit.data
     return Table(
-        ["", "row", "value", "bar", "", "worst"],
+        ["", "item", "value", "threshold", "", "worst"],
         rows,
-        f"Audit of the {data['fractal']}'s flight, seed {data['seed']}, {data['frames']:,} frames. ! is a promise, the "
-        "others are quality.",
+        f"Audit of the {data['fractal']}'s flight, seed {data['seed']}, {data['frames']:,} frames. Items with ! are promises and "
+        "must be kept; the others describe quality.",
         [2, 3],
     )
 
@@ -47,9 +47,9 @@ def section(material: Material) -> dict[str, Any]:
         "seed_to_path": chapter("docs/flight.md", "From the seed to the path"),
         "audit_text": chapter("docs/flight.md", "The audit"),
         "maps": maps,
-        "no_maps": Missing("The map, the path and what was measured on it", command),
+        "no_maps": Missing("The map, the path and its measurements", command),
         "audits": [_audit_table(audit) for audit in results.audits],
         "no_audits": Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json"),
         "studies": results.flight_studies,
-        "no_studies": Missing("The study of many seeds, of anti-aliasing and of segments", "make flight-study"),
+        "no_studies": Missing("The study of seeds, anti-aliasing and segments", "make flight-study"),
     }

@@ -15,7 +15,7 @@ from .tables import time_cell
 SIZE = (1920, 1080)  # pixels of the prediction
 PAPER = re.compile(r"(\w+) on paper,")
 NAMES = {"H100": ("H100", "H200")}  # GPUs with the same multiprocessors
-HEADERS = ["fractal", "precision", "mode", "backend", "cycles a round", "cycles a step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
+HEADERS = ["fractal", "precision", "mode", "backend", "cycles per iteration", "cycles per step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
 
 
 def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
@@ -58,7 +58,7 @@ def _table(material: Material, gpu: str, text: str) -> Table | None:
     return Table(
         headers,
         rows,
-        f"{gpu}: kernel time of the march expected at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's time, measured on two threads of a processor (* in the study of resolutions).",
+        f"{gpu}: expected kernel time of the march at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's time, measured on two threads of a processor (*: in the study of resolutions).",
         list(range(4, len(headers))),
     ) if rows else None
 

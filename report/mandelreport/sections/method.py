@@ -34,8 +34,8 @@ def _baseline(material: Material) -> str:
         return ""
     host, trace = material.backends.host, material.answers.trace
     text = Markup(
-        "The scalar text and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs choose their "
-        "instructions at run time; OpenCL and Vulkan compile for the processor that they find."
+        "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
+        "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
     ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
     file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
     if file is None:
@@ -43,7 +43,7 @@ def _baseline(material: Material) -> str:
     ends = [trace.number(Place((file,), f"* * {mode}:3", rule)) for mode in ("exact", "fast") for rule in ("least", "most")]
     machine = next(line for line in str(material.results.files[file]).splitlines() if line.startswith("processor")).split(maxsplit=1)[1]
     return text + Markup(
-        " With -march=native the scalar text is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
+        " With -march=native the scalar kernel is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
     ).format(*ends, named(machine), file)
 
 
@@ -63,9 +63,9 @@ def section(material: Material) -> dict[str, Any]:
             ]
         )
     table = Table(
-        ["", "file", "machine", "pixels", "launches", "SIMD", "revision"],
+        ["", "file", "machine", "pixels", "runs", "SIMD", "revision"],
         rows,
-        "Results of the standard study; tables below call them by their letters.",
+        "Results of the standard study; the tables below use their letters.",
         [4],
     )
     return {"table": table if rows else Missing("The results", "make bench"), "baseline": _baseline(material)}

@@ -44,7 +44,7 @@ def _scaling(material: Material) -> str:
     if not found:
         return ""
     least, most = (_traced(material, *pick(found, key=lambda one: one[2].median)[:2]) for pick in (min, max))
-    return Markup("as many threads as cores take {} to {} of one thread's time; more threads than cores are worth nothing more.").format(least, most)
+    return Markup("with as many threads as cores, a picture takes {} to {} of the time on one thread; more threads than cores gain nothing.").format(least, most)
 
 
 def _worth(material: Material) -> str:
@@ -64,7 +64,7 @@ def _worth(material: Material) -> str:
     )
     if together is None:
         return text + "."
-    return text + Markup("; without the four that find empty space together up to {} times.").format(together[1])
+    return text + Markup("; without all four that find empty space, up to {} times.").format(together[1])
 
 
 def _with(blocks: list[Block], see: str) -> list[Block]:
@@ -78,7 +78,7 @@ def section(material: Material) -> dict[str, Any]:
     march = _march(material)
     return {
         "march": march,
-        "profiles": _with(profiles, f"{march}, in every fractal, precision and mode." if march else "")
+        "profiles": _with(profiles, f"{march}, for every fractal, precision and mode." if march else "")
         or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
         "threads": _with(sweep(material, *THREADS), _scaling(material)),
         "ablation": _with(ablations, _worth(material))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..agreement import Difference, compare, difference_map, encode, flip_mean, yardstick
+from ..agreement import compare, difference_map, encode, flip_mean, yardstick
 from ..blocks import Block, Figure, Missing, Table, data_uri
 from ..pictures import SCENES, SIDE, Key, Picture
 from ..random_scenes import random_table
@@ -21,9 +21,7 @@ class Shown:
     name: str  # in the page
     figure: Figure
     keys: list[Key]
-    against: str
     map: Figure | None
-    difference: Difference | None
 
 
 def _names(keys: list[Key]) -> str:
@@ -44,19 +42,18 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         first = same[0]
         keys = [picture.key for picture in same]
         names = _names(keys)
-        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, drawn by {names}.", names)
+        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, rendered by {names}.", names)
         canonical = yardstick(pictures, first, material.backends.reference)
-        against, drawn, difference = "", None, None
+        drawn = None
         if canonical is not None:
             difference = compare(material.studio, canonical, first)
-            against = str(canonical.key)
             if difference.differing:
                 drawn = Figure(
                     data_uri("image/png", difference_map(canonical, first)),
-                    f"Where the {fractal} drawn by {names} differs from {against}: {difference.differing} pixels.",
-                    f"{names}, against {against}: {difference.words}",
+                    f"Map of the {fractal}'s {difference.differing} pixels that differ between {names} and {canonical.key}.",
+                    f"{names}, compared with {canonical.key}: {difference.words}",
                 )
-        shown.append(Shown(f"{fractal}-{number}", figure, keys, against, drawn, difference))
+        shown.append(Shown(f"{fractal}-{number}", figure, keys, drawn))
     return shown
 
 
@@ -96,9 +93,9 @@ def _float_against_double(material: Material, pictures: dict[Key, Picture]) -> T
                     ]
                 )
     return Table(
-        ["fractal", "mode", "backend", "pixels that differ", "visibly", "share", "largest / 255", "PSNR [dB]"],
+        ["fractal", "mode", "backend", "pixels that differ", "visibly", "fraction", "largest / 255", "PSNR [dB]"],
         rows,
-        "Float against double of the same backend. Visibly: a byte is off by more than 2 of 255.",
+        "Float compared with double on the same backend. Visibly: a byte differs by more than 2 of 255.",
         [3, 4, 5, 6, 7],
     )
 
@@ -127,10 +124,10 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
     if not rows:
         return Missing("FLIP of the fast pictures", "make build report")
     return Table(
-        ["fractal", "precision", "backend", "mean FLIP", "visibly off", "PSNR [dB]"],
+        ["fractal", "precision", "backend", "mean FLIP", "differ visibly", "PSNR [dB]"],
         rows,
-        "Fast pictures against the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR, 0: the same "
-        "to the eye, 1: as different as can be), the share of pixels with a byte off by more than 2, and PSNR.",
+        "Fast pictures compared with the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR; 0: the same "
+        "to the eye, 1: the largest difference), the fraction of pixels with a byte that differs by more than 2, and PSNR.",
         [3, 4, 5],
     )
 
@@ -138,7 +135,7 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
 def section(material: Material) -> dict[str, Any]:
     pictures = {picture.key: picture for picture in material.studio.all(material.backends.names)}
     if not pictures:
-        return {"missing": Missing("The pictures, as no bin/render is there", "make build report")}
+        return {"missing": Missing("The pictures, as bin/render is missing", "make build report")}
     tables = [
         table
         for fractal in SCENES
@@ -167,7 +164,7 @@ def section(material: Material) -> dict[str, Any]:
         if material.results.random
         else Missing("Fast pictures of random scenes", "bin/bench random --json report/results/random.json"),
         "devices": Table(
-            ["backend", "device"], [list(entry) for entry in devices], "What drew the pictures of this section."
+            ["backend", "device"], [list(entry) for entry in devices], "Devices that rendered the pictures of this section."
         ),
         "reasons": list(reasons),
     }

@@ -31,15 +31,15 @@ def _proofs(material: Material) -> Block:
     """Returns the verification result of each row of the primary study, backends as columns."""
     bench = material.answers.primary
     if bench is None:
-        return Missing("The proofs", "make bench")
+        return Missing("The verification", "make bench")
     names = material.backends.order(row.backend for row in bench.rows if row.timed)
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
-    said = {(row.fractal, row.precision, row.mode, row.backend): row.proof["text"] or "yardstick" for row in bench.rows if row.timed}
+    said = {(row.fractal, row.precision, row.mode, row.backend): row.verification for row in bench.rows if row.timed}
     return Table(
         ["fractal", "precision", "mode", *names],
         [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],
-        f"What the proofs found ({bench.name}). Same bits: every bit of colour and depth is the scalar text's. Off: a byte is off "
-        "by more than 2 of 255.",
+        f"Results of verification ({bench.name}). Same bits: all bits of colour and depth equal those of the scalar kernel. Off: "
+        "pixels with a byte that differs by more than 2 of 255.",
     )
 
 

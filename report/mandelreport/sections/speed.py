@@ -36,14 +36,14 @@ def _table(material: Material, bench: Bench) -> Table:
     lines += [
         [f"{host} over serial", *(quotient_cell(row, "speed_up") if row else "–" for row in own)],
         [f"{host} over scalar", *(_elsewhere(material, *kind) if cell == "–" else cell for cell, kind in zip(over, kinds))],
-        ["of it less work", *("–" if share is None else digits(1 / share) for share in work)],
+        ["of this, fewer operations", *("–" if share is None else digits(1 / share) for share in work)],
     ]
     return Table(
         ["ms", *(", ".join(kind) for kind in kinds)],
         lines,
-        f"Kernel time with its 95 % interval ({bench.name}, {bench.size} pixels), the fastest backend first. Below it the host's wall-time "
-        "speed-up over the serial reference in double and exact mode, and over the same text in scalar C++ on the same threads (* from "
-        "another file, which Appendix B names); of the latter, the scalar text's counted operations over the host's.",
+        f"Kernel time with its 95 % interval ({bench.name}, {bench.size} pixels), fastest backend first. Last lines: {host}'s wall-time "
+        "speed-up over the serial reference in double and exact mode, its speed-up over the scalar kernel on the same threads (*: from "
+        "another file, named in Appendix B), and the scalar kernel's counted operations over its own.",
         list(range(1, 1 + len(kinds))),
     )
 
@@ -67,7 +67,7 @@ def _peak_see(material: Material, bench: Bench) -> str:
         return ""
     share = material.answers.trace.one(bench.name, f"rows:name={best.name}:figures.share_of_peak", "plain", 100)
     return Markup(
-        "the highest bar is {} % ({}, {}, {}, {}). The rest is work that is no multiply-add and lanes that wait; Appendix B counts the loops' instructions."
+        "the highest bar is {} % ({}, {}, {}, {}). The rest is operations other than multiply-adds, and idle lanes; Appendix B counts the loops' instructions."
     ).format(share, where(best), best.fractal, best.precision, best.mode)
 
 
@@ -78,8 +78,9 @@ def _cost_see(material: Material, bench: Bench) -> str:
     path = f"rows:backend={material.backends.host}&point=&figures!=null:figures.over_scalar"
     least, most = (material.answers.trace.number(Place((bench.name,), path, rule)) for rule in ("least", "most"))
     return Markup(
-        "{} stay near the line, thread for thread at {} to {} times the scalar text's speed: the loop that a model writes costs little. {} is {} to {} times as "
-        "fast as that text, in fast mode partly by less work. Where two intervals overlap, the ratio may still be distinguishable, as it is taken round by round."
+        "{} stay near the line, at {} to {} times the scalar kernel's speed per thread: the models' own loops cost little. {} is {} to {} times as "
+        "fast as the scalar kernel, in fast mode partly because it does fewer operations. Ratios are taken round by round, so two "
+        "configurations can differ significantly even if their intervals overlap."
     ).format(join(cost["backends"]), cost["least"], cost["most"], material.backends.host, least, most)
 
 

@@ -15,26 +15,26 @@ SWEEPS = [
         "resolution",
         "picture [pixels]",
         "rate",
-        "Pixels a second over the picture's size: where a line is flat, twice the pixels take twice the time. Wide ones have "
-        "more background.",
+        "Pixels per second by picture size. If a line is flat, twice the pixels take twice the time. Wide pictures have more "
+        "background.",
     ),
     (
         "frames",
         "pictures from one fresh renderer",
         "ms",
-        "Wall time a picture, context and build included: what opening a device costs, and how many pictures pay for it.",
+        "Wall time per picture, including context and build: the cost of opening a device, and after how many pictures it is negligible.",
     ),
-    ("packs", "pixels at once on a core", "ms", "Kernel time over the pixels that a core computes at once."),
+    ("packs", "pixels at once on a core", "ms", "Kernel time by the number of pixels that a core computes at once."),
     (
         "tiles",
         "tiles that a thread takes at once",
         "ms",
-        "Kernel time over the tiles of 16 x 16 pixels that a thread takes at once.",
+        "Kernel time by the number of 16 x 16 tiles that a thread takes at once.",
     ),
-    ("iterations", "limit of iterations", "ms", "Kernel time over the distance estimator's limit of iterations."),
-    ("detail", "detail level D", "ms", "Kernel time over the detail level: a surface is hit where DE < 10^D t."),
+    ("iterations", "limit of iterations", "ms", "Kernel time by the distance estimator's limit of iterations."),
+    ("detail", "detail level D", "ms", "Kernel time by detail level: a ray hits the surface if DE < 10^D t."),
 ]
-THREADS = ("threads", "threads", "speed-up", "Speed-up over one thread, with its interval. Twice the processor's threads is the last point.")
+THREADS = ("threads", "threads", "speed-up", "Speed-up over one thread, with its interval. The last point uses twice the processor's threads.")
 Y_TITLES = {"rate": "Mpixel/s", "speed-up": "speed-up", "ms": "time [ms]"}
 
 

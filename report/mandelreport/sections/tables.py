@@ -14,7 +14,7 @@ from ..errors import InputError
 from ..figures import portability
 from ..models import label, work_over_scalar
 from ..portability import measured, platforms
-from ..text import digits, interval_ms, ms, percent
+from ..text import digits, ms, percent
 from . import Material
 from .why import factor_table
 
@@ -23,7 +23,9 @@ def time_cell(row: Row | None) -> str:
     """Formats the kernel time and its interval in ms."""
     if row is None or not row.timed:
         return "–"
-    return ms(row.kernel.median) + (f" [{interval_ms(row.kernel)}]" if row.kernel.low is not None else "")
+    times = row.kernel
+    interval = "" if times.low is None or times.high is None else f" [{ms(times.low)} – {ms(times.high)}]"
+    return ms(times.median) + interval
 
 
 def quotient_cell(row: Row, key: str) -> str:
@@ -50,7 +52,7 @@ def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str
     order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
 
     def place(key: tuple[str, ...]) -> list[int]:
-        words = [word.split(",")[0].split()[0] for word in key]
+        words = [word.split()[0].removesuffix("-scalar") for word in key]
         return [order.index(word) if word in order else len(order) for word in words]
 
     lines = [
@@ -100,7 +102,7 @@ def _portability(material: Material) -> list[dict[str, Any]]:
         check=False,
     )
     if run.returncode != 0:
-        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['it failed'])[-1]}")
+        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
     return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
 
 
@@ -128,10 +130,10 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
     return Table(
         ["fractal", "precision", "mode", "backend", "platforms", "PP by application", "PP by share of peak"],
         rows,
-        "Pennycook's performance portability: by application efficiency (the best backend's time on the platform over "
-        "this one's; the backend that is the fastest everywhere has 1) and by architectural efficiency (share of the measured peak), with "
-        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms(entries))}}}. 0: unavailable on one of H, or a "
-        "wrong picture there." + "".join(f" {name} was not measured on {' and '.join(without)} and has no value." for name, without in missing.items()),
+        "Pennycook's performance portability (PP): by application efficiency (the best backend's time on the platform over this "
+        "one's; the backend that is fastest everywhere has 1) and by architectural efficiency (share of the measured peak), with "
+        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms(entries))}}}. 0: unavailable or a wrong picture "
+        "on one of H." + "".join(f" {name} was not measured on {' and '.join(without)} and has no value." for name, without in missing.items()),
         [4, 5, 6],
     )
 
@@ -145,7 +147,7 @@ def _packs(material: Material) -> Table | None:
         if row.figures.get("over_scalar") is not None
     ]
     headers = ["file", "fractal", "precision", "mode", "pixels at once", "wall ms", "over scalar"]
-    return Table(headers, rows, "Packs over the same text in scalar C++ on the same threads.", [4, 5, 6]) if rows else None
+    return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
 
 
 def _lines_of_code(divergence: dict[str, Any]) -> Table:
@@ -155,10 +157,10 @@ def _lines_of_code(divergence: dict[str, Any]) -> Table:
         for nearest, neighbour in [min((d, name) for name, d in m["distances"].items() if name != m["backend"])]
     ]
     return Table(
-        ["backend", "lines of its own", "of core/job", "of core/kernel", "distance", "from"],
+        ["backend", "own lines", "of core/job", "of core/kernel", "distance", "from"],
         rows,
-        "Lines of code that a backend needs, and the distance from its nearest other (the share of both's lines that one of them "
-        f"lacks). Mean of all pairs: {digits(1 - divergence['convergence'])}, a convergence of {digits(divergence['convergence'])}.",
+        "Lines of code of each backend, and the distance to the nearest other one (the fraction of the lines of both that they do not "
+        f"share). Mean over all pairs: {digits(1 - divergence['convergence'])}, a convergence of {digits(divergence['convergence'])}.",
         [1, 2, 3, 4],
     )
 
@@ -172,9 +174,9 @@ def _race(race: dict[str, Any]) -> Table:
         return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
 
     return Table(
-        ["program", "picture", "pixels off", "process ms", "times ours", "MiB", "why"],
+        ["program", "picture", "pixels that differ", "process ms", "times ours", "MiB", "reason"],
         [cells(program) for program in race["programs"]],
-        f"A race: whole processes in alternation, {race['fractal']}, {race['width']} x {race['height']} pixels, "
+        f"Race: complete processes in alternation, {race['fractal']}, {race['width']} x {race['height']} pixels, "
         f"{race['rounds']} rounds, on {race['environment']['cpu']['model']}. A wrong picture has no time.",
         [2, 3, 4, 5],
     )
@@ -187,13 +189,13 @@ def section(material: Material) -> dict[str, Any]:
 
     metric, not_measured = measured(_portability(material), material.results.machines())
     tables = [
-        _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets the samples are too few for one."),
+        _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets: too few samples for an interval."),
         _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
-        _columns(material, lambda _, row: quotient_cell(row, "over_scalar"), "Speed-up over the same text in scalar C++, wall times."),
-        _columns(material, work, "Counted operations over the scalar text's, where they differ by more than 1 %: there a part of the speed-up is less work."),
+        _columns(material, lambda _, row: quotient_cell(row, "over_scalar"), "Speed-up over the scalar kernel, wall times."),
+        _columns(material, work, "Counted operations over the scalar kernel's, if they differ by more than 1 %; part of the speed-up is then due to the operations."),
         _packs(material),
-        _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations a second, of the measured peak."),
-        _columns(material, lambda _, row: row.proof["text"] or "yardstick", "What the proofs found."),
+        _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations per second as a share of the measured peak."),
+        _columns(material, lambda _, row: row.verification, "Results of verification."),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),
@@ -208,5 +210,5 @@ def section(material: Material) -> dict[str, Any]:
         "lines_of_code": _lines_of_code(divergence) if divergence else None,
         "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,
         "loop_mix": material.results.loop_mix,
-        "no_loop_mix": Missing("What the estimators' loops consist of", "make loop-mix"),
+        "no_loop_mix": Missing("The instructions of the estimators' loops", "make loop-mix"),
     }

@@ -14,8 +14,8 @@ from . import Material
 def section(material: Material) -> dict[str, Any]:
     absent = missing_tools()
     if absent:
-        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is not there", "report/setup")}
+        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "report/setup")}
     table = material.studio.fractals
     if table is None:
-        return {"missing": Missing("The viewer's table of fractals, which bin/render prints", "make build")}
+        return {"missing": Missing("The viewer's table of fractals, from bin/render", "make build")}
     return viewer.material(table, material.work / "shaders")

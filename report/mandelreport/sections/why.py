@@ -51,21 +51,21 @@ def factor_table(material: Material) -> Table | None:
             "fractal",
             "scene",
             "precision",
-            "calls a pixel",
-            "iterations a call",
-            "operations an iteration",
-            "operations a pixel",
-            "sample's calls",
-            "busy lanes, steps",
-            "busy lanes, iterations",
+            "DE evaluations per pixel",
+            "iterations per DE evaluation",
+            "operations per iteration",
+            "operations per pixel",
+            "DE evaluations, sample / picture",
+            "active lanes, steps",
+            "active lanes, iterations",
             "kernel ms",
-            "of peak",
+            "share of peak",
         ],
         rows,
-        "What a picture of each scene costs. Calls: of the distance estimator; they and iterations are counted over all pixels. "
-        f"Operations an iteration and busy lanes (of {found[0][1].lanes} neighbouring pixels that go on until the last is done) are counted in a "
-        f"sample of {found[0][1].sample:,} pixels. Sample's calls: calls a pixel in that sample over those in the whole picture; far "
-        "from 1 the sample missed a part of the picture.",
+        "Cost of a picture of each scene. Evaluations of the distance estimator (DE) and iterations are counted over all pixels; "
+        f"operations per iteration and active lanes (of {found[0][1].lanes} neighbouring pixels that continue until the last one is done) in a "
+        f"sample of {found[0][1].sample:,} pixels. Sample / picture: DE evaluations per pixel in the sample over those in the complete picture; "
+        "if this is far from 1, the sample is not representative.",
         list(range(4, 13)),
     )
 
@@ -147,8 +147,8 @@ def _see(pairs: list[tuple[Factors, Factors]]) -> str:
     if not box.kernel or not bulb.kernel:
         return ""
     return (
-        f"which fractal is slower is a question of the scene: {box.view} has the largest ratio. More iterations a "
-        "call cost the Mandelbox what cheaper iterations save. What is left between all four and the measured time is how near each loop comes to the peak."
+        f"the scene decides which fractal is slower: {box.view} has the largest ratio. The Mandelbox's iterations are cheaper, but "
+        "each DE evaluation has more of them. The rest, between all four factors and the measured time, is how close each loop comes to the peak."
     )
 
 
@@ -159,7 +159,7 @@ def section(material: Material) -> dict[str, Any]:
         backends,
         "double_to_float",
         "double / float, kernel time",
-        f"How many times longer double takes, round by round, with 95 % intervals ({primary.name}).",
+        f"Time in double over that in float, round by round, with 95 % intervals ({primary.name}).",
     )
     studies = material.results.study("box-vs-bulb")
     # The study with the most backends, in both precisions.
@@ -170,7 +170,7 @@ def section(material: Material) -> dict[str, Any]:
         "ratios": figure
         and dataclasses.replace(
             figure,
-            see="a register holds two floats for a double, and the estimators' loops have more instructions in double (Appendix B): together "
-            "that is more than two where a backend uses SIMD. OpenACC's host fallback is scalar and gains less.",
+            see="a register holds two floats per double, and the estimators' loops have more instructions in double (Appendix B): together "
+            "a factor of more than two if a backend uses SIMD. OpenACC's host fallback is scalar and gains less.",
         ),
     }
