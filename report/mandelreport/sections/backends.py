@@ -18,7 +18,7 @@ def section(material: Material) -> dict[str, Any]:
         "simd": chapter("docs/design.md", "SIMD"),
         "fewer": chapter("docs/design.md", "Fewer steps"),
         "vulkan": chapter("docs/design.md", "Vulkan"),
-        "openacc": chapter("docs/openacc.md", "Two kernels a pixel"),
+        "openacc": chapter("docs/openacc.md", "Separate kernels for marching and shading"),
         "times": chapter("docs/openacc.md", "Times"),
         "k40_text": chapter("docs/openacc.md", "Checks without a K40 or an H100"),
         "k40": material.results.k40,
