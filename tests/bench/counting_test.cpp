@@ -19,11 +19,11 @@ namespace mandelmarch::bench {
 namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): counter of the counting prelude
-thread_local Operations counter;
+thread_local Operations operations;
 
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
-#define MM_OPERATIONS counter
+#define MM_OPERATIONS operations
 namespace text {
 #include "core/kernel/prelude/counting.h"
 #include "core/kernel/vectors.h"
@@ -34,18 +34,18 @@ namespace text {
 template <class Body>
 Operations counted(Body body)
 {
-    counter = {};
+    operations = {};
     body();
-    return counter;
+    return operations;
 }
 
 TEST(Counting, ByHand)
 {
     const text::vec3 v = text::make_vec3(1, 2, 3);
-    const Operations dot3 = counted([&] { text::dot3(v, v); });
-    EXPECT_EQ(dot3.products, 3U);
-    EXPECT_EQ(dot3.sums, 2U);
-    EXPECT_EQ(dot3.total(), 5U);
+    const Operations dot = counted([&] { text::dot3(v, v); });
+    EXPECT_EQ(dot.products, 3U);
+    EXPECT_EQ(dot.sums, 2U);
+    EXPECT_EQ(dot.total(), 5U);
     const Operations unit = counted([&] { text::unit(v); });
     EXPECT_EQ(unit.roots, 1U);
     EXPECT_EQ(unit.quotients, 3U);
