@@ -243,7 +243,7 @@ says 'MiB of memory'
 
 mkdir gone
 (cd gone && rmdir ../gone && "$bin/mandelbulb" "$folder/paramsBulb.dat" $small --output a.bmp 2>"$folder/stderr")
-[ $? = 2 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
+[ $? = 1 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
 
 # A file must not be used for two purposes.
 cp again.bmp twice.bmp
