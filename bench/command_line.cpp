@@ -178,8 +178,7 @@ CommandLine parse_command_line(int argc, char** argv)
         "duel", "measure two builds of bench in alternation: OLD NEW, and options that select configurations");
     duel->add_option("OLD", line.duel.old_program, "old build of bench, for example build/old/bin/bench")->required();
     duel->add_option("NEW", line.duel.new_program, "new build of bench")->required();
-    duel->add_option("--margin", texts.margin,
-                     "largest difference from 1 of a ratio that counts as same (default 0.01)");
+    duel->add_option("--margin", texts.margin, "ratios within this distance of 1 count as same (default 0.01)");
     duel->add_option("--clock", texts.clock,
                      "wall (default): kernel time; processor: time of all threads, for a shared machine")
         ->check(CLI::IsMember({"wall", "processor"}));
@@ -218,7 +217,9 @@ CommandLine parse_command_line(int argc, char** argv)
                            "write the lines each backend needs, for p3-analysis-library (-: standard output)");
     CLI::App* random = app.add_subcommand("random", "measure fast mode's error on random scenes");
     random->add_option("--backend", line.random.backend, "backend to test (default: openmp)");
-    random->add_option("--fractal", line.random.fractal, "fractals of the scenes: all, as above, or one name")
+    random
+        ->add_option("--fractal", line.random.fractal,
+                     "fractals of the scenes: all that bench studies by default, or one name")
         ->capture_default_str();
     random->add_option("--without", line.random.without,
                        "optimisations to disable, separated by commas; same names as `render --without`");
@@ -237,8 +238,7 @@ CommandLine parse_command_line(int argc, char** argv)
         ->capture_default_str();
     equivalence->add_option("--scenes", texts.extremes, "number of scenes in all (default 1000)");
     equivalence->add_option("--seed", texts.extreme_seed, "seed for the scenes (default 1)");
-    equivalence->add_option("--folder", line.folder,
-                            "write the parameter file of each scene whose pictures differ to this folder");
+    equivalence->add_option("--folder", line.folder, "folder for the parameter files of scenes whose pictures differ");
     equivalence->add_option("--json", line.options.json, "write all results as JSON to this file (-: standard output)");
     app.footer(
         "Google Benchmark's --benchmark_filter, _repetitions, _format, _out, _out_format and _list_tests are "

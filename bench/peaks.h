@@ -18,7 +18,8 @@ public:
     // Returns the highest rate of each backend, device and precision.
     std::vector<Peak> best() const;
 
-    // Returns the peaks whose two highest rates are more than 5 % apart, or that were measured once.
+    // Returns one peak for each backend, device and precision that was measured only once, or whose two highest rates
+    // are more than 5 % apart.
     std::vector<Peak> doubtful() const;
 
     // Returns a warning for each doubtful peak.

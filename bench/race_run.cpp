@@ -37,8 +37,8 @@ constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
 constexpr std::size_t most_complaints = 4096;   // bytes of a program's stderr that are read
-// For a round's view the eye moves by a fraction of its distance to the target: first_move, doubled until least_change
-// of the pixels change visibly or the fraction exceeds last_move.
+// For a round's view the eye moves by a fraction of its distance to the target. The fraction starts at first_move and
+// is doubled until at least a tenth (least_change) of the pixels differ visibly, or until it exceeds last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;

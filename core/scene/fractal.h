@@ -156,7 +156,7 @@ struct FractalFlight {
     // Returns true in a region that includes a fundamental region of the fractal's symmetries. Tours are searched only
     // there, to save time.
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
-    // Returns the upward direction of a level camera at `place`, a unit vector. `up` is the camera's up vector.
+    // Returns a unit vector, the upward direction of a level camera at `place`. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
     FlightMeasures measures{};
     FlightBars bars{};

@@ -60,7 +60,8 @@ public:
     {
     }
 
-    // Returns the percentage of a frame's pixels that differ visibly from the converged picture.
+    // Estimates, from random patches, the percentage of a frame's pixels that differ visibly from the converged
+    // picture.
     double off(std::size_t frame) const
     {
         Scene scene = frame_scene(path_, frame, picture_);

@@ -93,7 +93,7 @@ private:
         return true;
     }
 
-    // Adds the leg to a ball.
+    // Appends to the tour the leg that ends at `node`.
     void fly_to(Node node)
     {
         for (const Node at : search_.leg_to(node)) {

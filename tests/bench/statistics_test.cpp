@@ -33,8 +33,8 @@ TEST(Statistics, MedianAndDeviation)
     EXPECT_EQ(s.count, 7);
 }
 
-// Ranks from the table of the sign test's interval (Conover, table A3): the number of values n, and the rank of the
-// interval's lower end.
+// Ranks of the sign test's interval, computed from the binomial distribution: the number of values n, and the rank of
+// the interval's lower end.
 TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
 {
     for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {

@@ -73,7 +73,7 @@ void write_bmp(OutputFile& file, const Image& image)
 
 namespace {
 
-// The bits of a channel in a pixel of four bytes.
+// The bits of a channel in a pixel of three or four bytes.
 struct BmpMask {
     int shift = 0;
     std::uint32_t most = 0;  // max value of the channel

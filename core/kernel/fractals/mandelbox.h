@@ -4,8 +4,8 @@
 // the sphere fold. The escape test uses the squared radius after the box fold and before the sphere fold. Lengths are
 // in units of sqrt(|s|) rFixed; in these units |s| f is 1 / r^2 in the shell between rMin and rFixed.
 
-// Refill is useful here, because the number of steps differs much between rays, but the number of iterations little
-// between neighbouring pixels.
+// Refill (a lane takes a new ray when its own has ended) is useful here: rays need very different numbers of steps, but
+// neighbouring pixels need similar numbers of iterations per step, so that lanes rarely wait within a step.
 #define MM_REFILL_LANES 1
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
