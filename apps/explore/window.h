@@ -41,7 +41,7 @@ public:
     SDL_Renderer* renderer() const { return renderer_; }
     SDL_Window* handle() const { return window_; }
     std::pair<int, int> size() const;      // pixels
-    double rate() const;                   // of the screen, Hz
+    double rate() const;                   // refresh rate of the screen, Hz
     bool waits() const { return waits_; }  // present() waits for the screen
 
     static void take(const SDL_Event& event);  // passes an event to the panels

@@ -37,7 +37,7 @@ struct TracedSample {
     double t, distance, tolerance;
     Decision decision;
     double next;         // while marching: t of the next sample
-    int iterations = 0;  // of the DE evaluation; the scene's maximum means that the orbit has not escaped
+    int iterations = 0;  // iterations in the DE evaluation; if the scene's maximum, the orbit has not escaped
 };
 
 struct Trace {
@@ -45,7 +45,7 @@ struct Trace {
     Mode mode;
     int x, y;            // pixels from the bottom left
     int width, height;   // pixels; size of the picture
-    double step_factor;  // of a plain step
+    double step_factor;  // length of a plain step, in distance estimates
     double relaxation;   // largest step factor of a relaxed step; there are none if it does not exceed `step_factor`
     std::array<double, 3> direction;
     double begin, end;  // t of the first sample, and the largest t of a sample; no samples if end < begin

@@ -20,7 +20,7 @@ Device description(const cl::Device& device);
 struct Build {
     int lanes = 1;           // pixels at once: vector length of the kernel's `real`
     bool in_double = false;  // compute divisions and square roots of floats in double, rounded once
-    std::string options;     // of the OpenCL compiler
+    std::string options;     // options of the OpenCL compiler
 };
 
 // Returns how to compile the kernel for this device. options.pack is the number of lanes; 0 selects it by the device.

@@ -9,6 +9,7 @@
 #include <ImfStdIO.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -248,6 +249,98 @@ TEST(Reading, NothingIsDecodedThatMemoryCannotHold)
     std::ofstream(path) << "BM";
     std::filesystem::resize_file(path, std::uintmax_t{1} << 43);  // a sparse file
     EXPECT_THROW(read_image(path), InputError);
+}
+
+TEST(Reading, TopDownAnd32BitBmpsAreRead)
+{
+    std::string bmp("BM", 2);
+    bmp.resize(54 + 8, '\0');
+    bmp[10] = 54;
+    bmp[14] = 40;
+    bmp[18] = 1;
+    for (int i = 22; i < 26; ++i) bmp[static_cast<std::size_t>(i)] = '\xff';
+    bmp[22] = '\xfe';  // height -2: top row first
+    bmp[26] = 1;
+    bmp[28] = 32;
+    bmp[54] = 10;  // blue of the top row
+    bmp[58] = 20;
+    const Image image = decode_bmp(std::as_bytes(std::span(bmp)), "memory");
+    EXPECT_EQ(image.height(), 2);
+    EXPECT_EQ(image.bytes()[2], 20);
+    EXPECT_EQ(image.bytes()[5], 10);
+}
+
+std::string little_endian(std::uint32_t value, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i));
+    return text;
+}
+
+// Returns a BMP with 32 bits per pixel, these masks and this size of the header. It has two pixels, with the channels
+// red, green and blue 1, 2, 3 and 4, 5, 6.
+std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t header_bytes)
+{
+    std::string header = little_endian(header_bytes, 4) + little_endian(2, 4) + little_endian(1, 4) +
+                         little_endian(1, 2) + little_endian(32, 2) + little_endian(3, 4);
+    header.resize(40, '\0');
+    for (const std::uint32_t mask : {red, green, blue, ~(red | green | blue)}) header += little_endian(mask, 4);
+    if (header_bytes > header.size()) header.resize(header_bytes, '\0');
+    std::string pixels;
+    for (std::uint32_t i = 1; i <= 4; i += 3) {
+        // All bits outside the three masks, such as alpha, are 1.
+        pixels += little_endian(~(red | green | blue) | i * (red & (~red + 1)) | (i + 1) * (green & (~green + 1)) |
+                                    (i + 2) * (blue & (~blue + 1)),
+                                4);
+    }
+    const auto start = static_cast<std::uint32_t>(14 + header.size());
+    return "BM" + little_endian(start + 8, 4) + little_endian(0, 4) + little_endian(start, 4) + header + pixels;
+}
+
+TEST(BmpMasks, AreHeededInAnyOrder)
+{
+    const std::pmr::vector<std::uint8_t> wanted{1, 2, 3, 4, 5, 6};
+    const std::array<std::uint32_t, 4> masks{0xff, 0xff00, 0xff0000, 0xff000000};
+    for (const std::uint32_t header : {40U, 52U, 56U, 108U, 124U}) {
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        do {
+            const std::string file = masked_bmp(masks[order[0]], masks[order[1]], masks[order[2]], header);
+            const Image image = decode_bmp(std::as_bytes(std::span(file)), "memory");
+            EXPECT_EQ(image.bytes(), wanted) << header << " " << order[0] << order[1] << order[2];
+        } while (std::ranges::next_permutation(order).found);
+    }
+}
+
+TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
+{
+    const std::string file = masked_bmp(0x3ff00000, 0x000ffc00, 0x000003ff, 40);
+    std::string full = file;
+    full.replace(full.size() - 8, 4, little_endian(0x3ff001ff, 4));
+    const Image image = decode_bmp(std::as_bytes(std::span(full)), "memory");
+    EXPECT_EQ(image.bytes()[0], 255);
+    EXPECT_EQ(image.bytes()[1], 0);
+    EXPECT_EQ(image.bytes()[2], 127);  // 511 of 1023
+    for (const std::uint32_t bad : {0U, 0xf0f0U}) {
+        const std::string wrong = masked_bmp(bad, 0xff000000, 0xff0000, 40);
+        EXPECT_THROW(decode_bmp(std::as_bytes(std::span(wrong)), "memory"), InputError);
+    }
+}
+
+TEST(Pnm, IsReadAsTextAndBytes)
+{
+    const std::pmr::vector<std::uint8_t> wanted{4, 5, 6, 255, 0, 9, 1, 2, 3, 0, 0, 255};  // from the bottom row
+    const auto read = [](const std::string& file) {
+        return decode_pnm(std::as_bytes(std::span(file)), "memory").bytes();
+    };
+    EXPECT_EQ(read("P6\n2 2\n255\n" + std::string("\1\2\3\0\0\xff\4\5\6\xff\0\11", 12)), wanted);
+    EXPECT_EQ(read("P3 # a comment\n2\t2 #another\n255\n1 2 3 0 0 255\n4 5 6 255 0 9\n"), wanted);
+    EXPECT_EQ(read("P5 1 1 65535 " + std::string("\x80\x80", 2)), (std::pmr::vector<std::uint8_t>{128, 128, 128}));
+    EXPECT_EQ(read("P2 1 1 100 50"), (std::pmr::vector<std::uint8_t>{128, 128, 128}));
+    for (const std::string bad :
+         {"P6", "P6 2 2 255 ", "P6 2 2 255 abc", "P3 1 1 255 1 2", "P6 0 2 255 ", "P6 2 2 0 abcdefabcdef",
+          "P6 99999 99999 255 a", "P3 1 1 255 1 2 x", "P6 2 2 70000 abcdefabcdef"}) {
+        EXPECT_THROW(read(bad), InputError) << bad;
+    }
 }
 
 }  // namespace
