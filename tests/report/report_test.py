@@ -347,6 +347,5 @@ class ReportTest(unittest.TestCase):
         self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))
 
 
-
 if __name__ == "__main__":
     unittest.main(verbosity=2)
