@@ -19,11 +19,11 @@ namespace mandelmarch::bench {
 namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): counter of the counting prelude
-thread_local Operations operations;
+thread_local Operations counted_operations;
 
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
-#define MM_OPERATIONS operations
+#define MM_OPERATIONS counted_operations
 namespace text {
 #include "core/kernel/prelude/counting.h"
 #include "core/kernel/vectors.h"
@@ -34,9 +34,9 @@ namespace text {
 template <class Body>
 Operations counted(Body body)
 {
-    operations = {};
+    counted_operations = {};
     body();
-    return operations;
+    return counted_operations;
 }
 
 TEST(Counting, ByHand)
