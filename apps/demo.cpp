@@ -47,13 +47,13 @@ public:
         DemoRow row;
         row.fractal = scene.fractal->name;
         row.backend = backend.name();
-        row.pack = options.pack;
+        row.simd_width = options.simd_width;
         row.precision = options.precision;
         row.mode = options.mode;
         draw(row, backend, scene, options);
         rows_.push_back(row);
         const std::string head = fmt::format("{:<11} {:<13} {:<9} {:<5} ", row.fractal,
-                                             fmt::format("{}{}", row.backend, row.pack == 1 ? "-scalar" : ""),
+                                             fmt::format("{}{}", row.backend, row.simd_width == 1 ? "-scalar" : ""),
                                              name_of(row.precision), name_of(row.mode));
         if (!row.drawn) {
             print("{}{}: {}\n", head, row.ok ? "unavailable" : "FAILED", row.said);
@@ -158,7 +158,7 @@ void draw_all(Demo& demo, const Registry& registry, int side)
                     if (role == Role::reference && precision == Precision::f32) continue;
                     demo.row(*backend, scene, {.precision = precision, .mode = mode});
                     if (role == Role::host)
-                        demo.row(*backend, scene, {.precision = precision, .mode = mode, .pack = 1});
+                        demo.row(*backend, scene, {.precision = precision, .mode = mode, .simd_width = 1});
                 }
             }
         }

@@ -26,7 +26,7 @@ DemoFolder::DemoFolder(std::string path) : path_(std::move(path))
 void DemoFolder::picture(DemoRow& row, const Image& image) const
 {
     if (path_.empty()) return;
-    row.picture = fmt::format("{}-{}{}-{}-{}.png", row.fractal, row.backend, row.pack == 1 ? "-1" : "",
+    row.picture = fmt::format("{}-{}{}-{}-{}.png", row.fractal, row.backend, row.simd_width == 1 ? "-1" : "",
                               name_of(row.precision), name_of(row.mode));
     write_image(fmt::format("{}/{}", path_, row.picture), ImageFormat::png, image);
 }
@@ -47,7 +47,7 @@ void DemoFolder::table(const std::vector<DemoRow>& rows, int side, int repetitio
         json["rows"].push_back({
             {"fractal", row.fractal},
             {"backend", row.backend},
-            {"pack", row.pack},
+            {"simd_width", row.simd_width},
             {"precision", name_of(row.precision)},
             {"mode", name_of(row.mode)},
             {"drawn", row.drawn},

@@ -16,7 +16,7 @@ namespace mandelmarch {
 // One line of demo's table.
 struct DemoRow {
     std::string fractal, backend;
-    int pack = 0;  // RendererOptions::pack
+    int simd_width = 0;  // RendererOptions::simd_width
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     bool drawn = false;   // false: the backend is unavailable, or the device failed

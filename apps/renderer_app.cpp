@@ -76,7 +76,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     Options options;
     std::string device = "0";
     std::string threads = "0";
-    std::string pack = "0";
+    std::string simd_width = "0";
     std::string precision = "double";
     std::string mode = "exact";
     std::string estimate{counted_estimate};
@@ -107,7 +107,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
                    "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS asks for "
                    "super-sampling)");
     app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use");
-    app.add_option("--pack", pack, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
+    app.add_option("--simd-width", simd_width, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
     app.add_option(
         "--without", without,
         "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,root,tail,normal,surroundings");
@@ -146,7 +146,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     }
     options.renderer.device = whole_option("device", device, 0, 1'000'000);
     options.renderer.threads = whole_option("threads", threads, 0, 1024);
-    options.renderer.pack = whole_option("pack", pack, 0, 1024);
+    options.renderer.simd_width = whole_option("simd-width", simd_width, 0, 1024);
     options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
     options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
     options.renderer.techniques = techniques_without(without);

@@ -30,7 +30,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderStats&
         {"precision", name_of(report.precision)},
         {"mode", name_of(report.mode)},
         {"threads", report.threads},
-        {"pack", report.pack},
+        {"simd_width", report.simd_width},
         {"instruction_set", report.instruction_set},
         {"stride", report.step_factor > 0 ? nlohmann::ordered_json(report.step_factor) : nlohmann::ordered_json()},
         {"unsettled", report.unsettled},

@@ -61,7 +61,7 @@ std::string study_names()
 
 // Values of options as the user wrote them, before they are parsed.
 struct Texts {
-    std::string repetitions, launches, launch, seed, budget, scenes, extremes, extreme_seed, margin, clock, limit;
+    std::string repetitions, runs, run, seed, budget, scenes, extremes, extreme_seed, margin, clock, limit;
 };
 
 void add_options(CLI::App& app, CommandLine& line, Texts& texts)
@@ -81,7 +81,7 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
     app.add_option("--study", o.study, "what to vary: " + study_names())->capture_default_str();
     app.add_option("--repetitions", texts.repetitions,
                    "exact number of rounds (default: until intervals are narrow enough)");
-    app.add_option("--launches", texts.launches,
+    app.add_option("--runs", texts.runs,
                    "number of processes that repeat the study, one after the other (default 1)");
     app.add_option("--budget", texts.budget,
                    "seconds for the timed rounds, without --repetitions (default: about three minutes in all)");
@@ -91,7 +91,7 @@ void add_options(CLI::App& app, CommandLine& line, Texts& texts)
     app.add_flag("--list", o.list, "list configurations and studies; measure nothing");
     app.add_flag("--wide", o.wide, "print all columns, in long lines");
     app.add_flag("--peaks,!--no-peaks", o.peaks, "measure (default) or skip the multiply-add peak of every device");
-    app.add_option("--launch", texts.launch)->group("");
+    app.add_option("--run", texts.run)->group("");
     app.add_flag("--quiet", line.quiet)->group("");
     app.add_flag("--on-demand")->group("");
     app.add_flag("--unproven", line.unproven)->group("");
@@ -105,7 +105,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& word = arguments[i];
         const auto is = [&](const std::string& name) { return word == name || word.starts_with(name + "="); };
-        if (is("--json") || is("--csv") || is("--launches")) {
+        if (is("--json") || is("--csv") || is("--runs")) {
             if (word.find('=') == std::string::npos) ++i;
         } else if (word != "--wide" && !is("--benchmark_format") && !is("--benchmark_out") &&
                    !is("--benchmark_out_format")) {
@@ -116,27 +116,27 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
 }
 
 // Sets a duel's options from those of a plain run. Throws InputError for options that a duel does not support.
-void take_duel(CommandLine& line, bool launches, const std::string& margin, const std::string& clock)
+void take_duel(CommandLine& line, bool runs, const std::string& margin, const std::string& clock)
 {
     const Options& o = line.options;
     if (!o.csv.empty() || o.wide || o.list || !o.peaks || o.budget || !o.format.empty() || !o.out.empty() ||
         line.list_names) {
         throw InputError(
-            "bench duel: options of a run given, expected --launches, --repetitions, --json and what chooses rows");
+            "bench duel: options of a run given, expected --runs, --repetitions, --json and what chooses rows");
     }
     line.command = Command::duel;
-    if (launches) line.duel.launches = o.launches;
-    if (line.duel.launches < 2) throw InputError("--launches: 1 given, expected 2 or more for a duel");
+    if (runs) line.duel.runs = o.runs;
+    if (line.duel.runs < 2) throw InputError("--runs: 1 given, expected 2 or more for a duel");
     line.duel.rounds = o.repetitions.value_or(line.duel.rounds);
     if (clock == name_of(DuelClock::processor)) line.duel.clock = DuelClock::processor;
     if (!margin.empty()) line.duel.margin = real_option("margin", margin, 0, 1);
 }
 
 // Sets a race's options from those of a plain run. Throws InputError for options that a race does not support.
-void take_race(CommandLine& line, bool launches, const std::string& limit)
+void take_race(CommandLine& line, bool runs, const std::string& limit)
 {
     const Options& o = line.options;
-    if (!o.csv.empty() || o.wide || o.list || !o.peaks || o.budget || launches || !o.format.empty() || !o.out.empty() ||
+    if (!o.csv.empty() || o.wide || o.list || !o.peaks || o.budget || runs || !o.format.empty() || !o.out.empty() ||
         !o.filter.empty() || !o.mode.empty() || o.precision != "all" || o.study != standard_study || line.list_names) {
         throw InputError(
             "bench race: options of a run given, expected --backend, --fractal, --size, --repetitions, --seed or "
@@ -185,7 +185,7 @@ CommandLine parse_command_line(int argc, char** argv)
     duel->fallthrough();
     duel->footer(
         "Select configurations with --backend, --fractal, --precision, --mode, --size, --study and --benchmark_filter. "
-        "--launches N: processes (default 10); --repetitions N: rounds in each (default 20); --json FILE: write the "
+        "--runs N: processes (default 10); --repetitions N: rounds in each (default 20); --json FILE: write the "
         "result.");
     CLI::App* race =
         app.add_subcommand("race", "time other renderers next to ours: PROGRAM..., each run as `PROGRAM scene.dat`");
@@ -261,14 +261,14 @@ CommandLine parse_command_line(int argc, char** argv)
     const auto option = [&](const char* name) { return app.get_option(name); };
     if (given(option("--repetitions")))
         o.repetitions = whole_option("repetitions", texts.repetitions, 1, most_repetitions);
-    if (given(option("--launches"))) o.launches = whole_option("launches", texts.launches, 1, 1000);
-    if (given(option("--launch"))) o.launch = whole_option("launch", texts.launch, 0, 1000);
+    if (given(option("--runs"))) o.runs = whole_option("runs", texts.runs, 1, 1000);
+    if (given(option("--run"))) o.run = whole_option("run", texts.run, 0, 1000);
     if (given(option("--seed"))) o.seed = large_option("seed", texts.seed, 1'000'000'000);
     if (given(option("--budget"))) o.budget = real_option("budget", texts.budget, 0, 1e6);
     if (compare->parsed()) line.command = Command::compare;
     if (given(option("--on-demand"))) line.command = Command::on_demand;
-    if (duel->parsed()) take_duel(line, given(option("--launches")), texts.margin, texts.clock);
-    if (race->parsed()) take_race(line, given(option("--launches")), texts.limit);
+    if (duel->parsed()) take_duel(line, given(option("--runs")), texts.margin, texts.clock);
+    if (race->parsed()) take_race(line, given(option("--runs")), texts.limit);
     o.baselines = line.command == Command::run;
     if (json->parsed()) line.command = Command::json;
     if (csv->parsed()) line.command = Command::csv;

@@ -38,7 +38,7 @@ struct CommandLine {
     RandomOptions random;
     EquivalenceOptions equivalence;
     std::string folder;  // equivalence: for parameter files of scenes that differ; divergence: the source tree
-    std::vector<std::string> arguments;  // to pass on to the further runs that --launches starts
+    std::vector<std::string> arguments;  // to pass on to the further runs that --runs starts
     bool unproven = false;               // on_demand: skip verification; set in all runs of a duel but the first
     bool quiet = false;                  // print no table and no progress; set in further runs
     bool list_names = false;             // --benchmark_list_tests

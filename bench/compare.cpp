@@ -25,13 +25,13 @@ const Row* partner(const Result& result, const Row& row)
     return found == result.rows.end() ? nullptr : &*found;
 }
 
-std::vector<double> units_of(const Row& row, bool by_launch)
+std::vector<double> units_of(const Row& row, bool by_run)
 {
-    return by_launch ? launch_medians(row) : group_medians(kernel_times(row));
+    return by_run ? run_medians(row) : group_medians(kernel_times(row));
 }
 
 // Returns why a configuration cannot be compared; empty if it can.
-std::string lack_of(const Row& row, bool by_launch)
+std::string lack_of(const Row& row, bool by_run)
 {
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
     if (!row.failure.empty()) return row.failure;
@@ -40,25 +40,19 @@ std::string lack_of(const Row& row, bool by_launch)
     if (!std::ranges::all_of(kernel_times(row), [](double seconds) { return seconds > 0; })) {
         return "a time is not above 0";
     }
-    if (by_launch && launch_medians(row).size() < 2) return "samples of one launch only";
-    if (!by_launch && row.samples.size() < 2 * group_size) {
+    if (by_run && run_medians(row).size() < 2) return "samples of one run only";
+    if (!by_run && row.samples.size() < 2 * group_size) {
         return fmt::format("{} samples, fewer than {}", row.samples.size(), 2 * group_size);
     }
     return {};
 }
 
-bool same_setting(const Setting& a, const Setting& b)
-{
-    return same_picture(a, b) && a.threads == b.threads && a.pack == b.pack && a.chunk == b.chunk && a.band == b.band &&
-           a.block == b.block && a.frames == b.frames && a.without == b.without;
-}
-
 // Compares a configuration of two results. If it can be tested, its verdict is `undecided` until judge_all() sets it.
-Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
+Compared compared(const Row& old_row, const Row& new_row, bool by_run)
 {
     Compared c{.name = new_row.name(), .platform = new_row.platform};
-    const std::string old_lack = lack_of(old_row, by_launch);
-    const std::string new_lack = lack_of(new_row, by_launch);
+    const std::string old_lack = lack_of(old_row, by_run);
+    const std::string new_lack = lack_of(new_row, by_run);
     if (!old_lack.empty()) {
         const bool added = !old_row.timed() && new_lack.empty();
         c.verdict = added ? Verdict::added : Verdict::not_compared;
@@ -72,13 +66,13 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_launch)
     }
     const Setting& a = old_row.setting;
     const Setting& b = new_row.setting;
-    if (!same_setting(a, b)) {
+    if (!(a == b)) {
         c.verdict = Verdict::lost;
         c.why = fmt::format("other settings: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
         return c;
     }
-    const std::vector<double> old_units = units_of(old_row, by_launch);
-    const std::vector<double> new_units = units_of(new_row, by_launch);
+    const std::vector<double> old_units = units_of(old_row, by_run);
+    const std::vector<double> new_units = units_of(new_row, by_run);
     c.old_units = static_cast<int>(old_units.size());
     c.new_units = static_cast<int>(new_units.size());
     c.difference = difference(old_units, new_units, margin);
@@ -97,10 +91,10 @@ std::string platform_names(const Result& result)
 }
 
 // Returns the comparison of a configuration that only the old result has.
-Compared missing(const Row& row, const Result& new_result, bool by_launch)
+Compared missing(const Row& row, const Result& new_result, bool by_run)
 {
     Compared c{.name = row.name(), .platform = row.platform, .why = "not in the new result"};
-    if (lack_of(row, by_launch).empty()) c.verdict = Verdict::lost;
+    if (lack_of(row, by_run).empty()) c.verdict = Verdict::lost;
     // A backend without a device appears as one row without a platform.
     for (const Row& other : new_result.rows) {
         if (other.backend == row.backend && other.platform.empty() && !other.unavailable.empty()) {
@@ -129,11 +123,11 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
     comparison.differences = differences_of(old_result.environment, new_result.environment);
     for (const std::string& warning : old_result.warnings) comparison.warnings.push_back("old result: " + warning);
     for (const std::string& warning : new_result.warnings) comparison.warnings.push_back("new result: " + warning);
-    const bool by_launch = old_result.launches > 1 && new_result.launches > 1;
-    if (!by_launch) {
+    const bool by_run = old_result.runs > 1 && new_result.runs > 1;
+    if (!by_run) {
         comparison.warnings.emplace_back(
-            "a result has one launch only: samples are compared, and differences between launches are unseen "
-            "(bench --launches 5)");
+            "a result has one run only: samples are compared, and differences between runs are unseen "
+            "(bench --runs 5)");
     }
     int paired = 0;
     for (const Row& row : new_result.rows) {
@@ -145,11 +139,11 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
             continue;
         }
         ++paired;
-        comparison.rows.push_back(compared(*old_row, row, by_launch));
+        comparison.rows.push_back(compared(*old_row, row, by_run));
     }
     for (const Row& row : old_result.rows) {
         if (partner(new_result, row) == nullptr) {
-            comparison.rows.push_back(missing(row, new_result, by_launch));
+            comparison.rows.push_back(missing(row, new_result, by_run));
         }
     }
     if (paired == 0) {

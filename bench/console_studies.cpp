@@ -69,14 +69,14 @@ std::string counts_table(const Result& result)
             fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
                         c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
                         static_cast<double>(work.de_calls) / pixels, ratio(n.march_iterations, n.march_estimates),
-                        n.per_iteration(), ratio(all.quotients + all.roots, n.work.iterations),
+                        n.per_iteration(), ratio(all.divisions + all.square_roots, n.work.iterations),
                         n.per_iteration() * static_cast<double>(work.iterations) / pixels,
                         100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
                       "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
                       "roots; active: lanes\nthat do something, in packs of {} pixels\n",
-                      result.counts.empty() ? 0 : result.counts.front().count.lane_use.front().lanes);
+                      result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
 }
 
 // Returns a table of lane utilisation without and with refill, and of the gain. With refill each lane takes the next
@@ -88,7 +88,7 @@ std::string lanes_table(const Result& result)
     text += fmt::format(fmt::runtime(line), "fractal", "precision", "mode", "scene", "lanes", "together", "",
                         "refilled", "", "gain");
     for (const Counted& c : result.counts) {
-        for (const LaneUse& use : c.count.lane_use) {
+        for (const LaneUse& use : c.lane_use) {
             if (!use.refilled) continue;
             const auto share = [](double active) { return fmt::format("{:.0f}%", 100 * active); };
             text += fmt::format(fmt::runtime(line), c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
@@ -120,8 +120,8 @@ std::string stages_table(const Result& result)
             if (c.fractal != s.fractal || c.precision != s.precision || c.mode != s.mode) continue;
             for (int i = 0; i < stage_count; ++i) {
                 if (name_of(static_cast<Stage>(i)) != s.stage) continue;
-                operations = fmt::format("{:.1f}%", 100 * ratio(c.count.stages.at(static_cast<std::size_t>(i)).total(),
-                                                                c.count.all().total()));
+                operations = fmt::format("{:.1f}%", 100 * ratio(c.stages.at(static_cast<std::size_t>(i)).total(),
+                                                                c.all().total()));
             }
         }
         text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),

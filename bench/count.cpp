@@ -5,12 +5,12 @@ namespace mandelmarch::bench {
 
 Operations operator+(Operations a, Operations b)
 {
-    return {a.sums + b.sums, a.products + b.products, a.quotients + b.quotients, a.roots + b.roots};
+    return {a.additions + b.additions, a.multiplications + b.multiplications, a.divisions + b.divisions, a.square_roots + b.square_roots};
 }
 
 Operations operator-(Operations a, Operations b)
 {
-    return {a.sums - b.sums, a.products - b.products, a.quotients - b.quotients, a.roots - b.roots};
+    return {a.additions - b.additions, a.multiplications - b.multiplications, a.divisions - b.divisions, a.square_roots - b.square_roots};
 }
 
 std::string_view name_of(Stage stage)

@@ -17,9 +17,9 @@
 namespace mandelmarch::bench {
 
 struct Operations {
-    std::uint64_t sums = 0, products = 0, quotients = 0, roots = 0;
+    std::uint64_t additions = 0, multiplications = 0, divisions = 0, square_roots = 0;
 
-    std::uint64_t total() const { return sums + products + quotients + roots; }
+    std::uint64_t total() const { return additions + multiplications + divisions + square_roots; }
 };
 
 Operations operator+(Operations a, Operations b);

@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 // Returns for each run the median of its pairs' ratios.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
-    Launches launches;
-    for (const DuelPair& pair : row.pairs) launches[pair.launch].push_back(pair.new_seconds / pair.old_seconds);
+    ValuesByRun runs;
+    for (const DuelPair& pair : row.pairs) runs[pair.run].push_back(pair.new_seconds / pair.old_seconds);
     std::map<int, double> ratios;
-    for (auto& [launch, values] : launches) ratios[launch] = median(std::move(values));
+    for (auto& [run, values] : runs) ratios[run] = median(std::move(values));
     return ratios;
 }
 
@@ -31,17 +31,17 @@ std::string lack_of(const DuelRow& row)
 {
     const auto positive = [](const DuelPair& pair) { return pair.old_seconds > 0 && pair.new_seconds > 0; };
     if (!std::ranges::all_of(row.pairs, positive)) return "a time is not above 0";
-    if (ratios_of(row).size() < 2) return "fewer than two launches";
+    if (ratios_of(row).size() < 2) return "fewer than two runs";
     return {};
 }
 
-Judged tested(std::string name, const std::map<int, double>& by_launch, double margin)
+Judged tested(std::string name, const std::map<int, double>& by_run, double margin)
 {
     std::vector<double> ratios;
-    for (const auto& [launch, ratio] : by_launch) ratios.push_back(ratio);
+    for (const auto& [run, ratio] : by_run) ratios.push_back(ratio);
     Judged j{.name = std::move(name), .verdict = Verdict::undecided};
     j.difference = paired_difference(ratios, margin);
-    j.launches = static_cast<int>(ratios.size());
+    j.runs = static_cast<int>(ratios.size());
     return j;
 }
 
@@ -70,14 +70,14 @@ std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& 
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].verdict != Verdict::undecided) continue;
         ++tested_rows;
-        for (const auto& [launch, ratio] : ratios_of(duel.rows[i])) {
-            logarithms[launch] += std::log(ratio);
-            ++counts[launch];
+        for (const auto& [run, ratio] : ratios_of(duel.rows[i])) {
+            logarithms[run] += std::log(ratio);
+            ++counts[run];
         }
     }
     std::map<int, double> means;
-    for (const auto& [launch, sum] : logarithms) {
-        if (counts[launch] == tested_rows) means[launch] = std::exp(sum / tested_rows);
+    for (const auto& [run, sum] : logarithms) {
+        if (counts[run] == tested_rows) means[run] = std::exp(sum / tested_rows);
     }
     return means;
 }
@@ -118,7 +118,7 @@ bool regression(const std::vector<Judged>& judged)
 std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
 {
     std::string text = fmt::format("{:<44} {:>7} {:<18} {:>8} {:>8}  {}\n", "row", "new/old", "95 % interval",
-                                   "p, Holm", "launches", "verdict");
+                                   "p, Holm", "runs", "verdict");
     const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
     for (const Judged& row : judged) {
         if (!row.why.empty()) {
@@ -127,10 +127,10 @@ std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
         }
         const Difference& d = row.difference;
         line(fmt::format("{:<44} {:>7.4f} {:<18} {:>8.2g} {:>8}  {}{}", row.name, d.ratio,
-                         fmt::format("[{:.4f}, {:.4f}]", d.interval.low, d.interval.high), row.p, row.launches,
+                         fmt::format("[{:.4f}, {:.4f}]", d.interval.low, d.interval.high), row.p, row.runs,
                          name_of(row.verdict), row.same_picture ? "" : ", another picture"));
     }
-    text += fmt::format("{} launches of each program, {} pictures of each row in each, {}\n", duel.launches,
+    text += fmt::format("{} runs of each program, {} pictures of each row in each, {}\n", duel.runs,
                         duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time");
     for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
         text += printable("differs: " + difference, longest_note) + "\n";
@@ -158,14 +158,14 @@ nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judg
                             {"ratio", told ? Json(d.ratio) : Json()},
                             {"interval", told ? Json{d.interval.low, d.interval.high} : Json()},
                             {"p", told ? Json(row.p) : Json()},
-                            {"launches", row.launches}});
+                            {"runs", row.runs}});
     }
     Json rows = Json::array();
     for (const DuelRow& row : duel.rows) {
         Json pairs = Json::array();
         for (const DuelPair& pair : row.pairs) {
             pairs.push_back(
-                {{"launch", pair.launch}, {"round", pair.round}, {"old", pair.old_seconds}, {"new", pair.new_seconds}});
+                {{"run", pair.run}, {"round", pair.round}, {"old", pair.old_seconds}, {"new", pair.new_seconds}});
         }
         rows.push_back({{"name", row.name},
                         {"old_failure", row.old_failure.empty() ? Json() : Json(row.old_failure)},
@@ -179,7 +179,7 @@ nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judg
             {"new", side(duel.new_side)},
             {"clock", name_of(duel.clock)},
             {"margin", duel.margin},
-            {"launches", duel.launches},
+            {"runs", duel.runs},
             {"rounds", duel.rounds},
             {"warnings", duel.warnings},
             {"verdicts", verdicts},

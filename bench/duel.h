@@ -20,7 +20,7 @@ std::string_view name_of(DuelClock clock);
 
 // Times of two pictures of a configuration: each program renders one, directly after the other, in random order.
 struct DuelPair {
-    int launch = 0, round = 0;
+    int run = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;
 };
 
@@ -40,7 +40,7 @@ struct Duel {
     DuelSide old_side{}, new_side{};
     DuelClock clock = DuelClock::wall;
     double margin = 0.01;  // times with a ratio from 1 / (1 + margin) to 1 + margin count as the same
-    int launches = 0;      // complete runs of each program
+    int runs = 0;      // complete runs of each program
     int rounds = 0;        // pairs of pictures of each configuration in a run
     std::vector<std::string> warnings{};
     std::vector<DuelRow> rows{};
@@ -52,7 +52,7 @@ struct Judged {
     std::string why{};        // why nothing was tested; empty if it was
     Difference difference{};  // of times, new / old
     double p = 1;             // after Holm's correction
-    int launches = 0, pairs = 0;
+    int runs = 0, pairs = 0;
     bool same_picture = true;
 };
 

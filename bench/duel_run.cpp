@@ -55,16 +55,16 @@ public:
     Duel run()
     {
         const Steadiness steadiness;
-        for (int number = 0; number < plan_.launches; ++number) {
+        for (int number = 0; number < plan_.runs; ++number) {
             try {
-                launch(number);
-                ++duel_.launches;
+                run(number);
+                ++duel_.runs;
             } catch (const Error& error) {
-                duel_.warnings.push_back(fmt::format("launch {}: {}", number, error.what()));
-                say("bench: {}, the other launches are kept\n", printable(duel_.warnings.back()));
+                duel_.warnings.push_back(fmt::format("run {}: {}", number, error.what()));
+                say("bench: {}, the other runs are kept\n", printable(duel_.warnings.back()));
             }
         }
-        if (duel_.launches == 0) throw Error("bench duel: " + duel_.warnings.back());
+        if (duel_.runs == 0) throw Error("bench duel: " + duel_.warnings.back());
         for (std::string& warning : steadiness.warnings({})) duel_.warnings.push_back(std::move(warning));
         return std::move(duel_);
     }
@@ -81,14 +81,14 @@ private:
         }
     }
 
-    void launch(int number)
+    void run(int number)
     {
-        const std::vector<std::string> arguments = arguments_of(options_, duel_.launches == 0);
+        const std::vector<std::string> arguments = arguments_of(options_, duel_.runs == 0);
         DuelProcess old_one(plan_.old_program, arguments, plan_.clock);
         DuelProcess new_one(plan_.new_program, arguments, plan_.clock);
         of("old", [&] { old_one.wait(); });
         of("new", [&] { new_one.wait(); });
-        if (duel_.launches == 0) {
+        if (duel_.runs == 0) {
             duel_.old_side.environment = old_one.environment();
             duel_.new_side.environment = new_one.environment();
             first_ = {old_one.rows(), new_one.rows()};
@@ -106,8 +106,8 @@ private:
             for (std::size_t i = 0; i < duel_.rows.size(); ++i) order.push_back(i);
             std::ranges::shuffle(order, random_);
             for (const std::size_t i : order)
-                draw(duel_.rows[i], pairs[i], {.launch = number, .round = round}, old_one, new_one);
-            progress_((number + (round + 1.0) / plan_.rounds) / plan_.launches);
+                draw(duel_.rows[i], pairs[i], {.run = number, .round = round}, old_one, new_one);
+            progress_((number + (round + 1.0) / plan_.rounds) / plan_.runs);
         }
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             duel_.rows[i].pairs.insert(duel_.rows[i].pairs.end(), pairs[i].begin(), pairs[i].end());
@@ -127,7 +127,7 @@ private:
         }
         const auto before = first.find(name);
         const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
-        return same ? std::string() : "the picture is not the one that the first launch has proven";
+        return same ? std::string() : "the picture is not the one that the first run has proven";
     }
 
     void look(DuelRow& row, const DuelProcess& old_one, const DuelProcess& new_one)

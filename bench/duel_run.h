@@ -14,7 +14,7 @@ struct DuelOptions {
     std::string old_program, new_program;  // paths
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
-    int launches = 10;  // of each program
+    int runs = 10;  // of each program
     int rounds = 20;    // pictures of each configuration by each program in a run
 };
 

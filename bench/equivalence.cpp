@@ -91,12 +91,12 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
 {
     std::vector<int> widths;
     Image image(scene.width, scene.height, Image::Layers::all);
-    const int own = backend.create({.precision = precision})->render(scene, image).pack;
-    for (int pack = 2; pack <= widest_pack; ++pack) {
-        if (pack == own) continue;
+    const int own = backend.create({.precision = precision})->render(scene, image).simd_width;
+    for (int simd_width = 2; simd_width <= widest_pack; ++simd_width) {
+        if (simd_width == own) continue;
         try {
-            backend.create({.precision = precision, .pack = pack})->render(scene, image);
-            widths.push_back(pack);
+            backend.create({.precision = precision, .simd_width = simd_width})->render(scene, image);
+            widths.push_back(simd_width);
         } catch (const InputError&) {
             // This width is not supported.
         }
@@ -120,14 +120,14 @@ std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptio
         const auto& devices = listing.devices;
         for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
             for (const Precision precision : precisions) {
-                const auto add = [&](int pack) {
+                const auto add = [&](int simd_width) {
                     subjects.push_back({.backend = std::string(backend->name()),
-                                        .options = {.device = device, .precision = precision, .pack = pack},
+                                        .options = {.device = device, .precision = precision, .simd_width = simd_width},
                                         .device = devices[static_cast<std::size_t>(device)].name});
                 };
                 add(0);
                 if (backend.get() != &right) continue;
-                for (const int pack : pack_widths(*backend, any, precision)) add(pack);
+                for (const int simd_width : pack_widths(*backend, any, precision)) add(simd_width);
             }
         }
     }
@@ -173,8 +173,8 @@ std::vector<const Fractal*> fractals_of(const EquivalenceOptions& options)
 
 std::string Tested::name() const
 {
-    const std::string pack = options.pack > 0 ? fmt::format(", pack {}", options.pack) : "";
-    return fmt::format("{}, device {}{}, in {}", backend, options.device, pack, name_of(options.precision));
+    const std::string simd_width = options.simd_width > 0 ? fmt::format(", SIMD width {}", options.simd_width) : "";
+    return fmt::format("{}, device {}{}, in {}", backend, options.device, simd_width, name_of(options.precision));
 }
 
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
@@ -202,7 +202,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     std::vector<std::unique_ptr<Renderer>> scalar;
     for (const Precision precision : precisions) {
         packs.push_back(right.create({.precision = precision}));
-        scalar.push_back(right.create({.precision = precision, .pack = 1}));
+        scalar.push_back(right.create({.precision = precision, .simd_width = 1}));
     }
     // All scenes of a fractal are rendered before those of the next one, as devices compile a kernel for each fractal.
     int done = 0;
@@ -234,7 +234,7 @@ nlohmann::ordered_json json_of(const EquivalenceResult& result)
     for (const Tested& s : result.subjects) {
         subjects.push_back({{"backend", s.backend},
                             {"device", s.device},
-                            {"pack", s.options.pack},
+                            {"simd_width", s.options.simd_width},
                             {"precision", name_of(s.options.precision)},
                             {"pictures", s.pictures},
                             {"unavailable", s.unavailable},
@@ -260,14 +260,14 @@ nlohmann::ordered_json json_of(const EquivalenceResult& result)
 
 std::string to_console(const EquivalenceResult& result)
 {
-    std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --pack 1\n",
+    std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n",
                                    result.options.scenes, result.options.seed, result.yardstick);
     text += fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
-                        "precision", "pack", "pictures", "unavailable", "wrong");
+                        "precision", "SIMD", "pictures", "unavailable", "wrong");
     for (const Tested& s : result.subjects) {
         text += fmt::format("{:<8} {:>3} {:<32.32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
                             s.device, name_of(s.options.precision),
-                            s.options.pack > 0 ? fmt::format("{}", s.options.pack) : "", s.pictures, s.unavailable,
+                            s.options.simd_width > 0 ? fmt::format("{}", s.options.simd_width) : "", s.pictures, s.unavailable,
                             s.wrong);
     }
     for (const Tested& s : result.subjects) {

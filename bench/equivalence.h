@@ -31,7 +31,7 @@ struct Tested {
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that differs from that of the scalar kernel (--pack 1), or that could not be rendered.
+// A picture that differs from that of the scalar kernel (--simd-width 1), or that could not be rendered.
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, index
     std::string parameters;  // contents of its parameter file

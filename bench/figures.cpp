@@ -18,17 +18,17 @@ std::vector<double> times(const Row& row, Member member)
 }
 
 template <class Member>
-Launches times_by_launch(const Row& row, Member member)
+ValuesByRun times_by_run(const Row& row, Member member)
 {
-    Launches launches;
-    for (const Sample& sample : row.samples) launches[sample.launch].push_back(sample.*member);
-    return launches;
+    ValuesByRun runs;
+    for (const Sample& sample : row.samples) runs[sample.run].push_back(sample.*member);
+    return runs;
 }
 
 // Returns true if both configurations run the same kernel on the same scene, with the same number of threads.
 bool same_text(const Row& a, const Row& b)
 {
-    return same_picture(a.setting, b.setting) && a.fractal == b.fractal && a.precision == b.precision &&
+    return a.setting.picture() == b.setting.picture() && a.fractal == b.fractal && a.precision == b.precision &&
            a.mode == b.mode && a.setting.threads == b.setting.threads && a.setting.frames == b.setting.frames &&
            a.setting.without == b.setting.without;
 }
@@ -37,7 +37,7 @@ bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && 
 
 Ratio ratio_of(const Row& numerator, const Row& denominator)
 {
-    return {&numerator, &denominator, summary(ratios_by_launch(numerator, denominator))};
+    return {numerator.name(), denominator.name(), summary(ratios_by_run(numerator, denominator))};
 }
 
 // Returns the ratios of all pairs of timed configurations with the same mode and sweep value for which
@@ -50,19 +50,19 @@ std::vector<Ratio> ratios(const Result& result, Same other_of)
         if (!denominator.timed()) continue;
         for (const Row& numerator : result.rows) {
             if (!numerator.timed() || !other_of(numerator, denominator)) continue;
-            if (numerator.mode != denominator.mode || numerator.point != denominator.point) continue;
+            if (numerator.mode != denominator.mode || numerator.sweep_value != denominator.sweep_value) continue;
             found.push_back(ratio_of(numerator, denominator));
         }
     }
     return found;
 }
 
-std::string_view swept(const Row& row) { return std::string_view(row.point).substr(0, row.point.find('=')); }
+std::string_view swept(const Row& row) { return std::string_view(row.sweep_value).substr(0, row.sweep_value.find('=')); }
 
 bool same_sweep(const Row& a, const Row& b)
 {
     return same_device(a, b) && a.fractal == b.fractal && a.precision == b.precision && a.mode == b.mode &&
-           !a.point.empty() && swept(a) == swept(b);
+           !a.sweep_value.empty() && swept(a) == swept(b);
 }
 
 bool same_shape(const Row& a, const Row& b)
@@ -79,34 +79,23 @@ std::vector<double> unaccounted_shares(const Row& row)
 
 }  // namespace
 
-bool same_picture(const Setting& a, const Setting& b)
-{
-    return a.width == b.width && a.height == b.height && a.iterations == b.iterations && a.detail == b.detail &&
-           a.power == b.power && a.view == b.view;
-}
-
 bool is_counted_for(const Counted& counted, const Row& row)
 {
     return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
-           same_picture(counted.setting, row.setting) && counted.setting.without == row.setting.without;
+           counted.setting.picture() == row.setting.picture() && counted.setting.without == row.setting.without;
 }
 
-bool is_scalar(const Result& result, const Row& row) { return row.setting.pack == 1 && row.backend == result.host(); }
-
-std::string application_of(const Result& result, const Row& row)
-{
-    return row.backend + (result.study == standard_study && is_scalar(result, row) ? "-scalar" : "");
-}
+bool is_scalar(const Result& result, const Row& row) { return row.setting.simd_width == 1 && row.backend == result.host(); }
 
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
 
 std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }
 
-Launches kernel_launches(const Row& row) { return times_by_launch(row, &Sample::kernel); }
+ValuesByRun kernel_runs(const Row& row) { return times_by_run(row, &Sample::kernel); }
 
-Launches wall_launches(const Row& row) { return times_by_launch(row, &Sample::wall); }
+ValuesByRun wall_runs(const Row& row) { return times_by_run(row, &Sample::wall); }
 
-std::vector<double> launch_medians(const Row& row) { return medians_of(kernel_launches(row)); }
+std::vector<double> run_medians(const Row& row) { return medians_of(kernel_runs(row)); }
 
 const Peak* peak_of(const Result& result, const std::string& platform, Precision precision)
 {
@@ -118,11 +107,25 @@ const Peak* peak_of(const Result& result, const std::string& platform, Precision
     return best;
 }
 
+ValuesByRun ratios_by_run(const Row& numerator, const Row& denominator)
+{
+    std::map<std::pair<int, int>, double> by_round;
+    for (const Sample& s : denominator.samples) by_round[{s.run, s.round}] = s.kernel;
+    ValuesByRun pairs;
+    for (const Sample& s : numerator.samples) {
+        const auto pair = by_round.find({s.run, s.round});
+        if (pair != by_round.end() && pair->second > 0) pairs[s.run].push_back(s.kernel / pair->second);
+    }
+    return pairs;
+}
+
+namespace {
+
 Figures figures_of(const Result& result, const Row& row)
 {
     Figures f;
-    f.kernel = summary(kernel_launches(row));
-    f.wall = summary(wall_launches(row));
+    f.kernel = summary(kernel_runs(row));
+    f.wall = summary(wall_runs(row));
     f.upload = median(times(row, &Sample::upload));
     f.readback = median(times(row, &Sample::readback));
     f.host = median(times(row, &Sample::host));
@@ -143,27 +146,15 @@ Figures figures_of(const Result& result, const Row& row)
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {
         if (&other != &row && other.timed() && same_text(other, row) && is_scalar(result, other) && f.wall.median > 0) {
-            f.over_scalar = quotient(wall_launches(other), wall_launches(row));
+            f.over_scalar = quotient(wall_runs(other), wall_runs(row));
         }
-        if (same_picture(other.setting, row.setting) && other.fractal == row.fractal && other.backend == reference &&
+        if (other.setting.picture() == row.setting.picture() && other.fractal == row.fractal && other.backend == reference &&
             other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
             // The reference's speed-up over itself is exactly 1.
-            f.speed_up = &other == &row ? Quotient{} : quotient(wall_launches(other), wall_launches(row));
+            f.speed_up = &other == &row ? Quotient{} : quotient(wall_runs(other), wall_runs(row));
         }
     }
     return f;
-}
-
-Launches ratios_by_launch(const Row& numerator, const Row& denominator)
-{
-    std::map<std::pair<int, int>, double> by_round;
-    for (const Sample& s : denominator.samples) by_round[{s.launch, s.round}] = s.kernel;
-    Launches pairs;
-    for (const Sample& s : numerator.samples) {
-        const auto pair = by_round.find({s.launch, s.round});
-        if (pair != by_round.end() && pair->second > 0) pairs[s.launch].push_back(s.kernel / pair->second);
-    }
-    return pairs;
 }
 
 std::vector<Ratio> box_to_bulb(const Result& result)
@@ -190,7 +181,7 @@ std::vector<Ratio> others_to_host(const Result& result)
     });
 }
 
-std::vector<Ratio> to_first_point(const Result& result)
+std::vector<Ratio> to_first_value(const Result& result)
 {
     std::vector<Ratio> found;
     for (const Row& row : result.rows) {
@@ -201,7 +192,7 @@ std::vector<Ratio> to_first_point(const Result& result)
     return found;
 }
 
-std::vector<Ratio> to_previous_point(const Result& result)
+std::vector<Ratio> to_previous_value(const Result& result)
 {
     std::vector<Ratio> found;
     for (const Row& row : result.rows) {
@@ -213,6 +204,23 @@ std::vector<Ratio> to_previous_point(const Result& result)
         if (previous != nullptr && row.timed()) found.push_back(ratio_of(row, *previous));
     }
     return found;
+}
+
+}  // namespace
+
+Result derived(Result result)
+{
+    for (Row& row : result.rows) {
+        const bool scalar = result.study == standard_study && is_scalar(result, row);
+        row.application = row.backend + (scalar ? "-scalar" : "");
+        row.figures = row.timed() ? std::optional(figures_of(result, row)) : std::nullopt;
+    }
+    result.questions = {.box_to_bulb = box_to_bulb(result),
+                        .double_to_float = double_to_float(result),
+                        .others_to_host = others_to_host(result),
+                        .to_first_value = to_first_value(result),
+                        .to_previous_value = to_previous_value(result)};
+    return result;
 }
 
 }  // namespace mandelmarch::bench

@@ -47,16 +47,12 @@ Json answer(std::vector<TimedCase>& rows, Image& image, const std::string& name)
 void draw_on_demand(const Registry& registry, const Options& options, bool prove)
 {
     std::vector<Case> cases = cases_of(registry, options);
-    Yardsticks yardsticks(registry);
-    std::vector<Case*> order;
-    for (Case& one : cases) {
-        if (one.backend != nullptr) order.push_back(&one);
-    }
-    if (prove) std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
+    ExpectedPictures pictures(registry);
+    std::vector<Case*> order = pictures.grouped(cases);
     std::vector<TimedCase> ready;
     Json rows = Json::array();
     for (Case* one : order) {
-        auto live = prove ? proven(*one, yardsticks) : unproven(*one);
+        auto live = prove ? verified_case(*one, pictures) : unverified_case(*one);
         if (!one->row.unavailable.empty()) continue;
         rows.push_back(row_of(*one, live ? live->fingerprint : 0));
         if (live) ready.push_back(std::move(*live));

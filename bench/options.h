@@ -17,8 +17,8 @@ struct Options {
     std::string study = "standard";
     std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
     std::optional<int> repetitions;  // exact number of rounds; empty: the stop rule decides
-    int launches = 1;                // number of runs
-    int launch = 0;                  // index of this run, from 0
+    int runs = 1;                // number of runs
+    int run = 0;                  // index of this run, from 0
     std::uint64_t seed = 1;          // for the order of configurations in each round
     std::optional<double> budget;    // seconds for the timed rounds
     std::string json, csv;           // files; -: standard output

@@ -44,7 +44,7 @@ struct Efficiencies {
 
 // Returns a random value of the time that the configuration may really have.
 // With several runs: its logarithm is the mean of the runs' logarithms plus Student's t times the mean's standard
-// error, so that 95 % of the values lie within launch_interval(). This is Weerahandi's generalized interval (JASA 88,
+// error, so that 95 % of the values lie within run_interval(). This is Weerahandi's generalized interval (JASA 88,
 // 1993), which also holds for quantities computed from several configurations. With one run: it is the median of the
 // run's times resampled with replacement, which shows only the scatter within that run.
 double drawn(const Entry& entry, std::mt19937_64& random)
@@ -78,7 +78,7 @@ public:
         Entry& entry = entries_[{row.backend, row.platform}];
         if (entry.row != nullptr && median(times) >= median(entry.times)) return;
         entry = {&result, &row, times};
-        const std::vector<double> medians = launch_medians(row);
+        const std::vector<double> medians = run_medians(row);
         if (medians.size() < 2) return;
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
@@ -234,7 +234,7 @@ std::vector<Portability> portability(std::span<const Result> given)
     for (const Result& result : results) {
         const std::string reference = result.reference();
         for (const Row& row : result.rows) {
-            if (!row.point.empty() || row.backend == reference) continue;
+            if (!row.sweep_value.empty() || row.backend == reference) continue;
             applications.insert(row.backend);
             if (row.platform.empty()) continue;  // a backend without a device
             fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);

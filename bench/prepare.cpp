@@ -25,7 +25,7 @@ void check_memory(const Scene& scene)
 void describe(Row& row, const RenderStats& report)
 {
     row.threads = report.threads;
-    row.pack = report.pack;
+    row.simd_width = report.simd_width;
     row.instruction_set = report.instruction_set;
     row.context = report.timings.context;
     row.build = report.timings.build;
@@ -54,41 +54,41 @@ std::optional<TimedCase> prepared(Case& one, const Draw& draw)
     } catch (const Error& error) {
         row.failure = error.what();
     }
-    if (!row.proof.passed || !row.unavailable.empty()) return std::nullopt;
+    if (!row.verification.passed || !row.unavailable.empty()) return std::nullopt;
     live.expected = live.first.timings.kernel;
     return live;
 }
 
 }  // namespace
 
-std::optional<TimedCase> proven(Case& one, Yardsticks& yardsticks)
+std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures)
 {
     return prepared(one, [&](TimedCase& live) {
         Row& row = one.row;
-        const auto& yardstick = yardsticks.for_case(one);
+        const auto& expected = pictures.for_case(one);
         live.renderer = one.backend->create(one.options);
-        if (yardsticks.is_yardstick(one)) {
-            live.first = yardstick.report;
-            row.proof.drawn = row.proof.passed = row.proof.yardstick = true;
-            row.proof.text = row.proof.level = "yardstick";
-            live.fingerprint = fingerprint(yardstick.image);
+        if (pictures.renders_expected(one)) {
+            live.first = expected.stats;
+            row.verification.drawn = row.verification.passed = row.verification.is_expected = true;
+            row.verification.text = row.verification.level = "expected picture";
+            live.fingerprint = fingerprint(expected.image);
         } else {
             Image image(one.scene.width, one.scene.height, Image::Layers::all);
             live.first = live.renderer->render(one.scene, image);
-            prove(row, one.backend->info().role, image, yardstick);
+            verify(row, one.backend->info().role, image, expected);
             live.fingerprint = fingerprint(image);
         }
     });
 }
 
-std::optional<TimedCase> unproven(Case& one)
+std::optional<TimedCase> unverified_case(Case& one)
 {
     return prepared(one, [&](TimedCase& live) {
         live.renderer = one.backend->create(one.options);
         Image image(one.scene.width, one.scene.height, Image::Layers::bytes);
         live.first = live.renderer->render(one.scene, image);
         live.fingerprint = fingerprint(image);
-        one.row.proof.passed = true;
+        one.row.verification.passed = true;
     });
 }
 

@@ -30,7 +30,7 @@ Image own_picture(const Registry& registry, const Scene& scene, Precision precis
     return image;
 }
 
-void prove(const Image& profiled, const Image& own, const std::string& name)
+void verify(const Image& profiled, const Image& own, const std::string& name)
 {
     if (profiled.bytes() == own.bytes()) return;
     const Comparison found = compare(own, profiled);
@@ -51,7 +51,7 @@ void add(std::vector<StageTime>& times, const Registry& registry, const Scene& s
     for (int i = 0; i <= repetitions; ++i) {
         Image image(scene.width, scene.height, Image::Layers::bytes);
         const openmp::StageSeconds seconds = profiler->draw(image);
-        prove(image, own, name);
+        verify(image, own, name);
         if (i == 0) continue;  // warm-up
         for (std::size_t stage = 0; stage < seconds.of.size(); ++stage) {
             times[first + stage].seconds.push_back(seconds.of.at(stage));

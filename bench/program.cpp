@@ -11,7 +11,7 @@
 #include "bench/compare.h"
 #include "bench/divergence.h"
 #include "bench/duel_run.h"
-#include "bench/launches.h"
+#include "bench/runs.h"
 #include "bench/on_demand.h"
 #include "bench/outputs.h"
 #include "bench/portability.h"
@@ -66,7 +66,7 @@ void list(const Registry& registry, const Options& options, bool names_only)
     print("\nstudies (--study NAME; with --list the rows of that one)\n");
     for (const Study& study : studies()) {
         print("  {:<12} {}{}\n", study.name, study.about,
-              study.varies.empty() ? "" : fmt::format(" [{}]", study.varies));
+              study.axis.empty() ? "" : fmt::format(" [{}]", study.axis));
     }
 }
 
@@ -89,12 +89,12 @@ int run(const Registry& registry, const CommandLine& line)
     Display display(line.quiet);
     const auto start = Clock::now();
     result = measure(registry, options, [&](const Step& step) { display.show(step); });
-    if (options.launches > 1) {
-        result = with_further_launches(std::move(result), options.launches, [&](int launch) {
-            display.show({"further launches", static_cast<double>(launch) / options.launches,
-                          fmt::format("launch {} of {}", launch + 1, options.launches)},
+    if (options.runs > 1) {
+        result = with_further_runs(std::move(result), options.runs, [&](int run) {
+            display.show({"further runs", static_cast<double>(run) / options.runs,
+                          fmt::format("run {} of {}", run + 1, options.runs)},
                          start);
-            return launch_again(line.arguments, launch);
+            return run_again(line.arguments, run);
         });
     }
     display.finish();
@@ -103,7 +103,7 @@ int run(const Registry& registry, const CommandLine& line)
     for (const Row& row : result.rows) {
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
-    ok = ok && !result.failed() && result.launches == options.launches;
+    ok = ok && !result.failed() && result.runs == options.runs;
     // With --benchmark_format, only data in that format goes to standard output.
     if (!line.quiet && options.format.empty()) {
         const std::string table = to_console(result, options.wide);
@@ -212,7 +212,7 @@ int duel(const CommandLine& line)
         print(std::string_view(table));
     }
     outputs.write_stdout();
-    const bool whole = found.launches == line.duel.launches;
+    const bool whole = found.runs == line.duel.runs;
     return written && whole && !regression(judged) ? exit_success : exit_failure;
 }
 

@@ -14,7 +14,7 @@
 
 #include "cli/option_values.h"
 #include "bench/environment.h"
-#include "bench/proof.h"
+#include "bench/verify.h"
 #include "bench/steadiness.h"
 #include "bench/study.h"
 #include "core/base/child_process.h"
@@ -109,7 +109,7 @@ public:
             throw InputError(
                 fmt::format("bench race: {}: not there, expected the program beside bench", render.string()));
         }
-        yardstick_ = ours("openmp", {"--pack", "1"});
+        expected_ = ours("openmp", {"--simd-width", "1"});
         const std::string backend = options.backend == "all" ? "openmp" : options.backend;
         race_.racers.push_back({.name = "mandelmarch " + backend, .ours = true});
         words_.push_back(ours(backend, {}));
@@ -128,11 +128,11 @@ public:
         for (std::size_t i = 0; i < words_.size(); ++i) {
             progress_(0.5 * static_cast<double>(i) / static_cast<double>(words_.size()));
             RacedProgram& racer = race_.racers[i];
-            const Drawn proof = draw(racer, words_[i]);
-            if (proof.image) judge(racer, *proof.image);
+            const Drawn first = draw(racer, words_[i]);
+            if (first.image) judge(racer, *first.image);
             if (!is_right(racer.verdict)) continue;
-            if (proof.sample.seconds > longest_repeated) {
-                racer.samples.push_back(proof.sample);
+            if (first.sample.seconds > longest_repeated) {
+                racer.samples.push_back(first.sample);
             } else {
                 timed.push_back(i);
             }
@@ -163,7 +163,7 @@ private:
     {
         RacedProgram scalar{.name = "the scalar text", .ours = true};
         view_.parameters = parameters;
-        Drawn drawn = draw(scalar, yardstick_);
+        Drawn drawn = draw(scalar, expected_);
         if (!drawn.image) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
         return std::move(*drawn.image);
     }
@@ -302,7 +302,7 @@ private:
     std::mt19937_64 random_;                          // for the order
     std::mt19937_64 chance_{std::random_device{}()};  // for the views, which must be unpredictable
     Race race_;
-    std::vector<std::string> yardstick_;
+    std::vector<std::string> expected_;
     std::vector<std::vector<std::string>> words_;  // command line of each racer
     View view_;                                    // current view
 };

@@ -58,7 +58,7 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
     return registry.with(Role::host)
         .create({.mode = Mode::fast,
                  .threads = 1,
-                 .pack = 1,
+                 .simd_width = 1,
                  .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
 }
 

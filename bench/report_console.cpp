@@ -38,10 +38,10 @@ std::optional<double> ratio_of(const std::optional<Quotient>& quotient)
 
 std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
 
-std::string head(const Result& result, const Row& row)
+std::string head(const Row& row)
 {
     return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", short_name(row.fractal), name_of(row.precision),
-                       name_of(row.mode), application_of(result, row), row.device);
+                       name_of(row.mode), row.application, row.device);
 }
 
 // Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
@@ -55,7 +55,7 @@ std::string main_table(const Result& result, bool sweep)
     };
     std::string text =
         line(fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", "scene", "precision", "mode", "backend", "dev"), "point",
-             fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", "proof", "kernel", "95 % interval", "wall ms",
+             fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", "verification", "kernel", "95 % interval", "wall ms",
                          "Mpixel/s", "GFLOP/s"),
              fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
     for (const Row& row : result.rows) {
@@ -65,15 +65,15 @@ std::string main_table(const Result& result, bool sweep)
                                              : fmt::format("FAILED: {}", row.failure),
                          "");
         } else if (!row.unavailable.empty()) {
-            text += line(head(result, row), row.point, fmt::format("unavailable: {}", row.unavailable), "");
+            text += line(head(row), row.sweep_value, fmt::format("unavailable: {}", row.unavailable), "");
         } else if (!row.timed()) {
             const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
-            text += line(head(result, row), row.point, fmt::format("FAILED: {}", why), "");
+            text += line(head(row), row.sweep_value, fmt::format("FAILED: {}", why), "");
         } else {
-            const Figures f = figures_of(result, row);
+            const Figures& f = *row.figures;
             text +=
-                line(head(result, row), row.point,
-                     fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.proof.text, digits(1e3 * f.kernel.median),
+                line(head(row), row.sweep_value,
+                     fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.verification.text, digits(1e3 * f.kernel.median),
                                  interval(f.kernel, 1e3), digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate),
                                  of(f.operation_rate, 1e-9)),
                      fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
@@ -88,9 +88,9 @@ std::string wide_table(const Result& result)
     std::string text = fmt::format(
         "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
         "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-        "row", "proof", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
+        "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build", "upload",
         "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms",
-        "speed-up", "thr", "pack", "set");
+        "speed-up", "thr", "SIMD", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
             text += fmt::format("{:<46} {}\n", row.name(),
@@ -98,16 +98,16 @@ std::string wide_table(const Result& result)
                                                         : fmt::format("unavailable: {}", row.unavailable));
             continue;
         }
-        const Figures f = figures_of(result, row);
+        const Figures& f = *row.figures;
         text += fmt::format(
             "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
             "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-            row.name(), row.proof.text, row.samples.size(), digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
+            row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median), interval(f.kernel, 1e3),
             digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
             digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
             digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
             row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
-            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.pack,
+            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.simd_width,
             row.instruction_set);
     }
     return text;
@@ -142,8 +142,8 @@ std::string incomplete_parts(const Result& result)
     std::string text;
     for (const Row& row : result.rows) {
         if (!row.timed()) continue;
-        const auto share = figures_of(result, row).unaccounted;
-        if (share && *share > little) text += fmt::format("{}{} {}\n", head(result, row), row.point, percent(share));
+        const auto share = row.figures->unaccounted;
+        if (share && *share > little) text += fmt::format("{}{} {}\n", head(row), row.sweep_value, percent(share));
     }
     if (text.empty()) return {};
     return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}", percent(little),
@@ -153,7 +153,7 @@ std::string incomplete_parts(const Result& result)
 // Returns the sweep value for the end of a line; empty outside sweeps.
 std::string point_of(const Result& result, const Row& row)
 {
-    return row.point.empty() || result.study == standard_study ? "" : " " + row.point;
+    return row.sweep_value.empty() || result.study == standard_study ? "" : " " + row.sweep_value;
 }
 
 // Returns a ratio and its interval in 28 columns.
@@ -173,9 +173,9 @@ std::string speed_ups(const Result& result)
     std::string text;
     for (const Row& row : result.rows) {
         if (!row.timed()) continue;
-        const Figures f = figures_of(result, row);
+        const Figures& f = *row.figures;
         if (f.speed_up || f.over_scalar) {
-            text += fmt::format("{} {} {}{}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar),
+            text += fmt::format("{} {} {}{}\n", head(row), cells(f.speed_up), cells(f.over_scalar),
                                 point_of(result, row));
         }
     }
@@ -195,11 +195,11 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
     text += fmt::format(fmt::runtime(line), fractal ? "scene" : "precision", "mode", "backend", "dev", "ratio",
                         "95 % interval", "pairs", "");
     for (const Ratio& ratio : ratios) {
-        const Row& row = *ratio.denominator;
+        const Row& row = result.row(ratio.denominator);
         text += fmt::format(fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision),
-                            name_of(row.mode), application_of(result, row), row.device,
-                            ratio.summary.count > 0 ? digits(ratio.summary.median) : "-", interval(ratio.summary, 1),
-                            ratio.summary.count, point_of(result, row));
+                            name_of(row.mode), row.application, row.device,
+                            ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-", interval(ratio.ratio, 1),
+                            ratio.ratio.count, point_of(result, row));
     }
     return text;
 }
@@ -227,7 +227,7 @@ std::string to_console(const Result& result, bool wide)
         if (any == nullptr && row.timed()) any = &row;
     }
     const bool sweep = result.study != standard_study &&
-                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.point.empty(); });
+                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.sweep_value.empty(); });
     std::string text = wide ? wide_table(result) : main_table(result, sweep);
     text += fmt::format("\n{}", devices(result));
     if (any != nullptr && result.study == standard_study) {
@@ -238,9 +238,9 @@ std::string to_console(const Result& result, bool wide)
     }
     text += incomplete_parts(result);
     text += speed_ups(result);
-    text += ratio_table(result, box_to_bulb(result),
+    text += ratio_table(result, result.questions.box_to_bulb,
                         "Mandelbox against Mandelbulb: kernel time of the one over the other's", false);
-    text += ratio_table(result, double_to_float(result),
+    text += ratio_table(result, result.questions.double_to_float,
                         "Double against float: kernel time of the one over the other's", true);
     text += study_tables(result);
     for (const std::string& warning : result.warnings)

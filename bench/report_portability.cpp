@@ -13,8 +13,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Returns all platforms, in the order of their numbers in the table.
 std::vector<std::string> platforms_of(const std::vector<Portability>& portabilities)
 {
@@ -62,40 +60,6 @@ std::string not_measured(const std::vector<Portability>& portabilities)
 }
 
 }  // namespace
-
-nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities)
-{
-    Json list = Json::array();
-    for (const Portability& p : portabilities) {
-        if (p.platforms.empty()) continue;
-        Json platforms = Json::array();
-        for (const OnPlatform& on : p.platforms) {
-            platforms.push_back({{"platform", on.platform},
-                                 {"kernel_seconds", on.seconds > 0 ? Json(on.seconds) : Json()},
-                                 {"application_efficiency", on.application},
-                                 {"share_of_peak", on.architecture}});
-        }
-        Json cascade = Json::array();
-        for (const CascadeStep& step : p.cascade) {
-            cascade.push_back(
-                {{"platform", step.platform}, {"efficiency", step.efficiency}, {"portability", step.portability}});
-        }
-        list.push_back(
-            {{"problem", p.problem},
-             {"fractal", p.fractal},
-             {"precision", name_of(p.precision)},
-             {"mode", name_of(p.mode)},
-             {"application", p.application},
-             {"by_application_efficiency", p.application_portability},
-             {"by_application_efficiency_interval", {p.application_interval.low, p.application_interval.high}},
-             {"by_share_of_peak", p.architecture_portability},
-             {"by_share_of_peak_interval", {p.architecture_interval.low, p.architecture_interval.high}},
-             {"platforms", platforms},
-             {"not_measured", p.not_measured},
-             {"cascade", cascade}});
-    }
-    return list;
-}
 
 std::string to_csv(const std::vector<Portability>& portabilities)
 {

@@ -26,7 +26,7 @@ std::string Row::name() const
 {
     if (fractal == "all") return backend;
     return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
-                       point.empty() ? "" : "/", point);
+                       sweep_value.empty() ? "" : "/", sweep_value);
 }
 
 bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
@@ -34,6 +34,11 @@ bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
 std::string Result::reference() const { return backend_with(environment, Role::reference, "reference"); }
 
 std::string Result::host() const { return backend_with(environment, Role::host, "openmp"); }
+
+const Row& Result::row(std::string_view name) const
+{
+    return *std::ranges::find_if(rows, [&](const Row& row) { return row.name() == name; });
+}
 
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
 {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "bench/figures.h"
-#include "bench/proof.h"
+#include "bench/verify.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 
@@ -38,7 +38,7 @@ public:
     Rounds(std::vector<TimedCase>& rows, const Rules& rules)
         : rows_(rows),
           rules_(rules),
-          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.launch))
+          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
     {
     }
 
@@ -81,7 +81,7 @@ private:
         Row& row = live.one->row;
         try {
             Sample sample = draw_sample(live, image_for(live));
-            sample.launch = rules_.launch;
+            sample.run = rules_.run;
             sample.round = round;
             live.spent += sample.wall;
             row.samples.push_back(sample);
@@ -171,7 +171,7 @@ void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
     for (TimedCase& live : rows) {
         if (live.expected <= rules.long_picture) continue;
         const Timings& t = live.first.timings;
-        live.one->row.samples.push_back({.launch = rules.launch,
+        live.one->row.samples.push_back({.run = rules.run,
                                          .round = 0,
                                          .kernel = t.kernel,
                                          .wall = t.wall,

@@ -37,7 +37,7 @@ struct Rules {
     int most = 40;
     double half_width = 0.02;  // of an interval that is narrow enough, relative to the median
     std::uint64_t seed = 1;
-    int launch = 0;
+    int run = 0;
 };
 
 // Marks each configuration as done whose picture takes longer than rules.long_picture, with the verified picture as its

@@ -38,18 +38,15 @@ void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
         if (live.one->backend->info().role == Role::reference) continue;
         auto found = std::ranges::find_if(result.counts, [&](const Counted& c) { return is_counted_for(c, row); });
         if (found == result.counts.end()) {
-            Counted counted{.fractal = row.fractal,
-                            .precision = row.precision,
-                            .mode = row.mode,
-                            .setting = row.setting,
-                            .count = count_operations(live.one->scene, {.precision = row.precision,
-                                                                        .mode = row.mode,
-                                                                        .techniques = live.one->options.techniques})};
+            Counted counted{count_operations(live.one->scene, {.precision = row.precision,
+                                                               .mode = row.mode,
+                                                               .techniques = live.one->options.techniques}),
+                            row.fractal, row.precision, row.mode, row.setting};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
         const auto iterations = static_cast<double>(row.work.iterations);
-        row.operations = found->count.per_iteration() * iterations;
-        if (found->count.errors) row.operations_error = found->count.errors->per_iteration * iterations;
+        row.operations = found->per_iteration() * iterations;
+        if (found->errors) row.operations_error = found->errors->per_iteration * iterations;
     }
 }
 
@@ -122,18 +119,13 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     }
 
     const auto start = Clock::now();
-    Rules rules{.repetitions = options.repetitions, .seed = options.seed, .launch = options.launch};
-    Yardsticks yardsticks(registry);
+    Rules rules{.repetitions = options.repetitions, .seed = options.seed, .run = options.run};
+    ExpectedPictures pictures(registry);
     std::vector<TimedCase> live;
-    // Verify in the order of the expected pictures, so that each of them is rendered once.
-    std::vector<Case*> order;
-    for (Case& one : cases) {
-        if (one.backend != nullptr) order.push_back(&one);
-    }
-    std::ranges::stable_sort(order, {}, [&](const Case* one) { return yardsticks.key(*one); });
+    const std::vector<Case*> order = pictures.grouped(cases);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        phase({"proof", static_cast<double>(i) / static_cast<double>(order.size())});
-        if (auto row = proven(*order[i], yardsticks)) live.push_back(std::move(*row));
+        phase({"verification", static_cast<double>(i) / static_cast<double>(order.size())});
+        if (auto row = verified_case(*order[i], pictures)) live.push_back(std::move(*row));
     }
     if (!rules.repetitions) keep_long_pictures(live, rules);
     count_all(live, result, phase);
@@ -161,7 +153,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
     result.environment["telemetry"] = told;
-    return result;
+    return derived(std::move(result));
 }
 
 }  // namespace mandelmarch::bench

@@ -58,10 +58,10 @@ bool all_positive(std::span<const double> values)
     return std::ranges::all_of(values, [](double value) { return value > 0; });
 }
 
-std::vector<double> together(const Launches& launches)
+std::vector<double> together(const ValuesByRun& runs)
 {
     std::vector<double> all;
-    for (const auto& [launch, values] : launches) all.insert(all.end(), values.begin(), values.end());
+    for (const auto& [run, values] : runs) all.insert(all.end(), values.begin(), values.end());
     return all;
 }
 
@@ -116,22 +116,22 @@ Summary summary(std::span<const double> values)
     Summary s;
     s.count = static_cast<int>(values.size());
     if (values.empty()) return s;
-    s.launches = 1;
+    s.runs = 1;
     s.median = median({values.begin(), values.end()});
     std::vector<double> deviations;
     for (const double value : values) deviations.push_back(std::abs(value - s.median));
     s.mad = median(std::move(deviations));
-    s.least = *std::ranges::min_element(values);
-    s.most = *std::ranges::max_element(values);
+    s.min = *std::ranges::min_element(values);
+    s.max = *std::ranges::max_element(values);
     s.interval = median_interval(values);
     return s;
 }
 
-std::vector<double> medians_of(const Launches& launches)
+std::vector<double> medians_of(const ValuesByRun& runs)
 {
     std::vector<double> medians;
-    medians.reserve(launches.size());
-    for (const auto& [launch, values] : launches) medians.push_back(median(values));
+    medians.reserve(runs.size());
+    for (const auto& [run, values] : runs) medians.push_back(median(values));
     return medians;
 }
 
@@ -151,7 +151,7 @@ std::vector<double> group_medians(std::span<const double> values)
 // section 9.3). The scatter of the runs' medians already contains all differences between runs, so the interval is
 // computed from the medians only; more samples within a run only make its median more precise. The computation uses
 // logarithms, as disturbances multiply times.
-std::optional<Interval> launch_interval(std::span<const double> medians)
+std::optional<Interval> run_interval(std::span<const double> medians)
 {
     if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
     const Moments m = moments(medians);
@@ -160,16 +160,16 @@ std::optional<Interval> launch_interval(std::span<const double> medians)
     return Interval{std::exp(m.mean - reach), std::exp(m.mean + reach)};
 }
 
-Summary summary(const Launches& launches)
+Summary summary(const ValuesByRun& runs)
 {
-    const std::vector<double> medians = medians_of(launches);
-    Summary s = summary(together(launches));
-    s.launches = static_cast<int>(medians.size());
-    if (s.launches > 1) s.interval = holding(launch_interval(medians), s.median);
+    const std::vector<double> medians = medians_of(runs);
+    Summary s = summary(together(runs));
+    s.runs = static_cast<int>(medians.size());
+    if (s.runs > 1) s.interval = holding(run_interval(medians), s.median);
     return s;
 }
 
-Quotient quotient(const Launches& numerator, const Launches& denominator)
+Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator)
 {
     const std::vector<double> above = together(numerator);
     const std::vector<double> below = together(denominator);
@@ -177,12 +177,12 @@ Quotient quotient(const Launches& numerator, const Launches& denominator)
     q.ratio = median(above) / median(below);
     if (!all_positive(above) || !all_positive(below)) return q;
     std::vector<double> ratios;
-    for (const auto& [launch, values] : numerator) {
-        const auto same = denominator.find(launch);
+    for (const auto& [run, values] : numerator) {
+        const auto same = denominator.find(run);
         if (same != denominator.end()) ratios.push_back(median(values) / median(same->second));
     }
     if (ratios.size() > 1) {
-        q.interval = holding(launch_interval(ratios), q.ratio);
+        q.interval = holding(run_interval(ratios), q.ratio);
     } else {
         std::vector<double> by_round;
         for (std::size_t i = 0; i < std::min(above.size(), below.size()); ++i) by_round.push_back(above[i] / below[i]);

@@ -16,17 +16,17 @@ struct Interval {
 };
 
 // Values, grouped by the index of the run that measured them. A run is one process.
-using Launches = std::map<int, std::vector<double>>;
+using ValuesByRun = std::map<int, std::vector<double>>;
 
 // Summary of at least one value. A single value has the deviation 0 and no interval.
 struct Summary {
     int count = 0;
-    int launches = 0;  // runs that the values come from
+    int runs = 0;  // runs that the values come from
     double median = 0;
     double mad = 0;  // median absolute deviation from the median, not scaled
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     // If the values come from one run: the interval of the median from order statistics, at least 95 %; nullopt below
-    // six values. If they come from several runs: launch_interval() of the runs' medians, widened to contain the median
+    // six values. If they come from several runs: run_interval() of the runs' medians, widened to contain the median
     // of all values.
     std::optional<Interval> interval;
 
@@ -42,15 +42,15 @@ Summary summary(std::span<const double> values);
 
 // Summarises values from several runs. The values of one run are not independent, as they have the run's error in
 // common.
-Summary summary(const Launches& launches);
+Summary summary(const ValuesByRun& runs);
 
 // Returns the 95 % interval of the mean over runs. `medians`: the median of each run. The interval is computed with
 // Student's t from the logarithms of the medians; the degrees of freedom are one less than the runs. Returns nullopt
 // for fewer than two runs, or if a value is not above 0.
-std::optional<Interval> launch_interval(std::span<const double> medians);
+std::optional<Interval> run_interval(std::span<const double> medians);
 
 // Returns the medians of the runs, in their order.
-std::vector<double> medians_of(const Launches& launches);
+std::vector<double> medians_of(const ValuesByRun& runs);
 
 // Returns the medians of groups of at least three consecutive rounds of one run, so that one disturbed picture does not
 // change a verdict. Empty for fewer than three values.
@@ -84,9 +84,9 @@ struct Quotient {
 };
 
 // Returns the quotient of two sets of times, which hold at least one time each, in the order of the rounds. If several
-// runs have times of both, the interval is launch_interval() of the runs' ratios of medians. Else it is
+// runs have times of both, the interval is run_interval() of the runs' ratios of medians. Else it is
 // median_interval() of the ratios of the rounds.
-Quotient quotient(const Launches& numerator, const Launches& denominator);
+Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator);
 
 // Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.
 struct Part {

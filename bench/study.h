@@ -8,22 +8,11 @@
 #include <vector>
 
 #include "bench/options.h"
-#include "bench/result.h"
+#include "bench/studies.h"
 #include "core/render/registry.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch::bench {
-
-struct Study {
-    std::string_view name;
-    std::string_view varies;  // quantity on the x axis; empty if nothing varies
-    std::string_view about;
-};
-
-std::span<const Study> studies();
-
-// Returns the study with this name. Throws InputError, which lists the known names, if there is none.
-const Study& study_named(std::string_view name);
 
 // A configuration to measure, with the scene and options to render it.
 struct Case {

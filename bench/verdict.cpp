@@ -50,7 +50,7 @@ std::string summary_of(std::span<const Verdict> verdicts, double within)
         if (count == 0) continue;
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(verdict));
         if (verdict == Verdict::same) text += fmt::format(" within {:.3g} %", 100 * within);
-        if (verdict == Verdict::undecided) text += " (more launches would tell: --launches)";
+        if (verdict == Verdict::undecided) text += " (more runs would tell: --runs)";
     }
     return text;
 }

@@ -40,7 +40,7 @@ struct Judgement {
 std::vector<Judgement> judge_all(std::span<const Difference> differences, double within);
 
 // Returns the number of configurations with each verdict, and an option that decides the undecided ones: "1 faster, 2
-// same within 2 %, 4 undecided (more launches would tell: --launches)". Empty if there are no verdicts.
+// same within 2 %, 4 undecided (more runs would tell: --runs)". Empty if there are no verdicts.
 std::string summary_of(std::span<const Verdict> verdicts, double within);
 
 }  // namespace mandelmarch::bench

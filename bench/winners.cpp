@@ -14,7 +14,7 @@ namespace {
 bool same_contest(const Row& a, const Row& b)
 {
     return a.fractal == b.fractal && a.precision == b.precision && a.mode == b.mode &&
-           same_picture(a.setting, b.setting);
+           a.setting.picture() == b.setting.picture();
 }
 
 double kernel_median(const Row* row) { return median(kernel_times(*row)); }
@@ -22,9 +22,9 @@ double kernel_median(const Row* row) { return median(kernel_times(*row)); }
 Rival rival_of(const Row& row, const Row& fastest)
 {
     Rival rival{.row = &row};
-    const Launches by_launch = ratios_by_launch(row, fastest);
+    const ValuesByRun by_run = ratios_by_run(row, fastest);
     const std::vector<double> units =
-        by_launch.size() == 1 ? group_medians(by_launch.begin()->second) : medians_of(by_launch);
+        by_run.size() == 1 ? group_medians(by_run.begin()->second) : medians_of(by_run);
     rival.tested = units.size() > 1;
     if (rival.tested) {
         rival.difference = paired_difference(units, margin);
@@ -42,15 +42,15 @@ Contest contest_of(std::vector<const Row*> rows)
     return contest;
 }
 
-std::string label_of(const Result& result, const Row& row)
+std::string label_of(const Row& row)
 {
-    return application_of(result, row) + (row.device > 0 ? fmt::format(" {}", row.device) : "");
+    return row.application + (row.device > 0 ? fmt::format(" {}", row.device) : "");
 }
 
-std::string line_of(const Result& result, const Contest& contest)
+std::string line_of(const Contest& contest)
 {
     const Row& first = *contest.fastest;
-    const std::string name = label_of(result, first);
+    const std::string name = label_of(first);
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (contest.rivals.empty()) return text + name + " alone was timed";
     // Name the first rival that is not slower than the winner or, if all are slower, the fastest of them.
@@ -60,12 +60,12 @@ std::string line_of(const Result& result, const Contest& contest)
     const Rival& next = won ? contest.rivals.front() : *open;
     const Difference& d = next.difference;
     text += fmt::format("{} {}, {} times as fast as {}", name, won ? "won" : "leads", digits(d.ratio),
-                        label_of(result, *next.row));
+                        label_of(*next.row));
     if (!next.tested) return text + ": too few pictures to be certain";
     text += fmt::format(" [{}, {}]", digits(d.interval.low), digits(d.interval.high));
     if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.judgement.p);
     if (next.judgement.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
-    return text + ": undecided, more launches would tell";
+    return text + ": undecided, more runs would tell";
 }
 
 // Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
@@ -84,7 +84,7 @@ std::string free_processors(const Result& result)
     return fmt::format(
         "{:.1f} of {} processors were free: other programs took {:.0f} % of their time, the hypervisor {:.0f} %{}\n",
         *cores * std::max(0.0, 1 - *others - *stolen), *cores, 100 * *others, 100 * *stolen,
-        result.launches > 1 ? ", in the first launch" : "");
+        result.runs > 1 ? ", in the first run" : "");
 }
 
 }  // namespace
@@ -126,11 +126,11 @@ std::string winners(const Result& result)
     std::size_t comparisons = 0;
     for (const Contest& contest : contests_of(result)) {
         comparisons += contest.rivals.size();
-        text += clipped(line_of(result, contest), console_columns) + "\n";
+        text += clipped(line_of(contest), console_columns) + "\n";
     }
     if (comparisons > 0) {
         text = fmt::format("Who won, by kernel time; p after Holm's correction for {} comparisons{}\n{}", comparisons,
-                           result.launches > 1 ? "" : ", of one launch alone", text);
+                           result.runs > 1 ? "" : ", of one run alone", text);
     }
     text += free_processors(result);
     return text.empty() ? text : "\n" + text;

@@ -28,7 +28,7 @@ std::string unheeded(const Backend& backend, const RendererOptions& options)
 {
     const BackendInfo info = backend.info();
     if (options.threads > 0 && !info.threads) return "--threads";
-    if (options.pack > 0 && !info.pack) return "--pack";
+    if (options.simd_width > 0 && !info.simd_width) return "--simd-width";
     return {};
 }
 
@@ -38,7 +38,7 @@ void refuse_unheeded(const Registry& registry, const Backend& backend, const Ren
     if (option.empty()) return;
     std::vector<std::string_view> heeding;
     for (const auto& other : registry.backends()) {
-        if (unheeded(*other, option == "--threads" ? RendererOptions{.threads = 1} : RendererOptions{.pack = 1})
+        if (unheeded(*other, option == "--threads" ? RendererOptions{.threads = 1} : RendererOptions{.simd_width = 1})
                 .empty())
             heeding.push_back(other->name());
     }

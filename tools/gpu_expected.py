@@ -109,7 +109,7 @@ def drawn(render, fractal, precision, mode):
     with tempfile.TemporaryDirectory() as folder:
         picture = os.path.join(folder, "picture.exr")
         subprocess.run([render, "--fractal", name, parameters, "--size", f"{WIDTH}x{HEIGHT}", "--precision", precision, "--mode", mode,
-                        "--backend", "openmp", "--pack", "1", "--output", picture], check=True)
+                        "--backend", "openmp", "--simd-width", "1", "--output", picture], check=True)
         with OpenEXR.File(picture, separate_channels=True) as file:
             return tuple(file.channels()[channel].pixels.astype(int) for channel in ("steps", "iterations"))
 

@@ -61,7 +61,7 @@ def native_render(build, scratch):
 
 
 def options(fractal, precision, mode, output):
-    return ["--fractal", fractal, FRACTALS[fractal], "--backend", "openmp", "--pack", "1", "--threads", "1", "--size", SIZE, "--precision", precision, "--mode", mode, "--output", output]
+    return ["--fractal", fractal, FRACTALS[fractal], "--backend", "openmp", "--simd-width", "1", "--threads", "1", "--size", SIZE, "--precision", precision, "--mode", mode, "--output", output]
 
 
 def user_seconds(program, arguments):

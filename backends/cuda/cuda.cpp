@@ -39,7 +39,7 @@ public:
     BackendInfo info() const override
     {
         return {.has_driver = true,
-                .block = true,
+                .block_size = true,
                 .variables = {"CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "CUDA_DEVICE_ORDER"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
@@ -96,7 +96,7 @@ public:
             context = contexts_.at(options.device);
         }
         check(driver().cuCtxSetCurrent(context), "using the device");
-        cuda::use_blocks_of(options.block);
+        cuda::use_blocks_of(options.block_size);
         draw();
     }
 

@@ -100,10 +100,10 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool has_long = is_pocl && native >= (is_float ? 16 : 8);
     const int longest = has_long ? 32 : std::min(2 * static_cast<int>(native), 16);
     const int suits = is_cpu && native > 1 ? longest : 1;
-    build.lanes = options.pack != 0 ? options.pack : suits;
+    build.lanes = options.simd_width != 0 ? options.simd_width : suits;
     if (std::ranges::find(lengths, build.lanes) == lengths.end()) {
         throw InputError(
-            fmt::format("--pack: {} is no vector length of opencl, expected 1, 2, 4, 8, 16 or 32", build.lanes));
+            fmt::format("--simd-width: {} is no vector length of opencl, expected 1, 2, 4, 8, 16 or 32", build.lanes));
     }
 
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;

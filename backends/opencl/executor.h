@@ -26,7 +26,7 @@ public:
         : session_(session),
           kernel_(program, "draw_band"),
           lanes_(build.lanes),
-          block_(options.block),
+          block_(options.block_size),
           width_(scene.width),
           pixels_(static_cast<std::size_t>(pixels)),
           bytes_alone_(bytes_alone),

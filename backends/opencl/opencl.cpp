@@ -18,9 +18,9 @@ public:
     BackendInfo info() const override
     {
         return {.has_driver = true,
-                .pack = true,
+                .simd_width = true,
                 .band = true,
-                .block = true,
+                .block_size = true,
                 .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

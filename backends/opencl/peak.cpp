@@ -44,7 +44,7 @@ double multiply_add_peak(const cl::Device& device, const RendererOptions& option
     // Fast mode allows the compiler to use the device's multiply-add instruction.
     RendererOptions fast = options;
     fast.mode = Mode::fast;
-    fast.pack = 0;
+    fast.simd_width = 0;
     const Build build = build_for(device, fast);
     return checked("measuring the multiply-add peak", [&] {
         return options.precision == Precision::f32 ? measured<float>(device, build) : measured<double>(device, build);

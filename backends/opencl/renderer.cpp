@@ -76,7 +76,7 @@ private:
                            .precision = options_.precision,
                            .mode = options_.mode,
                            .threads = session_->is_cpu ? static_cast<int>(units()) : 1,
-                           .pack = build_.lanes,
+                           .simd_width = build_.lanes,
                            .instruction_set = {},
                            .timings = executor->timings,
                            .work = executor->work};

@@ -159,7 +159,7 @@ private:
                            .precision = options_.precision,
                            .mode = options_.mode,
                            .threads = executor.team,
-                           .pack = variant.pack,
+                           .simd_width = variant.pack,
                            .instruction_set = openmp::usual_name(variant.instruction_set),
                            .timings = executor.timings,
                            .work = executor.work};
@@ -172,17 +172,17 @@ private:
     {
         auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode, targets_);
         if (counted) std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
-        if (options_.pack == 0) return variants.back();
+        if (options_.simd_width == 0) return variants.back();
         const auto of_width =
-            std::ranges::find(variants.rbegin(), variants.rend(), options_.pack, &Variant<Real>::pack);
+            std::ranges::find(variants.rbegin(), variants.rend(), options_.simd_width, &Variant<Real>::pack);
         if (of_width != variants.rend()) return *of_width;
         std::string widths;
         for (const auto& variant : variants) {
             if (!variant.counted) continue;
             widths += fmt::format("{}{}", widths.empty() ? "" : ", ", variant.pack);
         }
-        throw InputError(fmt::format("--pack: {} is no pack width of openmp in {} on this machine, expected one of {}",
-                                     options_.pack, name_of(options_.precision), widths));
+        throw InputError(fmt::format("--simd-width: {} is no SIMD width of openmp in {} on this machine, expected one of {}",
+                                     options_.simd_width, name_of(options_.precision), widths));
     }
 
     RendererOptions options_;
@@ -198,7 +198,7 @@ public:
     {
         return {.role = Role::host,
                 .threads = true,
-                .pack = true,
+                .simd_width = true,
                 .chunk = true,
                 .variables = {"OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_DYNAMIC", "OMP_PROC_BIND", "OMP_PLACES",
                               "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT"},

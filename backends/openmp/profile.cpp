@@ -20,7 +20,7 @@ class ProfilerOf : public Profiler {
 public:
     ProfilerOf(const Scene& scene, Mode mode)
         : variant_(variants_of<Real>(scene.fractal->name, mode).back()),
-          picture_(scene, mode, {.occlusion = false}, variant_, notes_),
+          picture_(scene, mode, {.shared_occlusion = false}, variant_, notes_),
           rows_(rows_per_band(scene, band_limits))
     {
         if (variant_.profile == nullptr)

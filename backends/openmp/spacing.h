@@ -48,7 +48,7 @@ template <class KernelScene>
 bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
 {
     constexpr double nearest_openness = 0.004;  // as a fraction of the distance from the camera
-    return techniques.occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
+    return techniques.shared_occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
 // Returns true if subtiles begin with cones. A cone ends at a distance of several of its widths from the

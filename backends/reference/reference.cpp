@@ -245,7 +245,7 @@ private:
                            .precision = Precision::f64,
                            .mode = mode_,
                            .threads = 1,
-                           .pack = 1,
+                           .simd_width = 1,
                            .instruction_set = "baseline",
                            .timings = {},
                            .work = tracer.work()};

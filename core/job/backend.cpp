@@ -58,7 +58,7 @@ private:
                            .precision = options_.precision,
                            .mode = options_.mode,
                            .threads = model_->threads(options_, opened_),
-                           .pack = 1,
+                           .simd_width = 1,
                            .instruction_set = opened_.instruction_set,
                            .timings = {},
                            .work = {}};

@@ -21,10 +21,10 @@ constexpr std::array names_of_techniques{NamedTechnique{"hull", &Techniques::hul
                                          NamedTechnique{"cones", &Techniques::cones},
                                          NamedTechnique{"neighbours", &Techniques::neighbours},
                                          NamedTechnique{"trial", &Techniques::trial},
-                                         NamedTechnique{"root", &Techniques::root},
+                                         NamedTechnique{"refinement", &Techniques::refinement},
                                          NamedTechnique{"tail", &Techniques::tail},
-                                         NamedTechnique{"normal", &Techniques::normal},
-                                         NamedTechnique{"surroundings", &Techniques::occlusion}};
+                                         NamedTechnique{"gradient", &Techniques::gradient},
+                                         NamedTechnique{"shared-occlusion", &Techniques::shared_occlusion}};
 
 }  // namespace
 

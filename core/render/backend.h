@@ -39,10 +39,10 @@ struct Techniques {
     bool cones = true;       // fast, openmp: a cone around the rays of 8 x 8 pixels finds where they can begin
     bool neighbours = true;  // fast, openmp: rays begin near the hits of surrounding pixels
     bool trial = true;       // fast: a small trial render decides whether steps must be shorter
-    bool root = true;        // fast: hits are refined to the canonical root; false: by one secant only
-    bool occlusion = true;   // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
+    bool refinement = true;  // fast: hits are refined to the canonical root; false: by one secant only
+    bool shared_occlusion = true;   // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
     bool tail = true;        // fast, Mandelbox: the last iterations of an orbit skip their tests
-    bool normal = true;      // fast, double: normals from the gradient; false: from differences of six estimates
+    bool gradient = true;    // fast, double: normals from the gradient; false: from differences of six estimates
 };
 
 // Returns all techniques except those in `names`, such as "hull,cones". Throws InputError, which lists the known names.
@@ -54,10 +54,10 @@ struct RendererOptions {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     int threads = 0;     // for backends on the host's cores; 0: usable_threads() (core/base/cores.h)
-    int pack = 0;        // pixels computed at once on a core; 0: the backend's choice
+    int simd_width = 0;        // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice
-    int block = 0;       // threads per GPU thread block or work items per work group, a multiple of 32; 0: default
+    int block_size = 0;       // threads per GPU thread block or work items per work group, a multiple of 32; 0: default
     bool counts = true;  // false: RenderStats::work is not needed; openmp then renders fast pictures faster
     Techniques techniques = {};
 };
@@ -110,7 +110,7 @@ struct RenderStats {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     int threads = 1;
-    int pack = 1;
+    int simd_width = 1;
     std::string instruction_set;  // or the device's architecture; may be empty
     // Results of a trial (core/render/trial.h); both are 0 without one. step_factor: the selected step factor.
     // unsettled: the fraction of the trial's pixels that shorter steps would still change visibly; 0 if it is small.
@@ -181,10 +181,10 @@ struct BackendInfo {
     bool has_driver = false;  // uses a driver of a third party, which may crash; programs run it in a separate process
     // The following members are true if the backend uses the member of RendererOptions with the same name.
     bool threads = false;
-    bool pack = false;
+    bool simd_width = false;
     bool chunk = false;
     bool band = false;
-    bool block = false;
+    bool block_size = false;
     std::vector<std::string_view> variables = {};  // environment variables that change the backend's behaviour
     KernelBuild build = {};
 };

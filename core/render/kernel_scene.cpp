@@ -39,7 +39,7 @@ int differences(const Scene& scene, bool fast, bool in_float, const Techniques& 
     constexpr int central = 1;
     constexpr int tetrahedron = 2;
     if (scene.smooth) return tetrahedron;
-    if ((!fast || !techniques.normal) && !in_float) return central;
+    if ((!fast || !techniques.gradient) && !in_float) return central;
     return scene.conservative ? tetrahedron : gradient;
 }
 
@@ -113,7 +113,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
 {
     using Real = decltype(Layout::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
-    if (is_float<Layout> && !techniques.normal) {
+    if (is_float<Layout> && !techniques.gradient) {
         throw InputError("technique normal: float has no digits for differences, expected double without it");
     }
     const bool fast = mode == Mode::fast;

@@ -18,7 +18,7 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
     return {
         .step_factor = step_factor,
         .relaxation = relaxed ? longest_relaxed : step_factor,
-        .root_share = techniques.root ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
+        .root_share = techniques.refinement ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
 }
 
 StepLimits film_limits(const Scene& scene)

@@ -117,7 +117,7 @@ Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image
 bool is_tried(const RendererOptions& options)
 {
     // Without refinement every step factor gives another picture, so a trial is useless.
-    return options.mode == Mode::fast && options.techniques.root && options.techniques.trial;
+    return options.mode == Mode::fast && options.techniques.refinement && options.techniques.trial;
 }
 
 Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions options)

@@ -29,6 +29,7 @@ inline constexpr std::string_view conservative_estimate = "conservative";
 struct StepLimits {
     double step_factor = plain_step_factor;  // max step factor
     double root_share = 0;                   // min of Stepping::root_share, the error of a hit in tolerances
+    bool operator==(const StepLimits&) const = default;
 };
 
 // Mapping from pixels to directions. An equirectangular picture covers 360 degrees of longitude horizontally and 180
@@ -40,6 +41,7 @@ enum class Projection { perspective, equirectangular };
 struct CropWindow {
     int left = 0, bottom = 0;
     int whole_width = 0, whole_height = 0;  // size of the larger picture; 0: the scene shows a whole picture
+    bool operator==(const CropWindow&) const = default;
 };
 
 struct Scene {
@@ -65,6 +67,8 @@ struct Scene {
     Vector sun{0.48, 0.64, 0.6};  // unit vector towards the sun, for colouring types 2 and above
     StepLimits limits;
     CropWindow crop_window;
+
+    bool operator==(const Scene&) const = default;
 };
 
 // The entries of a parameter file, in order.

@@ -8,6 +8,7 @@ namespace mandelmarch {
 
 struct Vector {
     double x = 0, y = 0, z = 0;
+    bool operator==(const Vector&) const = default;
 };
 
 inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

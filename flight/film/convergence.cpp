@@ -30,7 +30,7 @@ constexpr double worst_bar = 6;
 RendererOptions by_film_steps(const RendererOptions& options)
 {
     RendererOptions alone = without_trial(options);
-    alone.techniques.occlusion = false;
+    alone.techniques.shared_occlusion = false;
     return alone;
 }
 

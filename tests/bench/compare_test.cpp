@@ -17,7 +17,7 @@ namespace mandelmarch::bench {
 namespace {
 
 constexpr int rows = 24;
-constexpr int launches = 5;
+constexpr int runs = 5;
 constexpr int samples = 10;
 
 Row numbered_row(int index)
@@ -27,25 +27,25 @@ Row numbered_row(int index)
     row.backend = fmt::format("backend{}", index);
     row.platform = "machine";
     row.device_name = "device";
-    row.proof.drawn = row.proof.passed = true;
+    row.verification.drawn = row.verification.passed = true;
     row.setting.width = row.setting.height = 540;
     return row;
 }
 
 // Returns a result with realistic times: each run has its own speed (standard deviation 1.5 %), and each sample a
 // disturbance (1 %). The times of row i are multiplied by factor(i).
-Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_launches = launches)
+Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_runs = runs)
 {
     std::normal_distribution<double> normal;
     Result result;
-    result.launches = of_launches;
+    result.runs = of_runs;
     for (int i = 0; i < rows; ++i) {
         Row row = numbered_row(i);
-        for (int launch = 0; launch < of_launches; ++launch) {
+        for (int run = 0; run < of_runs; ++run) {
             const double speed = 0.1 * factor(i) * std::exp(0.015 * normal(random));
             for (int s = 0; s < samples; ++s) {
                 const double seconds = speed * std::exp(0.01 * normal(random));
-                row.samples.push_back({.launch = launch, .round = s, .kernel = seconds, .wall = seconds});
+                row.samples.push_back({.run = run, .round = s, .kernel = seconds, .wall = seconds});
             }
         }
         result.rows.push_back(row);
@@ -83,7 +83,7 @@ bool compare_alarms(const Result& before, const Result& after) { return called(c
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
-        if (difference(launch_medians(before.rows[i]), launch_medians(after.rows[i]), margin).p < significance)
+        if (difference(run_medians(before.rows[i]), run_medians(after.rows[i]), margin).p < significance)
             return true;
     }
     return false;
@@ -112,7 +112,7 @@ TEST(Compare, ShortcutsRaiseMany)
 {
     const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_GT(alarms(at_the_margin, uncorrected_alarms), 30) << "without Holm's correction";
-    EXPECT_GT(alarms(at_the_margin, pooled_alarms), 30) << "samples of one launch taken for independent";
+    EXPECT_GT(alarms(at_the_margin, pooled_alarms), 30) << "samples of one run taken for independent";
 }
 
 TEST(Compare, FindsARegressionAndAnImprovement)
@@ -141,9 +141,9 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
 {
     // Times without noise: the difference is certain, but within the margin.
     Result before;
-    before.launches = 2;
+    before.runs = 2;
     before.rows.push_back(numbered_row(0));
-    for (const int launch : {0, 1}) before.rows[0].samples.push_back({.launch = launch, .kernel = 1, .wall = 1});
+    for (const int run : {0, 1}) before.rows[0].samples.push_back({.run = run, .kernel = 1, .wall = 1});
     Result after = before;
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.019;
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::same);
@@ -156,15 +156,15 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
 TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
-    before.launches = 3;
+    before.runs = 3;
     for (int i = 0; i < 48; ++i) {
         Row row = numbered_row(i);
-        for (int launch = 0; launch < 3; ++launch) row.samples.push_back({.launch = launch, .kernel = 1, .wall = 1});
-        for (int launch = 0; launch < 3; ++launch) row.samples[launch].kernel *= 1 + 0.001 * launch;
+        for (int run = 0; run < 3; ++run) row.samples.push_back({.run = run, .kernel = 1, .wall = 1});
+        for (int run = 0; run < 3; ++run) row.samples[run].kernel *= 1 + 0.001 * run;
         before.rows.push_back(row);
     }
     Result after = before;
-    for (int launch = 0; launch < 3; ++launch) after.rows[0].samples[launch].kernel = 0.5 * (1 + 0.08 * launch);
+    for (int run = 0; run < 3; ++run) after.rows[0].samples[run].kernel = 0.5 * (1 + 0.08 * run);
     const ComparedResults compared = compare_results(before, after);
     EXPECT_LT(compared.rows[0].difference.interval.high, 0.8);
     EXPECT_GE(compared.rows[0].p, significance);
@@ -173,7 +173,7 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
     EXPECT_FALSE(compared.regression());
     const std::string text = to_console(compared);
     EXPECT_EQ(text.find("no difference"), std::string::npos);
-    EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more launches would tell: --launches)\n"))
+    EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more runs would tell: --runs)\n"))
         << text;
 }
 
@@ -210,7 +210,7 @@ TEST(Compare, ABrokenPictureIsARegression)
     std::mt19937_64 random(7);
     const Result before = random_result(random, same);
     Result after = before;
-    after.rows[2].proof.passed = false;
+    after.rows[2].verification.passed = false;
     after.rows[2].failure = "the picture is wrong";
     after.rows[2].samples.clear();
     const ComparedResults compared = compare_results(before, after);
@@ -315,7 +315,7 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
 
 // In a comparison of results with one run, a single disturbed picture must not make a row slower, as it would if means
 // of logarithms were compared.
-TEST(Compare, OneLaunchIsComparedByMedians)
+TEST(Compare, OneRunIsComparedByMedians)
 {
     std::mt19937_64 random(7);
     const Result before = random_result(random, same, 1);

@@ -43,12 +43,12 @@ TEST(Counting, ByHand)
 {
     const text::vec3 v = text::make_vec3(1, 2, 3);
     const Operations dot = counted([&] { text::dot3(v, v); });
-    EXPECT_EQ(dot.products, 3U);
-    EXPECT_EQ(dot.sums, 2U);
+    EXPECT_EQ(dot.multiplications, 3U);
+    EXPECT_EQ(dot.additions, 2U);
     EXPECT_EQ(dot.total(), 5U);
     const Operations unit = counted([&] { text::unit(v); });
-    EXPECT_EQ(unit.roots, 1U);
-    EXPECT_EQ(unit.quotients, 3U);
+    EXPECT_EQ(unit.square_roots, 1U);
+    EXPECT_EQ(unit.divisions, 3U);
     EXPECT_EQ(unit.total(), 9U);
     EXPECT_EQ(counted([&] { text::larger(v.x, v.y); }).total(), 0U) << "comparisons and picks are not counted";
     EXPECT_EQ(counted([&] { -v.x; }).total(), 0U);
@@ -60,7 +60,7 @@ TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
     for (const int rounds : {0, 1, 7}) {
         const Operations all = counted([&] { text::multiply_add_chains(1, peak_factor, peak_addend, rounds); });
         EXPECT_EQ(static_cast<double>(all.total()), 18 + rounds * peak_operations_per_round);
-        EXPECT_EQ(all.sums - 18, all.products);
+        EXPECT_EQ(all.additions - 18, all.multiplications);
     }
 }
 
@@ -74,7 +74,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
                 const Count count = count_operations(scene, {.precision = precision, .mode = mode});
                 Image image(scene.width, scene.height, Image::Layers::bytes);
                 const auto renderer =
-                    registry.find("openmp")->create({.precision = precision, .mode = mode, .pack = 1});
+                    registry.find("openmp")->create({.precision = precision, .mode = mode, .simd_width = 1});
                 const Work work = renderer->render(scene, image).work;
                 EXPECT_EQ(count.pixels, image.pixels());
                 // In fast mode the backend's kernel is contracted, which adds or removes a few steps.

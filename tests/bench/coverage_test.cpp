@@ -16,7 +16,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr double launch_scatter = 0.015;  // standard deviations of logarithms, as in report/results/bench.json
+constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as in report/results/bench.json
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;
@@ -27,11 +27,11 @@ constexpr double skew_median = 0.4549364;
 using Random = std::mt19937_64;
 
 // Returns for each run the factor by which the machine multiplies the times of all rows of the run.
-std::map<int, double> machine(Random& random, int launches)
+std::map<int, double> machine(Random& random, int runs)
 {
     std::normal_distribution<double> normal;
     std::map<int, double> factors;
-    for (int launch = 0; launch < launches; ++launch) factors[launch] = std::exp(0.03 * normal(random));
+    for (int run = 0; run < runs; ++run) factors[run] = std::exp(0.03 * normal(random));
     return factors;
 }
 
@@ -41,12 +41,12 @@ Row study_row(Random& random, const std::string& backend, double seconds, const 
 {
     std::normal_distribution<double> normal;
     Row row = made_row(backend, {});
-    for (const auto& [launch, factor] : factors) {
-        const double speed = seconds * factor * std::exp(launch_scatter * normal(random));
+    for (const auto& [run, factor] : factors) {
+        const double speed = seconds * factor * std::exp(run_scatter * normal(random));
         for (int round = 0; round < samples; ++round) {
             const double x = normal(random);
             const double time = speed * std::exp(sample_scatter * (x * x - skew_median));
-            row.samples.push_back({.launch = launch, .round = round, .kernel = time, .wall = time});
+            row.samples.push_back({.run = run, .round = round, .kernel = time, .wall = time});
         }
     }
     return row;
@@ -66,22 +66,22 @@ double coverage(double truth, const std::function<Interval(Random&)>& interval, 
 
 class Coverage : public testing::TestWithParam<int> {
 protected:
-    int launches() const { return GetParam(); }
+    int runs() const { return GetParam(); }
     // Returns factors of 1: the machine affects all runs alike.
     std::map<int, double> quiet() const
     {
         std::map<int, double> factors;
-        for (int launch = 0; launch < launches(); ++launch) factors[launch] = 1;
+        for (int run = 0; run < runs(); ++run) factors[run] = 1;
         return factors;
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Launches, Coverage, testing::Values(3, 5, 10));
+INSTANTIATE_TEST_SUITE_P(ValuesByRun, Coverage, testing::Values(3, 5, 10));
 
 TEST_P(Coverage, OfATime)
 {
     const auto interval = [&](Random& random) {
-        return summary(kernel_launches(study_row(random, "openmp", 0.1, quiet(), 12))).interval.value();
+        return summary(kernel_runs(study_row(random, "openmp", 0.1, quiet(), 12))).interval.value();
     };
     EXPECT_GE(coverage(0.1, interval), target);
 }
@@ -96,16 +96,16 @@ TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 }
 
 // Negative control: the interval from the percentiles of a hierarchical bootstrap is too narrow for few runs.
-TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
+TEST(CoverageOfThreeRunes, IsMissedByABootstrap)
 {
     const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
     const auto bootstrap = [&](Random& random) {
-        const Launches launches = kernel_launches(study_row(random, "openmp", 0.1, quiet, 12));
+        const ValuesByRun runs = kernel_runs(study_row(random, "openmp", 0.1, quiet, 12));
         std::vector<double> found;
         for (int i = 0; i < 200; ++i) {
             std::vector<double> medians;
             for (int j = 0; j < 3; ++j) {
-                const std::vector<double>& samples = launches.at(static_cast<int>(random() % 3));
+                const std::vector<double>& samples = runs.at(static_cast<int>(random() % 3));
                 std::vector<double> again;
                 for (std::size_t k = 0; k < samples.size(); ++k) again.push_back(samples[random() % samples.size()]);
                 medians.push_back(median(again));
@@ -122,36 +122,36 @@ TEST(CoverageOfThreeLaunches, IsMissedByABootstrap)
 TEST_P(Coverage, OfARatio)
 {
     const auto interval = [&](Random& random) {
-        const auto factors = machine(random, launches());
+        const auto factors = machine(random, runs());
         Row slow = study_row(random, "openmp", 0.3, factors, 10);
         Row fast = study_row(random, "openmp", 0.1, factors, 10);
         fast.fractal = bulb;
-        return box_to_bulb(made_result({slow, fast}, launches())).at(0).summary.interval.value();
+        return made_result({slow, fast}, runs()).questions.box_to_bulb.at(0).ratio.interval.value();
     };
     EXPECT_GE(coverage(3, interval), target);
 }
 
 // Returns the interval of the speed-up of a synthetic study. The reference has three samples per run, the row that is
 // compared with it has twelve.
-Interval speed_up(Random& random, int launches, double reference_seconds)
+Interval speed_up(Random& random, int runs, double reference_seconds)
 {
-    const auto factors = machine(random, launches);
+    const auto factors = machine(random, runs);
     Row reference = study_row(random, "reference", reference_seconds, factors, 3);
     const Row row = study_row(random, "openmp", 0.1, factors, 12);
     reference.precision = Precision::f64;
-    const Result result = made_result({reference, row}, launches);
-    return figures_of(result, result.rows[1]).speed_up->interval.value();
+    const Result result = made_result({reference, row}, runs);
+    return result.rows[1].figures->speed_up->interval.value();
 }
 
 TEST_P(Coverage, OfASpeedUp)
 {
-    EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4); }), target);
+    EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, runs(), 4); }), target);
 }
 
 // Negative control: intervals of a speed-up of 43 contain 40 too rarely.
 TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 {
-    EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, launches(), 4.3); }), 0.8);
+    EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, runs(), 4.3); }), 0.8);
 }
 
 TEST_P(Coverage, OfPortability)
@@ -163,7 +163,7 @@ TEST_P(Coverage, OfPortability)
         for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
             Result result = made_result(
                 {study_row(random, "best", 0.1, quiet(), 8), study_row(random, "other", seconds, quiet(), 8)},
-                launches());
+                runs());
             for (Row& row : result.rows) row.platform = platform;
             results.push_back(std::move(result));
         }
@@ -173,41 +173,41 @@ TEST_P(Coverage, OfPortability)
 }
 
 // Negative control: the interval of a single run does not include the differences between runs.
-TEST(CoverageOfOneLaunch, IsOfThatLaunchAlone)
+TEST(CoverageOfOneRun, IsOfThatRunAlone)
 {
     const auto interval = [](Random& random) {
-        return summary(kernel_launches(study_row(random, "openmp", 0.1, {{0, 1}}, 12))).interval.value();
+        return summary(kernel_runs(study_row(random, "openmp", 0.1, {{0, 1}}, 12))).interval.value();
     };
     EXPECT_LT(coverage(0.1, interval), 0.8);
 }
 
-TEST(LaunchInterval, ByHand)
+TEST(RunInterval, ByHand)
 {
     // Logarithms -1, 0, 1: mean 0, standard error 1 / sqrt(3), and 4.3027 is the 97.5th percentile of t with two
     // degrees of freedom.
-    const auto interval = launch_interval(std::vector{std::exp(-1.0), 1.0, std::exp(1.0)});
+    const auto interval = run_interval(std::vector{std::exp(-1.0), 1.0, std::exp(1.0)});
     ASSERT_TRUE(interval);
     EXPECT_NEAR(std::log(interval->high), 4.3027 / std::sqrt(3.0), 1e-3);
     EXPECT_NEAR(interval->low * interval->high, 1, 1e-12);
-    EXPECT_FALSE(launch_interval(std::vector{1.0}));
-    EXPECT_FALSE(launch_interval(std::vector{1.0, 0.0, 2.0}));
+    EXPECT_FALSE(run_interval(std::vector{1.0}));
+    EXPECT_FALSE(run_interval(std::vector{1.0, 0.0, 2.0}));
 }
 
-TEST(LaunchInterval, HoldsTheMedianOfAll)
+TEST(RunInterval, HoldsTheMedianOfAll)
 {
     // One run has many more samples than the others.
-    Launches launches{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};
-    const Summary s = summary(launches);
+    ValuesByRun runs{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};
+    const Summary s = summary(runs);
     EXPECT_EQ(s.count, 7);
-    EXPECT_EQ(s.launches, 3);
+    EXPECT_EQ(s.runs, 3);
     EXPECT_EQ(s.median, 2);
     EXPECT_GE(s.interval->high, 2);
 }
 
 // An interval of the median needs six rounds, and is valid for any distribution.
-TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
+TEST(QuotientOfOneRun, HasTheIntervalOfTheRoundsMedian)
 {
-    const Launches row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
+    const ValuesByRun row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
     EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5}}}, row).interval) << "five rounds";
     const Quotient q = quotient({{0, {9, 8, 7, 6, 5, 40}}}, row);
     EXPECT_EQ(q.ratio, 7.5);
@@ -218,7 +218,7 @@ TEST(QuotientOfOneLaunch, HasTheIntervalOfTheRoundsMedian)
 }
 
 // A disturbance that slows both rows in a round cancels in the round's ratio.
-TEST(QuotientOfOneLaunch, ComparesRoundByRound)
+TEST(QuotientOfOneRun, ComparesRoundByRound)
 {
     const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
     ASSERT_TRUE(q.interval);
@@ -227,7 +227,7 @@ TEST(QuotientOfOneLaunch, ComparesRoundByRound)
 }
 
 // The interval of a single run contains the true ratio often enough if times are skewed and runs do not differ.
-TEST(QuotientOfOneLaunch, HoldsTheTruth)
+TEST(QuotientOfOneRun, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {
         std::normal_distribution<double> normal;
@@ -237,7 +237,7 @@ TEST(QuotientOfOneLaunch, HoldsTheTruth)
                 const double x = normal(random);
                 made.push_back(seconds * std::exp(0.1 * (x * x - skew_median)));
             }
-            return Launches{{0, made}};
+            return ValuesByRun{{0, made}};
         };
         return quotient(times(4), times(0.1)).interval.value();
     };
@@ -250,7 +250,7 @@ TEST(SpeedUp, OfTheReferenceBesideItselfHasNoInterval)
     Row reference = study_row(random, "reference", 4, {{0, 1}, {1, 1}, {2, 1}}, 6);
     reference.precision = Precision::f64;
     const Result result = made_result({reference}, 3);
-    const Figures figures = figures_of(result, result.rows[0]);
+    const Figures figures = result.rows[0].figures.value();
     EXPECT_EQ(figures.speed_up->ratio, 1);
     EXPECT_FALSE(figures.speed_up->interval);
 }

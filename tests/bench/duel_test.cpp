@@ -19,32 +19,32 @@ constexpr int rows = 8;
 
 // Disturbances on a synthetic machine. The first three are standard deviations of logarithms of times.
 struct Noise {
-    double launch = 0.01;   // of each program in each run, for example from its memory layout
+    double run = 0.01;   // of each program in each run, for example from its memory layout
     double moment = 0.20;   // of a pair, the same for both pictures
     double picture = 0.02;  // of a single picture
     double hit = 0.05;      // fraction of pictures that an interruption makes twice as long
 };
-constexpr Noise loaded{.launch = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
+constexpr Noise loaded{.run = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
 
 // Returns a duel in which row i of the new program takes factor(i) times as long as that of the old one.
 Duel made_duel(std::mt19937_64& random, const std::function<double(int)>& factor, const Noise& noise = {},
-               int launches = 10)
+               int runs = 10)
 {
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> any;
-    Duel duel{.launches = launches, .rounds = 20};
+    Duel duel{.runs = runs, .rounds = 20};
     for (int i = 0; i < rows; ++i) {
         DuelRow row{.name = fmt::format("row{}", i)};
-        for (int launch = 0; launch < launches; ++launch) {
-            const double old_speed = 0.1 * std::exp(noise.launch * normal(random));
-            const double new_speed = 0.1 * factor(i) * std::exp(noise.launch * normal(random));
+        for (int run = 0; run < runs; ++run) {
+            const double old_speed = 0.1 * std::exp(noise.run * normal(random));
+            const double new_speed = 0.1 * factor(i) * std::exp(noise.run * normal(random));
             for (int round = 0; round < duel.rounds; ++round) {
                 const double moment = std::exp(noise.moment * normal(random));
                 const auto picture = [&](double speed) {
                     return moment * speed * std::exp(noise.picture * normal(random)) *
                            (any(random) < noise.hit ? 2 : 1);
                 };
-                row.pairs.push_back({launch, round, picture(old_speed), picture(new_speed)});
+                row.pairs.push_back({run, round, picture(old_speed), picture(new_speed)});
             }
         }
         duel.rows.push_back(row);
@@ -91,8 +91,8 @@ TEST(Duel, ShortcutsRaiseMany)
         }
         return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
     };
-    const Noise quiet_pictures{.launch = 0.03, .moment = 0.1, .picture = 0.01, .hit = 0};
-    EXPECT_GT(alarms(same, quiet_pictures, pairs_as_units), 100) << "pairs of one launch taken for independent";
+    const Noise quiet_pictures{.run = 0.03, .moment = 0.1, .picture = 0.01, .hit = 0};
+    EXPECT_GT(alarms(same, quiet_pictures, pairs_as_units), 100) << "pairs of one run taken for independent";
     const auto uncorrected = [](const Duel& duel) {
         const auto judged = judge(duel);
         return std::ranges::any_of(judged, [&](const Judged& row) {
@@ -107,7 +107,7 @@ TEST(Duel, FindsThreePercentInNineOfTen)
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
     // A single slower row is found, too, if runs differ less.
     const auto third = [](const Duel& duel) { return judge(duel).at(3).verdict == Verdict::slower; };
-    EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.launch = 0.005}, third), 360) << "of 400";
+    EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.run = 0.005}, third), 360) << "of 400";
 }
 
 // Negative control: the method of `bench compare`, which does not use the pairs, finds nothing in the same pictures.
@@ -116,11 +116,11 @@ TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
     const auto unpaired = [](const Duel& duel) {
         std::vector<double> p;
         for (const DuelRow& row : duel.rows) {
-            Launches before;
-            Launches after;
+            ValuesByRun before;
+            ValuesByRun after;
             for (const DuelPair& pair : row.pairs) {
-                before[pair.launch].push_back(pair.old_seconds);
-                after[pair.launch].push_back(pair.new_seconds);
+                before[pair.run].push_back(pair.old_seconds);
+                after[pair.run].push_back(pair.new_seconds);
             }
             p.push_back(difference(medians_of(before), medians_of(after), margin).p);
         }
@@ -131,14 +131,14 @@ TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
 
 TEST(Duel, EachVerdict)
 {
-    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    const Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
     Duel duel = made_duel(
         random, [](int i) { return i == 0   ? 1.05
                                    : i == 1 ? 0.95
                                             : 1.0; }, quiet);
     // Row 2 is slower in half of the runs and faster in the others.
-    for (DuelPair& pair : duel.rows[2].pairs) pair.new_seconds *= pair.launch % 2 == 0 ? 1.1 : 0.9;
+    for (DuelPair& pair : duel.rows[2].pairs) pair.new_seconds *= pair.run % 2 == 0 ? 1.1 : 0.9;
     duel.rows[4].new_failure = "the picture is wrong";
     duel.rows[4].pairs.clear();
     duel.rows[5].old_failure = "there is no such row";
@@ -160,7 +160,7 @@ TEST(Duel, EachVerdict)
 
 TEST(Duel, OnlySlowerAndBrokenAreRegressions)
 {
-    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    const Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
     EXPECT_FALSE(regression(judge(made_duel(random, same, quiet))));
     EXPECT_FALSE(regression(judge(made_duel(
@@ -171,7 +171,7 @@ TEST(Duel, OnlySlowerAndBrokenAreRegressions)
 
 TEST(Duel, TheMarginIsWhatIsAskedFor)
 {
-    const Noise quiet{.launch = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
+    const Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
     Duel duel = made_duel(random, all_slower, quiet);
     EXPECT_EQ(judge(duel)[0].verdict, Verdict::slower);

@@ -7,7 +7,7 @@ bench=$1/bench
 . "$(dirname "$0")/expect.sh"
 for percent in 0 100; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
-few=(--launches 4 --repetitions 4 --clock processor)
+few=(--runs 4 --repetitions 4 --clock processor)
 
 # A program with twice the work of the other one is detected, and one with half of it.
 expect 1 duel ./slowed_0 ./slowed_100 "${rows[@]}" "${few[@]}" --json slower.json
@@ -18,14 +18,14 @@ grep -q '^mandelbox/float/exact/openmp/0 .*faster$' out || fail "$(cat out)"
 
 # With equal programs, every pair is measured. The verdicts are not checked, as other programs may disturb the machine.
 got=0
-"$bench" duel ./slowed_0 ./slowed_0 "${rows[@]}" --launches 2 --repetitions 3 --json pairs.json >out 2>err || got=$?
+"$bench" duel ./slowed_0 ./slowed_0 "${rows[@]}" --runs 2 --repetitions 3 --json pairs.json >out 2>err || got=$?
 [ "$got" -le 1 ] || fail "a duel of equal programs exited with $got: $(cat err)"
 python3 - <<'PY'
 import json
 duel = json.load(open("pairs.json"))
-assert duel["launches"] == 2 and duel["rounds"] == 3
+assert duel["runs"] == 2 and duel["rounds"] == 3
 for row in duel["rows"]:
-    assert sorted((p["launch"], p["round"]) for p in row["pairs"]) == [(l, r) for l in (0, 1) for r in range(3)], row["name"]
+    assert sorted((p["run"], p["round"]) for p in row["pairs"]) == [(l, r) for l in (0, 1) for r in range(3)], row["name"]
     assert row["same_picture"] and all(p["old"] > 0 and p["new"] > 0 for p in row["pairs"])
 PY
 
@@ -34,7 +34,7 @@ expect 2 duel ./nosuch ./slowed_0
 grep -q 'nosuch: no program' err || fail "$(cat err)"
 expect 2 duel ./slowed_0
 expect 2 duel ./slowed_0 ./slowed_0 --csv x.csv
-expect 2 duel ./slowed_0 ./slowed_0 --launches 1
+expect 2 duel ./slowed_0 ./slowed_0 --runs 1
 expect 2 duel ./slowed_0 ./slowed_0 --margin -1
 cp ./slowed_0 kept
 expect 2 duel ./slowed_0 ./slowed_100 --json slowed_0
@@ -43,9 +43,9 @@ printf '#!/bin/sh\nexit 3\n' >refuses
 printf '#!/bin/sh\nread line; exit 0\n' >silent
 printf '#!/bin/sh\necho "no JSON" >&0; cat >/dev/null\n' >babbles
 chmod +x refuses silent babbles
-expect 1 duel ./refuses ./slowed_0 "${rows[@]}" --launches 2
+expect 1 duel ./refuses ./slowed_0 "${rows[@]}" --runs 2
 grep -q 'the old program ended with 3' err || fail "$(cat err)"
-expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --launches 2
+expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --runs 2
 grep -q 'the new program does not answer as bench does' err || fail "$(cat err)"
 
 # If a program is killed, only the pairs of that run are lost. OMP_WAIT_POLICY is passive, whatever the user has set.
@@ -56,8 +56,8 @@ case "$*" in *--unproven*) echo start >>starts; [ "$(wc -l <starts)" != 2 ] || k
 exec ./slowed_100 "$@"
 SH
 chmod +x dies_once
-OMP_WAIT_POLICY=active expect 1 duel ./slowed_0 ./dies_once "${rows[@]}" --launches 4 --repetitions 4 --clock processor --json killed.json
-grep -q 'the new program was ended by signal 9, the other launches are kept' err || fail "$(cat err)"
-grep -q '"launches": 3' killed.json || fail "the launches that are left"
+OMP_WAIT_POLICY=active expect 1 duel ./slowed_0 ./dies_once "${rows[@]}" --runs 4 --repetitions 4 --clock processor --json killed.json
+grep -q 'the new program was ended by signal 9, the other runs are kept' err || fail "$(cat err)"
+grep -q '"runs": 3' killed.json || fail "the runs that are left"
 [ "$(sort -u policies)" = passive ] || fail "waiting threads: $(sort policies | uniq -c)"
 echo fine

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/result.h"
+#include "bench/figures.h"
 
 namespace mandelmarch::bench {
 
@@ -17,24 +17,24 @@ inline Row made_row(const std::string& backend, const std::vector<double>& secon
     row.precision = Precision::f32;
     row.backend = backend;
     row.platform = row.device_name = "machine";
-    row.proof.drawn = row.proof.passed = true;
+    row.verification.drawn = row.verification.passed = true;
     row.setting.width = row.setting.height = 100;
     for (int i = 0; i < static_cast<int>(seconds.size()); ++i) {
         const double kernel = seconds[static_cast<std::size_t>(i)];
         row.samples.push_back(
-            {.launch = i / each, .round = i % each, .kernel = kernel, .wall = 2 * kernel, .readback = kernel / 8});
+            {.run = i / each, .round = i % each, .kernel = kernel, .wall = 2 * kernel, .readback = kernel / 8});
     }
     return row;
 }
 
-inline Result made_result(std::vector<Row> rows, int launches = 1)
+inline Result made_result(std::vector<Row> rows, int runs = 1)
 {
     Result result;
     result.study = "standard";
-    result.launches = launches;
+    result.runs = runs;
     result.environment = nlohmann::ordered_json::object();
     result.rows = std::move(rows);
-    return result;
+    return derived(std::move(result));
 }
 
 }  // namespace mandelmarch::bench

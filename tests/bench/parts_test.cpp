@@ -25,7 +25,7 @@ bool is_named(const Row& row)
 TEST(Parts, WhatTheyLeaveIsAFigure)
 {
     const Row row = leaving(0.25);
-    EXPECT_NEAR(figures_of(made_result({row}), row).unaccounted.value(), 0.25, 1e-12);
+    EXPECT_NEAR(made_result({row}).rows[0].figures->unaccounted.value(), 0.25, 1e-12);
 }
 
 TEST(Parts, ARowIsNamedWhereTheyLeaveMoreThanALittle)
@@ -40,7 +40,7 @@ TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
 {
     Row row = leaving(0.5);
     row.setting.frames = 10;
-    EXPECT_FALSE(figures_of(made_result({row}), row).unaccounted.has_value());
+    EXPECT_FALSE(made_result({row}).rows[0].figures->unaccounted.has_value());
     EXPECT_FALSE(is_named(row));
 }
 

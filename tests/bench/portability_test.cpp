@@ -35,7 +35,7 @@ Row row_of(const std::string& backend, const std::string& platform, double secon
     row.device_name = platform;
     row.setting.width = row.setting.height = 100;
     row.operations = operations;
-    row.proof.drawn = row.proof.passed = true;
+    row.verification.drawn = row.verification.passed = true;
     for (int i = 0; i < 9; ++i) row.samples.push_back({.round = i, .kernel = seconds, .wall = seconds});
     return row;
 }
@@ -157,7 +157,7 @@ TEST(Portability, AWrongPictureCountsNothing)
 {
     std::vector<Result> results = example();
     for (Row& row : results[1].rows) {
-        if (row.backend == "latest") row.proof.passed = false;
+        if (row.backend == "latest") row.verification.passed = false;
     }
     auto found = by_application(portability(results));
     EXPECT_EQ(found["latest"].application_portability, 0);

@@ -48,7 +48,7 @@ TEST_P(ProfiledPicture, IsTheBackendsOwn)
     const auto [precision, mode] = GetParam();
     const Registry registry = all_backends();
     const auto renderer = registry.find("openmp")->create(
-        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false, .occlusion = false}});
+        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false, .shared_occlusion = false}});
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     for (const auto& [name, scene] : scenes()) {
         Image own(scene.width, scene.height, Image::Layers::bytes);

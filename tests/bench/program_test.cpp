@@ -75,7 +75,7 @@ TEST(BenchProgram, WithoutADefectEveryRowHasASpeed)
         const Ran ran = run(Defect::none, small(mode));
         EXPECT_EQ(ran.code, exit_success) << ran.err;
         const auto row = row_of(ran, "broken");
-        EXPECT_TRUE(row["proof"]["fine"]);
+        EXPECT_TRUE(row["verification"]["passed"]);
         EXPECT_EQ(row["samples"].size(), 2U);
         EXPECT_FALSE(row["figures"].is_null());
         EXPECT_EQ(ran.out.find("FAILED"), std::string::npos);
@@ -109,7 +109,7 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// `--without root` switches refinement off, so that the picture differs slightly: only its hits and that its values are
+// `--without refinement` switches refinement off, so that the picture differs slightly: only its hits and that its values are
 // finite are verified.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
@@ -123,15 +123,15 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     arguments.insert(arguments.end(), {"--study", "ablation"});
     const Ran sound = run(Defect::none, arguments);
     EXPECT_EQ(sound.code, exit_success) << sound.err;
-    EXPECT_TRUE(without(sound, "root")["proof"]["fine"]);
-    EXPECT_GT(without(sound, "root")["proof"]["visibly_differing"], without(sound, "")["proof"]["visibly_differing"]);
-    EXPECT_FALSE(without(sound, "root")["figures"].is_null());
-    // In float, `--without normal` (normals from finite differences) is unavailable, as float is too imprecise.
-    EXPECT_NE(without(sound, "normal")["unavailable"], "");
+    EXPECT_TRUE(without(sound, "refinement")["verification"]["passed"]);
+    EXPECT_GT(without(sound, "refinement")["verification"]["visibly_differing"], without(sound, "")["verification"]["visibly_differing"]);
+    EXPECT_FALSE(without(sound, "refinement")["figures"].is_null());
+    // In float, `--without gradient` (normals from finite differences) is unavailable, as float is too imprecise.
+    EXPECT_NE(without(sound, "gradient")["unavailable"], "");
     for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
         const Ran broken = run(defect, arguments);
         EXPECT_EQ(broken.code, exit_failure);
-        EXPECT_FALSE(without(broken, "root")["proof"]["fine"]);
+        EXPECT_FALSE(without(broken, "refinement")["verification"]["passed"]);
     }
 }
 

@@ -14,18 +14,18 @@ if "$bench" --version | grep -q changed; then
     [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
 fi
 
-expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --launches 3
+expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --runs 3
 grep -q '^peak, ' out || fail "no peak"
 grep -q '^openmp\|^bulb' out || fail "no table"
 grep -q '^scene precision mode ' out && ! grep -qw number out || fail "precision is not called so"
 grep -q '^mandelbulb float fast: openmp [wl].* times as fast as openmp-scalar' out || fail "no winner"
 tail -1 out | grep -q ' processors were free: ' || fail "the last line: $(tail -1 out)"
-grep -q '"launches": 3' a.json || fail "three launches are not in the result"
-[ "$(grep -c '"launch": 2' a.json)" -gt 0 ] || fail "no samples of the third launch"
+grep -q '"runs": 3' a.json || fail "three runs are not in the result"
+[ "$(grep -c '"run": 2' a.json)" -gt 0 ] || fail "no samples of the third run"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
 
 # Compares two results of one build. On a shared machine, compare may report a difference; it must not fail otherwise.
-expect 0 "${quick[@]}" --json b.json --launches 3
+expect 0 "${quick[@]}" --json b.json --runs 3
 ! grep -q '^peak, ' out || fail "a peak that was not asked for"
 code=0
 "$bench" compare a.json b.json >out || code=$?
@@ -39,7 +39,7 @@ result = json.load(open('a.json'))
 for name, seconds in ('even', 0.1), ('slow', 0.2):
     for row in result['rows']:
         for sample in row['samples']:
-            sample['kernel'] = seconds * (1 + 0.002 * sample['launch'])
+            sample['kernel'] = seconds * (1 + 0.002 * sample['run'])
     json.dump(result, open(name + '.json', 'w'))
 PY
 expect 1 compare even.json slow.json
@@ -125,20 +125,20 @@ unread csv a.json
 unread compare even.json slow.json
 [ "$(cat code)" = 1 ] && [ ! -s err ] || fail "a regression that nobody reads: $(cat code err)"
 # If a run is killed, only its own samples are lost.
-"$bench" "${quick[@]}" --fractal box --launches 3 --json killed.json >out 2>err &
+"$bench" "${quick[@]}" --fractal box --runs 3 --json killed.json >out 2>err &
 killer=$!
-until victim=$(pgrep -P $killer -f -- '--launch 1$'); do
-    kill -0 $killer 2>/dev/null || fail "no launch to kill"
+until victim=$(pgrep -P $killer -f -- '--run 1$'); do
+    kill -0 $killer 2>/dev/null || fail "no run to kill"
     sleep 0.01
 done
 kill -9 "$victim"
 code=0
 wait $killer || code=$?
-[ "$code" = 1 ] || fail "a killed launch: exit code $code"
-grep -q '^bench: launch 1 ended with 137' err || fail "the killed launch is not named"
-grep -q '"launches": 2' killed.json || fail "the launches that are left"
-grep -q '"launch 1 ended with 137"' killed.json || fail "no warning in the result"
-grep -q '"launch": 2' killed.json || fail "the third launch is lost"
+[ "$code" = 1 ] || fail "a killed run: exit code $code"
+grep -q '^bench: run 1 ended with 137' err || fail "the killed run is not named"
+grep -q '"runs": 2' killed.json || fail "the runs that are left"
+grep -q '"run 1 ended with 137"' killed.json || fail "no warning in the result"
+grep -q '"run": 2' killed.json || fail "the third run is lost"
 grep -q '^box' out || fail "no table"
 
 expect 0 --list

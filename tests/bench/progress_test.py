@@ -36,10 +36,10 @@ def on_terminal(folder, *words):
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
-    said = on_terminal(folder, *ROWS, "--no-peaks", "--repetitions", "12", "--launches", "2")
+    said = on_terminal(folder, *ROWS, "--no-peaks", "--repetitions", "12", "--runs", "2")
     rounds = [int(round) for round in re.findall(r"timing \[[#.]+\] +\d+ %, round (\d+) of 12, \d+ s left", said)]
     assert len(rounds) > 2 and rounds == sorted(rounds) and rounds[-1] > rounds[0], said[-3000:]
-    assert re.search(r"further launches \[[#.]+\] +50 %, launch 2 of 2, \d+ s left", said), said[-3000:]
+    assert re.search(r"further runs \[[#.]+\] +50 %, run 2 of 2, \d+ s left", said), said[-3000:]
     assert "\n" not in said, "lines beside the one that changes"
     said = on_terminal(folder, "--precision", "float", "peak")
     assert re.search(r"multiply-add peaks \[[#.]+\] +\d+ %, \w+ float", said), said[-3000:]

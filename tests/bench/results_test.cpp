@@ -50,8 +50,8 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
 {
     Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
-    scalar.point = "pack=1";
-    scalar.setting.pack = 1;
+    scalar.sweep_value = "simd-width=1";
+    scalar.setting.simd_width = 1;
     const Result result = made_result({made_row("openmp", {1, 1, 1, 1, 1, 1}), scalar});
     const Json rows = json_of(result)["rows"];
     EXPECT_EQ(rows[0]["application"], "openmp");
@@ -59,10 +59,10 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_EQ(rows[1]["backend"], "openmp");
     const std::string csv = to_csv(result);
     EXPECT_NE(csv.find("\nmandelbox float exact 100x100,openmp-scalar,machine,"), std::string::npos) << csv;
-    EXPECT_NE(csv.find(",float,exact,openmp-scalar,0,pack=1,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",float,exact,openmp-scalar,0,simd-width=1,"), std::string::npos) << csv;
     Result sweep = result;
-    sweep.study = "packs";
-    EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 pack=1,openmp,"), std::string::npos);
+    sweep.study = "simd-widths";
+    EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 simd-width=1,openmp,"), std::string::npos);
 }
 
 // Ratios are computed round by round, so that slow rounds cancel. The pictures of the sweep have two aspect ratios. A
@@ -72,7 +72,7 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
                           made_row("openmp", {5, 5, 45, 5, 5, 5, 5}), made_row("openmp", {12, 12, 108, 12, 12, 12, 12}),
                           made_row("openmp", seven)};
-    for (std::size_t i = 0; i < 4; ++i) rows[i].point = "size=" + std::to_string(i);
+    for (std::size_t i = 0; i < 4; ++i) rows[i].sweep_value = "size=" + std::to_string(i);
     rows[2].setting.width = 177;
     const Json questions = json_of(made_result(std::move(rows)))["questions"];
     const Json& first = questions["to_first_point"];
@@ -94,18 +94,18 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
                                                                    {"/rows/0/samples/3/kernel", "\"0.1\""},
                                                                    {"/rows/0/samples/3/kernel", "null"},
                                                                    {"/rows/0/samples/3/wall", "1e300"},
-                                                                   {"/rows/0/samples/3/launch", "-1"},
+                                                                   {"/rows/0/samples/3/run", "-1"},
                                                                    {"/rows/0/samples/3", "[]"},
                                                                    {"/rows/0/samples", "{}"},
-                                                                   {"/rows/0/proof/fine", "1"},
-                                                                   {"/rows/0/proof/pixels", "18446744073709551615"},
+                                                                   {"/rows/0/verification/fine", "1"},
+                                                                   {"/rows/0/verification/pixels", "18446744073709551615"},
                                                                    {"/rows/0/work/steps", "-1"},
                                                                    {"/rows/0/precision", "\"half\""},
                                                                    {"/rows/0/mode", "7"},
                                                                    {"/rows/0/backend", "null"},
                                                                    {"/rows/0/operations", "-1"},
-                                                                   {"/launches", "99999999999"},
-                                                                   {"/launches", "true"},
+                                                                   {"/runs", "99999999999"},
+                                                                   {"/runs", "true"},
                                                                    {"/seed", "-1"},
                                                                    {"/warnings", "[1]"},
                                                                    {"/environment", "[]"},
@@ -152,9 +152,9 @@ Json with_counts()
     Counted counted;
     counted.fractal = "mandelbox";
     counted.setting.width = counted.setting.height = 100;
-    counted.count.lane_use = {
+    counted.lane_use = {
         {16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
-    counted.count.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
+    counted.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
     result.rows[0].operations = 1e9;
     result.rows[0].operations_error = 1e7;
     result.counts.push_back(counted);
@@ -173,9 +173,9 @@ TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
     Json json = with_counts();
     json["counts"][0].erase("lane_use");
     const Result result = parse_result(text_of(json), "file.json");
-    ASSERT_EQ(result.counts[0].count.lane_use.size(), 1U);
-    EXPECT_EQ(result.counts[0].count.lane_use[0].together.in_iterations, 0.25);
-    EXPECT_FALSE(result.counts[0].count.lane_use[0].refilled.has_value());
+    ASSERT_EQ(result.counts[0].lane_use.size(), 1U);
+    EXPECT_EQ(result.counts[0].lane_use[0].together.in_iterations, 0.25);
+    EXPECT_FALSE(result.counts[0].lane_use[0].refilled.has_value());
 }
 
 // Older builds counted the pixels of a lattice, for which no standard errors were computed.
@@ -186,8 +186,8 @@ TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
     json["counts"][0]["lane_use"][0].erase("standard_errors");
     json["rows"][0].erase("operations_standard_error");
     const Result result = parse_result(text_of(json), "file.json");
-    EXPECT_FALSE(result.counts[0].count.errors);
-    EXPECT_FALSE(result.counts[0].count.lane_use[0].together_error);
+    EXPECT_FALSE(result.counts[0].errors);
+    EXPECT_FALSE(result.counts[0].lane_use[0].together_error);
     EXPECT_FALSE(result.rows[0].operations_error);
 }
 
@@ -262,7 +262,7 @@ TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
     }
 }
 
-TEST(GoogleBenchmark, AllLaunchesAreRepetitions)
+TEST(GoogleBenchmark, AllRunesAreRepetitions)
 {
     const Printed printed = printed_json(made_result({made_row("openmp", seven, 3)}, 3));
     EXPECT_EQ(printed.repetitions.size(), seven.size());

@@ -81,7 +81,7 @@ def written(folder):
     run(bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float", "--repetitions", 1,
         "--json", folder / "result.json")
     run(bench, "duel", bench, bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float",
-        "--launches", 2, "--repetitions", 1, "--json", folder / "duel.json")
+        "--runs", 2, "--repetitions", 1, "--json", folder / "duel.json")
     run(bench, "race", BIN / "bench_racer", "/bin/false", "--fractal", "box", "--size", "32x32", "--repetitions", 1, "--json",
         folder / "race.json")
     run(BIN / "mandelbox", SOURCE / "paramsBox.dat", "--size", "32x32", "--output", folder / "a.bmp", "--stats",

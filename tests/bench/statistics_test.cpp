@@ -28,8 +28,8 @@ TEST(Statistics, MedianAndDeviation)
     const Summary s = summary(values);
     EXPECT_EQ(s.median, 2);
     EXPECT_EQ(s.mad, 1);
-    EXPECT_EQ(s.least, 1);
-    EXPECT_EQ(s.most, 9);
+    EXPECT_EQ(s.min, 1);
+    EXPECT_EQ(s.max, 9);
     EXPECT_EQ(s.count, 7);
 }
 

@@ -13,18 +13,18 @@ namespace mandelmarch::bench {
 namespace {
 
 // Returns a row with times of about `seconds`. The speeds of its runs scatter by the fraction `spread`.
-Row raced(const std::string& backend, double seconds, double spread, int launches = 5)
+Row raced(const std::string& backend, double seconds, double spread, int runs = 5)
 {
     std::vector<double> times;
-    for (int launch = 0; launch < launches; ++launch) {
-        for (int round = 0; round < 6; ++round) times.push_back(seconds * (1 + spread * (launch % 3 - 1)));
+    for (int run = 0; run < runs; ++run) {
+        for (int round = 0; round < 6; ++round) times.push_back(seconds * (1 + spread * (run % 3 - 1)));
     }
     return made_row(backend, times, 6);
 }
 
-std::string last_lines(std::vector<Row> rows, int launches = 5)
+std::string last_lines(std::vector<Row> rows, int runs = 5)
 {
-    return winners(made_result(std::move(rows), launches));
+    return winners(made_result(std::move(rows), runs));
 }
 
 TEST(Winners, TheFastestWinsByItsRatioAndForCertain)
@@ -42,7 +42,7 @@ TEST(Winners, AnUncertainLeadIsUndecided)
 {
     const std::string text = last_lines({raced("opencl", 0.105, 0.1), raced("openmp", 0.1, 0.002)});
     EXPECT_NE(text.find("openmp leads, 1.0"), std::string::npos) << text;
-    EXPECT_NE(text.find("]: undecided, more launches would tell\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("]: undecided, more runs would tell\n"), std::string::npos) << text;
 }
 
 TEST(Winners, WithinTheMarginIsTheSame)
@@ -61,7 +61,7 @@ TEST(Winners, FewPicturesProveNothing)
 }
 
 // A single run is judged by the medians of groups of rounds, as in compare.
-TEST(Winners, OneLaunchIsJudgedByGroupsOfRounds)
+TEST(Winners, OneRunIsJudgedByGroupsOfRounds)
 {
     const std::vector<Contest> contests =
         contests_of(made_result({raced("stdpar", 0.2, 0, 1), raced("openmp", 0.1, 0, 1)}));
@@ -73,8 +73,8 @@ TEST(Winners, OneLaunchIsJudgedByGroupsOfRounds)
 TEST(Winners, TheScalarTextIsARivalAndTheReferenceIsNone)
 {
     Row scalar = raced("openmp", 1, 0.002);
-    scalar.point = "pack=1";
-    scalar.setting.pack = 1;
+    scalar.sweep_value = "simd-width=1";
+    scalar.setting.simd_width = 1;
     const std::string text = last_lines({raced("openmp", 0.1, 0.002), scalar, raced("reference", 0.01, 0.002)});
     EXPECT_NE(text.find("openmp won, 10.00 times as fast as openmp-scalar ["), std::string::npos) << text;
     EXPECT_EQ(text.find("reference"), std::string::npos) << text;

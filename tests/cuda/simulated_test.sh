@@ -35,7 +35,7 @@ for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box sca
     for precision in float double; do
         draw="$bin/render --fractal $scene --size 170x131 --precision $precision"
         $draw --backend cuda --output gpu.exr --stats gpu.json || fail "$draw"
-        $draw --backend openmp --pack 1 --output cpu.exr --stats cpu.json || fail "$draw"
+        $draw --backend openmp --simd-width 1 --output cpu.exr --stats cpu.json || fail "$draw"
         "$bin/imgdiff" gpu.exr cpu.exr >difference || fail "the PTX draws other bits: $scene $precision: $(cat difference)"
         [ "$(grep -A3 '"work"' gpu.json)" = "$(grep -A3 '"work"' cpu.json)" ] || fail "the PTX does other work: $scene"
     done
@@ -58,12 +58,12 @@ expect 0 0 '' --mode exact --output a.png --stats a.json
 grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"kernel"' a.json)"
 
 # Blocks of every size give the same picture.
-SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1 ||
+SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study block-sizes --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1 ||
     fail "blocks: $(cat blocks)"
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
 # A block size that the kernel's registers do not allow is left out; the other sizes are rendered.
-SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study blocks --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
+SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study block-sizes --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
 [ "$(grep -c '^b.*block=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
 grep -q '512 threads a block given' blocks || fail "blocks that do not fit: $(cat blocks)"
 

@@ -136,7 +136,7 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     Image shared(scene.width, scene.height, Image::Layers::bytes);
     Image alone(scene.width, scene.height, Image::Layers::bytes);
     const auto less = drawn(shared);
-    options.techniques.occlusion = false;
+    options.techniques.shared_occlusion = false;
     const auto more = drawn(alone);
     EXPECT_LT(static_cast<double>(less), 0.85 * static_cast<double>(more));
     const Comparison c = compare(shared, alone);

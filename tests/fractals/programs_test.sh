@@ -14,7 +14,7 @@ sed -n '/R"dat(/,/^)dat"/p' "$2/$name.cpp" | sed -e 's/.*R"dat(//' -e '/^)dat"/d
 
 echo "render draws it"
 "$bin/render" --fractal "$name" "$name.dat" --size 120x90 --backend openmp --output a.exr
-"$bin/render" --fractal "$name" "$name.dat" --size 120x90 --backend openmp --pack 1 --output b.exr
+"$bin/render" --fractal "$name" "$name.dat" --size 120x90 --backend openmp --simd-width 1 --output b.exr
 "$bin/imgdiff" a.exr b.exr
 "$bin/render" --fractal "$name" "$name.dat" --size 120x90 --backend openmp --precision float --output b.exr
 if "$bin/imgdiff" a.exr b.exr; then

@@ -53,7 +53,7 @@ double seconds_of_others() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - secon
 TEST_P(Models, ExactHasTheBitsOfTheScalarText)
 {
     for (const auto& [name, scene] : scenes()) {
-        const Image expected = render(openmp, scene, {.precision = precision, .pack = 1});
+        const Image expected = render(openmp, scene, {.precision = precision, .simd_width = 1});
         const Image image = render(model, scene, {.precision = precision});
         const Comparison difference = compare(expected, image);
         EXPECT_TRUE(difference.same()) << name << ": "
@@ -100,7 +100,7 @@ TEST_P(Models, ReportsWhereItRanAndItsWork)
     const Timings& t = report.timings;
     EXPECT_GT(t.kernel, 0);
     EXPECT_LE(t.upload + t.host + t.readback, t.wall);
-    const Work expected = openmp.create({.precision = precision, .pack = 1})->render(scene, image).work;
+    const Work expected = openmp.create({.precision = precision, .simd_width = 1})->render(scene, image).work;
     EXPECT_EQ(report.work.steps, expected.steps);
     EXPECT_EQ(report.work.de_calls, expected.de_calls);
     EXPECT_EQ(report.work.iterations, expected.iterations);

@@ -39,7 +39,7 @@ for scene in "bulb paramsBulb.dat" "bulb power.dat" "box paramsBox.dat" "box sca
     for precision in float double; do
         draw="$bin/render --fractal $scene --size 170x131 --precision $precision"
         $draw --backend openacc --output gpu.exr --stats gpu.json || fail "$draw"
-        $draw --backend openmp --pack 1 --output cpu.exr --stats cpu.json || fail "$draw"
+        $draw --backend openmp --simd-width 1 --output cpu.exr --stats cpu.json || fail "$draw"
         "$bin/imgdiff" gpu.exr cpu.exr >difference || fail "the PTX draws other bits: $scene $precision: $(cat difference)"
         [ "$(grep -A3 '"work"' gpu.json)" = "$(grep -A3 '"work"' cpu.json)" ] || fail "the PTX does other work: $scene"
     done

@@ -58,7 +58,7 @@ fails absent 77 "no OpenCL device"
 fails no-double 77 "has no double" --precision double
 fails no-double-inexact 77 "divides inexactly" --precision float
 fails none 77 "there is no device 9" --device 9
-fails none 2 "no vector length" --pack 3
+fails none 2 "no vector length" --simd-width 3
 same none --precision float
 same no-double --precision float
 same inexact --precision float  # division and square root are computed in double

@@ -90,7 +90,7 @@ refused() {
     [ $? = 2 ] && grep -q 'not supported by backend .*, expected one of .*openmp' stderr || fail "not refused: $*: $(cat stderr)"
 }
 refused "${box[@]}" --backend reference --threads 2
-refused "${box[@]}" --backend reference --pack 4
+refused "${box[@]}" --backend reference --simd-width 4
 for backend in opencl vulkan; do
     "$bin/render" --list-devices 2>/dev/null | grep -q "^$backend *0: " || continue
     refused "${box[@]}" --backend $backend --threads 1

@@ -139,7 +139,7 @@ says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom lef
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
-expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --pack 1 --stats stats.json --output a.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --simd-width 1 --stats stats.json --output a.png
 for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
     grep -q "$text" stats.json || fail "statistics without $text"
@@ -178,7 +178,7 @@ expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend reference --pr
 for arguments in "" "--nonsense" "paramsBulb.dat --backend metal" "paramsBulb.dat --precision half" \
     "paramsBulb.dat --mode slow" "paramsBulb.dat --size 0x5" "paramsBulb.dat --size 5" "paramsBulb.dat --size 0x10x10" \
     "paramsBulb.dat --size -5x5" "paramsBulb.dat --size 5.5x5" "paramsBulb.dat --size 65536x1" "paramsBulb.dat --size x" \
-    "paramsBulb.dat --threads -1" "paramsBulb.dat --threads many" "paramsBulb.dat --pack 3 --backend openmp" \
+    "paramsBulb.dat --threads -1" "paramsBulb.dat --threads many" "paramsBulb.dat --simd-width 3 --backend openmp" \
     "paramsBulb.dat --device -1" "paramsBulb.dat more.dat"; do
     expect 2 "$bin/mandelbulb" $arguments
 done

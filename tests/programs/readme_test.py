@@ -75,7 +75,7 @@ class ReadmeTest(unittest.TestCase):
                 self.assertEqual(run(command.replace("make", "make -n", 1), SOURCE)[0], 0)
 
     def test_a_command_that_fails_is_found(self):
-        twin = readme().replace("--pack 1 --output scalar.png", "--pack 1 --size 40x30 --output scalar.png")
+        twin = readme().replace("--simd-width 1 --output scalar.png", "--simd-width 1 --size 40x30 --output scalar.png")
         twin = "".join(f"```sh\n{command}\n```\n" for command in commands(twin)[:6])  # up to the comparison
         found = failing(twin, self.folder)
         self.assertEqual(len(found), 1, found)

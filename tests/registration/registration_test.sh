@@ -26,7 +26,7 @@ scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
 # The skeleton's pictures have the expected bits. In fast mode there is a trial first, as for every backend but the
 # reference.
 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --output skeleton.exr --stats skeleton.json
-"$bin/render" "${scene[@]}" --backend openmp --pack 1 --output openmp.exr
+"$bin/render" "${scene[@]}" --backend openmp --simd-width 1 --output openmp.exr
 "$bin/imgdiff" skeleton.exr openmp.exr >/dev/null || fail "the skeleton draws other bits"
 grep -q '"backend": "skeleton"' skeleton.json || fail "another backend drew"
 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --mode fast --output fast.exr --stats fast.json

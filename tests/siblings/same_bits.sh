@@ -10,7 +10,7 @@ for fractal in mandelbulb:paramsBulb.dat mandelbox:paramsBox.dat; do
         for pack in 0 1; do
             for side in "$1" "$2"; do
                 "$side/${fractal%%:*}" "${fractal##*:}" --size 333x217 --backend openmp --precision $precision \
-                    --pack $pack --output "$folder/$([ "$side" = "$1" ] && echo a || echo b).exr"
+                    --simd-width $pack --output "$folder/$([ "$side" = "$1" ] && echo a || echo b).exr"
             done
             "$1/imgdiff" "$folder/a.exr" "$folder/b.exr"
         done

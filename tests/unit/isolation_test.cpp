@@ -37,7 +37,7 @@ void misbehave(Conduct conduct)
             for (;;) pause();
         case refuses: throw Error("the driver refuses");
         case lacks: throw Unavailable("the driver has no double");
-        case dislikes: throw InputError("--pack: the driver dislikes 3");
+        case dislikes: throw InputError("--simd-width: the driver dislikes 3");
         case starves: throw std::bad_alloc();
         default: break;
     }
@@ -210,7 +210,7 @@ TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
     const auto create = [&](Conduct conduct) { return [&backend, conduct] { backend->create({.device = conduct}); }; };
     EXPECT_EQ(thrown_by<Error>(create(refuses)), "the driver refuses");
     EXPECT_EQ(thrown_by<Unavailable>(create(lacks)), "the driver has no double");
-    EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--pack: the driver dislikes 3");
+    EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--simd-width: the driver dislikes 3");
     EXPECT_NE(thrown_by<std::bad_alloc>(create(starves)), "");
 }
 

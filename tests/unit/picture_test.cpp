@@ -168,7 +168,7 @@ TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
     const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
     const Image fast = render(*registry.find("openmp"), scene, {.mode = Mode::fast});
     EXPECT_LE(50 * compare(canonical, fast).visibly_differing, fast.pixels());
-    const Image wide = render(*registry.find("openmp"), scene, {.mode = Mode::fast, .techniques = {.normal = false}});
+    const Image wide = render(*registry.find("openmp"), scene, {.mode = Mode::fast, .techniques = {.gradient = false}});
     EXPECT_GT(10 * compare(canonical, wide).visibly_differing, wide.pixels());
 }
 

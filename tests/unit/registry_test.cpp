@@ -49,7 +49,7 @@ BackendInfo all_facts()
     return {.role = Role::accelerator,
             .has_driver = true,
             .threads = true,
-            .pack = true,
+            .simd_width = true,
             .chunk = true,
             .variables = {"MADE"},
             .build = {"a compiler", "-exact", "-fast"}};
@@ -58,7 +58,7 @@ BackendInfo all_facts()
 void expect_all(const BackendInfo& info)
 {
     EXPECT_EQ(info.role, Role::accelerator);
-    EXPECT_TRUE(info.has_driver && info.threads && info.pack && info.chunk);
+    EXPECT_TRUE(info.has_driver && info.threads && info.simd_width && info.chunk);
     EXPECT_EQ(info.variables, std::vector<std::string_view>{"MADE"});
     EXPECT_EQ(info.build.compiler, "a compiler");
     EXPECT_EQ(info.build.exact, "-exact");

@@ -20,9 +20,9 @@ protected:
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
 
-    Image draw(const Scene& scene, int threads, int pack, Mode mode = Mode::exact) const
+    Image draw(const Scene& scene, int threads, int simd_width, Mode mode = Mode::exact) const
     {
-        return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .pack = pack});
+        return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .simd_width = simd_width});
     }
 
     RenderStats draw_report() const
@@ -69,14 +69,14 @@ TEST_P(SameBits, AMillionRaysInFastMode)
 // A picture of bytes only is stored by other code than a picture with all layers. Both must have the same bytes.
 TEST_P(SameBits, BytesAlone)
 {
-    for (const int pack : {0, 1}) {
+    for (const int simd_width : {0, 1}) {
         for (const auto& [name, scene] : scenes()) {
-            const RendererOptions options{.precision = GetParam(), .mode = Mode::fast, .pack = pack};
+            const RendererOptions options{.precision = GetParam(), .mode = Mode::fast, .simd_width = simd_width};
             Image bytes(scene.width, scene.height, Image::Layers::bytes);
             Image all(scene.width, scene.height, Image::Layers::all);
             const Work work = openmp.create(options)->render(scene, bytes).work;
             const Work whole = openmp.create(options)->render(scene, all).work;
-            EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", pack " << pack;
+            EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", SIMD width " << simd_width;
             EXPECT_GE(work.de_calls, bytes.pixels() / 100);
             EXPECT_EQ(work.steps, whole.steps);
             EXPECT_EQ(work.de_calls, whole.de_calls);
@@ -86,10 +86,10 @@ TEST_P(SameBits, BytesAlone)
             uncounted.counts = false;
             Image again(scene.width, scene.height, Image::Layers::bytes);
             const Work none = openmp.create(uncounted)->render(scene, again).work;
-            EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", pack " << pack << ", uncounted";
+            EXPECT_EQ(bytes.bytes(), again.bytes()) << name << ", SIMD width " << simd_width << ", uncounted";
             EXPECT_TRUE(none.de_calls == 0 || none.de_calls == whole.de_calls) << name;
             // Sanitizer builds have no variant without counts.
-            if (pack == 0) {
+            if (simd_width == 0) {
                 EXPECT_EQ(none.de_calls == 0, !MANDELMARCH_SANITIZED) << name;
             }
         }
@@ -107,11 +107,11 @@ TEST_P(SameBits, BytesAlone)
 TEST_P(SameBits, ScalarAndEveryPackWidth)
 {
     int widths = 0;
-    for (const int pack : {2, 4, 8, 16, 32, 64}) {
+    for (const int simd_width : {2, 4, 8, 16, 32, 64}) {
         for (const auto& [name, scene] : scenes()) {
             Image packed;
             try {
-                packed = draw(scene, 2, pack);
+                packed = draw(scene, 2, simd_width);
             } catch (const InputError&) {
                 break;  // not supported by this machine
             }
@@ -119,11 +119,11 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
             const Image scalar = draw(scene, 2, 1);
             const Comparison difference = compare(scalar, packed);
             EXPECT_TRUE(difference.same())
-                << name << ", pack " << pack << ": "
+                << name << ", SIMD width " << simd_width << ": "
                 << describe_pixel(scalar, packed, std::max<std::int64_t>(0, difference.first));
         }
     }
-    EXPECT_GT(widths, 0) << "no pack width could be tried";
+    EXPECT_GT(widths, 0) << "no SIMD width could be tried";
 }
 
 // The packs of every instruction set that this machine has must give the same bits.
@@ -200,9 +200,9 @@ TEST_P(SameBits, FastModeDiffers)
 TEST_P(SameBits, WorkDoesNotDependOnThreadsOrPacks)
 {
     const Scene scene = official_scene("bulb", 100, 70);
-    const auto work = [&](int threads, int pack) {
+    const auto work = [&](int threads, int simd_width) {
         Image image(scene.width, scene.height, Image::Layers::bytes);
-        return openmp.create({.precision = GetParam(), .threads = threads, .pack = pack})->render(scene, image).work;
+        return openmp.create({.precision = GetParam(), .threads = threads, .simd_width = simd_width})->render(scene, image).work;
     };
     const Work one = work(1, 1);
     const Work many = work(5, 0);

@@ -41,7 +41,7 @@ std::vector<NamedScene> small_scenes()
 
 class Traces : public testing::TestWithParam<Precision> {
 protected:
-    RendererOptions options(Mode mode) const { return {.precision = GetParam(), .mode = mode, .pack = 1}; }
+    RendererOptions options(Mode mode) const { return {.precision = GetParam(), .mode = mode, .simd_width = 1}; }
 };
 
 TEST_P(Traces, HaveTheBitsOfTheExactPicture)

@@ -106,7 +106,7 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
     // There is no trial for exact pictures and for pictures with unrefined hits.
     const Scene scene = random_bulb(1001, 12);
     const RendererOptions exact;
-    const RendererOptions unrefined{.mode = Mode::fast, .techniques = {.root = false}};
+    const RendererOptions unrefined{.mode = Mode::fast, .techniques = {.refinement = false}};
     for (const RendererOptions& options : {exact, unrefined}) {
         EXPECT_TRUE(compare(render(*plain, scene, options), render(*tried, scene, options)).same());
     }

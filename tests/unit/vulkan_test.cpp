@@ -47,7 +47,7 @@ protected:
 TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
 {
     const auto renderer = vulkan.create({.precision = GetParam()});
-    const auto yardstick = openmp.create({.precision = GetParam(), .pack = 1});
+    const auto yardstick = openmp.create({.precision = GetParam(), .simd_width = 1});
     for (const auto& [name, scene] : scenes) expect_same_picture(*yardstick, *renderer, scene, name);
 }
 

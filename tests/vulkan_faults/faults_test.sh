@@ -60,7 +60,7 @@ draw bulb good.exr || { fail "no picture without a fault: $(cat stderr)"; exit 1
 mkdir -p true
 for fractal in bulb box; do
     for precision in float double; do
-        "$bin/render" --fractal $fractal "$source/params${fractal^}.dat" --size 40x30 --backend openmp --pack 1 \
+        "$bin/render" --fractal $fractal "$source/params${fractal^}.dat" --size 40x30 --backend openmp --simd-width 1 \
             --precision $precision --output true/$fractal-$precision.exr || fail "openmp"
     done
 done
@@ -170,14 +170,14 @@ for iterations in 8 18; do
     sed "s/^-4$/-7/; s/^18 100$/$iterations 100/" "$source/paramsBox.dat" >deep-$iterations.dat
 done
 for scene in deep-*.dat; do
-    "$bin/render" --fractal box $scene --size 40x30 --backend openmp --pack 1 --precision float --output true/deep.exr ||
+    "$bin/render" --fractal box $scene --size 40x30 --backend openmp --simd-width 1 --precision float --output true/deep.exr ||
         fail "openmp"
     draw box a.exr --precision float && same a.exr true/deep.exr || fail "$scene: another picture"
 done
 # If an unknown driver ends loops early without an error, this is detected. If it does not, like newer versions of
 # lavapipe, the picture is correct.
 scene=deep-18.dat
-"$bin/render" --fractal box $scene --size 40x30 --backend openmp --pack 1 --precision float --output true/deep-18.exr ||
+"$bin/render" --fractal box $scene --size 40x30 --backend openmp --simd-width 1 --precision float --output true/deep-18.exr ||
     fail "openmp"
 if with unknown_driver draw box a.exr --precision float; then
     same a.exr true/deep-18.exr

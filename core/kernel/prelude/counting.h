@@ -41,11 +41,11 @@ struct real {
         const scalar b = right.value;             \
         return expression;                        \
     }
-COUNTED_OPERATION(operator+, sums, a + b)
-COUNTED_OPERATION(operator-, sums, a - b)
-COUNTED_OPERATION(operator*, products, a* b)
-COUNTED_OPERATION(quotient, quotients, a / b)
-COUNTED_OPERATION(quick_quotient, quotients, a / b)
+COUNTED_OPERATION(operator+, additions, a + b)
+COUNTED_OPERATION(operator-, additions, a - b)
+COUNTED_OPERATION(operator*, multiplications, a* b)
+COUNTED_OPERATION(quotient, divisions, a / b)
+COUNTED_OPERATION(quick_quotient, divisions, a / b)
 #undef COUNTED_OPERATION
 
 inline real operator-(real a) { return -a.value; }
@@ -68,7 +68,7 @@ inline vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
 #if MM_REAL_IS_FLOAT
 inline real root(real a)
 {
-    ++MM_OPERATIONS.roots;
+    ++MM_OPERATIONS.square_roots;
     return __builtin_sqrtf(a.value);
 }
 inline real magnitude(real a) { return __builtin_fabsf(a.value); }
@@ -81,7 +81,7 @@ inline real two_to(real n) { return __builtin_bit_cast(float, (static_cast<int>(
 #else
 inline real root(real a)
 {
-    ++MM_OPERATIONS.roots;
+    ++MM_OPERATIONS.square_roots;
     return __builtin_sqrt(a.value);
 }
 inline real magnitude(real a) { return __builtin_fabs(a.value); }

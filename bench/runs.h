@@ -11,18 +11,18 @@
 namespace mandelmarch::bench {
 
 // Executes the run with this number and returns its result. Throws Error if the run leaves no result.
-using Run = std::function<Result(int launch)>;
+using RunProcess = std::function<Result(int run)>;
 
 // Merges the results of several runs: keeps the samples, stage times and warnings of all runs and the highest peaks,
 // and takes everything else from the first run. A configuration that fails in any run fails in the merged result.
 Result merged(std::vector<Result> results);
 
 // Executes runs 1 to count - 1 and merges their results with `first`, the result of run 0. For a run without a result,
-// adds a warning and prints a line on stderr. Result::launches is the number of runs with a result.
-Result with_further_launches(Result first, int count, const Run& launch);
+// adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
+Result with_further_runs(Result first, int count, const RunProcess& run);
 
-// Starts this program with the given arguments and `--launch N --json - --quiet`, and parses its output. Throws Error
+// Starts this program with the given arguments and `--run N --json - --quiet`, and parses its output. Throws Error
 // if the process leaves no result.
-Result launch_again(const std::vector<std::string>& arguments, int launch);
+Result run_again(const std::vector<std::string>& arguments, int run);
 
 }  // namespace mandelmarch::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/launches.h"
+#include "bench/runs.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "bench/figures.h"
 #include "bench/report.h"
 #include "core/base/child_process.h"
 #include "core/base/console.h"
@@ -27,7 +28,7 @@ Result merged(std::vector<Result> results)
             }
             same->samples.insert(same->samples.end(), row.samples.begin(), row.samples.end());
             if (same->failure.empty()) same->failure = row.failure;
-            same->proof.passed = same->proof.passed && (row.proof.passed || !row.unavailable.empty());
+            same->verification.passed = same->verification.passed && (row.verification.passed || !row.unavailable.empty());
         }
         raise_peaks(all.peaks, one.peaks);
         for (StageTime& time : one.stages) {
@@ -40,22 +41,22 @@ Result merged(std::vector<Result> results)
         }
         all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
     }
-    all.launches = static_cast<int>(results.size());
-    return all;
+    all.runs = static_cast<int>(results.size());
+    return derived(std::move(all));
 }
 
-Result with_further_launches(Result first, int count, const Run& launch)
+Result with_further_runs(Result first, int count, const RunProcess& run)
 {
     std::vector<Result> results{std::move(first)};
     std::vector<std::string> lost;
     for (int number = 1; number < count; ++number) {
         try {
-            results.push_back(launch(number));
+            results.push_back(run(number));
             for (std::string& warning : results.back().warnings)
-                warning = fmt::format("launch {}: {}", number, warning);
+                warning = fmt::format("run {}: {}", number, warning);
         } catch (const std::exception& error) {
-            lost.push_back(fmt::format("launch {} {}", number, error.what()));
-            say("bench: {}, the other launches are kept\n", printable(lost.back()));
+            lost.push_back(fmt::format("run {} {}", number, error.what()));
+            say("bench: {}, the other runs are kept\n", printable(lost.back()));
         }
     }
     Result all = merged(std::move(results));
@@ -63,13 +64,13 @@ Result with_further_launches(Result first, int count, const Run& launch)
     return all;
 }
 
-Result launch_again(const std::vector<std::string>& arguments, int launch)
+Result run_again(const std::vector<std::string>& arguments, int run)
 {
     const MemoryFile file;
     // Under the name by which this program was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    words.insert(words.end(), {"--quiet", "--json", "-", "--launch", std::to_string(launch)});
+    words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const int code = ChildProcess({.words = std::move(words), .program = program, .output = file.number()}).end().code;
     // bench leaves a result with these two exit codes only (failure: a wrong picture).

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results of version 1, the format before words of the field replaced the project's own.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace mandelmarch::bench {
+
+// Changes a result, a duel or an equivalence test of version 1 to version 2. Derived figures are left out, as they
+// follow from the samples. JSON of another kind or version stays as it is.
+void upgrade(nlohmann::ordered_json& json);
+
+}  // namespace mandelmarch::bench
