@@ -209,12 +209,6 @@ CommandLine parse_command_line(int argc, char** argv)
                             "write the metric, with cascades, as JSON to this file (-: standard output)");
     portability->add_option("--csv", line.options.csv,
                             "write pixels per second on each platform, for p3-analysis-library (-: standard output)");
-    CLI::App* divergence =
-        app.add_subcommand("divergence", "count the source lines shared between backends (code divergence)");
-    divergence->add_option("FOLDER", line.folder, "source tree (default: the current folder)");
-    divergence->add_option("--json", line.options.json, "write the result as JSON to this file (-: standard output)");
-    divergence->add_option("--csv", line.options.csv,
-                           "write the lines each backend needs, for p3-analysis-library (-: standard output)");
     CLI::App* random = app.add_subcommand("random", "measure fast mode's error on random scenes");
     random->add_option("--backend", line.random.backend, "backend to test (default: openmp)");
     random
@@ -274,7 +268,6 @@ CommandLine parse_command_line(int argc, char** argv)
     if (csv->parsed()) line.command = Command::csv;
     if (peak->parsed()) line.command = Command::peak;
     if (portability->parsed()) line.command = Command::portability;
-    if (divergence->parsed()) line.command = Command::divergence;
     if (random->parsed()) line.command = Command::random;
     if (equivalence->parsed()) line.command = Command::equivalence;
     if (given(random->get_option("--scenes"))) line.random.scenes = whole_option("scenes", texts.scenes, 1, 100'000);

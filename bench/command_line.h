@@ -13,21 +13,7 @@
 
 namespace mandelmarch::bench {
 
-enum class Command {
-    run,
-    compare,
-    csv,
-    divergence,
-    duel,
-    json,
-    on_demand,
-    peak,
-    portability,
-    race,
-    random,
-    equivalence,
-    help
-};
+enum class Command { run, compare, csv, duel, json, on_demand, peak, portability, race, random, equivalence, help };
 
 struct CommandLine {
     Command command = Command::run;
@@ -37,7 +23,7 @@ struct CommandLine {
     RaceOptions race;
     RandomOptions random;
     EquivalenceOptions equivalence;
-    std::string folder;  // equivalence: for parameter files of scenes that differ; divergence: the source tree
+    std::string folder;                  // equivalence: for parameter files of scenes that differ
     std::vector<std::string> arguments;  // to pass on to the further runs that --runs starts
     bool unproven = false;               // on_demand: skip verification; set in all runs of a duel but the first
     bool quiet = false;                  // print no table and no progress; set in further runs

@@ -9,7 +9,6 @@
 #include "cli/progress_bar.h"
 #include "bench/command_line.h"
 #include "bench/compare.h"
-#include "bench/divergence.h"
 #include "bench/duel_run.h"
 #include "bench/runs.h"
 #include "bench/on_demand.h"
@@ -157,20 +156,6 @@ int portability_of(const CommandLine& line)
     return written ? exit_success : exit_failure;
 }
 
-int divergence(const CommandLine& line)
-{
-    Divergence found;
-    Outputs outputs;
-    outputs.add("--json", line.options.json, [&] { return text_of(json_of(found)); });
-    outputs.add("--csv", line.options.csv, [&] { return to_csv(found); });
-    outputs.check();
-    found = divergence_of(line.folder.empty() ? "." : line.folder);
-    const bool written = outputs.write_files();
-    if (!outputs.on_stdout()) print(std::string_view(to_console(found)));
-    outputs.write_stdout();
-    return written ? exit_success : exit_failure;
-}
-
 int random_scenes(const Registry& registry, const CommandLine& line)
 {
     RandomResult result;
@@ -285,7 +270,6 @@ int bench_program(const Registry& registry, int argc, char** argv)
         case Command::random: return random_scenes(registry, line);
         case Command::equivalence: return equivalence(registry, line);
         case Command::portability: return portability_of(line);
-        case Command::divergence: return divergence(line);
         case Command::duel: return duel(line);
         case Command::race: return race(registry, line);
         case Command::on_demand: return on_demand(registry, line);

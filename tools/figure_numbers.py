@@ -22,8 +22,8 @@ def worth(results, technique, fractal, precision):
 
 
 def convergence(results, key="convergence"):
-    """Code convergence of all backends, or another entry of divergence.json."""
-    return f"{results.json('divergence')[key]:.2f}"
+    """Code convergence of all backends, or another entry of code_divergence.json."""
+    return f"{results.json('code_divergence')[key]:.2f}"
 
 
 def cost(results, technique, fractal, precision):

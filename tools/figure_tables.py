@@ -30,9 +30,9 @@ def measured(results, study):
 
 
 def lines_of_code(results):
-    """Lines of code that each backend needs, from bench divergence."""
+    """Lines of code that each backend needs, from tools/code_divergence.py."""
     rows = [[f"`{m['backend']}`", str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"])]
-            for m in results.json("divergence")["models"]]
+            for m in results.json("code_divergence")["models"]]
     return table(["backend", "lines of its own", "of core/job", "of core/kernel"], rows)
 
 

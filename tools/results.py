@@ -38,8 +38,9 @@ class Entry:
         """Runs the command; writes the file completely or not at all. Returns its exit code, or 1 for uncommitted
         sources."""
         part = target + ".part" + os.path.splitext(target)[1]
-        command = [os.path.join(programs, self.command[0]), *(part if word == "{}" else
-                   word.replace("{folder}", os.path.dirname(target)) for word in self.command[1:])]
+        program = os.path.join(ROOT if "/" in self.command[0] else programs, self.command[0])
+        command = [program, *(part if word == "{}" else word.replace("{folder}", os.path.dirname(target))
+                              for word in self.command[1:])]
         with open(part if "{}" not in self.command else os.devnull, "w", encoding="utf-8") as output:
             code = code_of(command, output, self.variables)
         code = 0 if code in self.answers else code

@@ -31,7 +31,7 @@ class Results:
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     portability: list[dict[str, Any]] | None = None  # bench portability --json
-    divergence: dict[str, Any] | None = None  # bench divergence --json
+    code_divergence: dict[str, Any] | None = None  # tools/code_divergence.py --json
     races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
     k40: str | None = None  # the tables of make k40
     loop_mix: str | None = None  # the table of make loop-mix
@@ -97,8 +97,8 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.benches.append(read_bench(name, path, data))
     elif kind.get("schema") == RANDOM_SCHEMA:
         results.random.append(read_random(name, data))
-    elif kind.get("schema") == "mandelmarch-divergence":
-        results.divergence = checked(name, data, "divergence")
+    elif kind.get("schema") == "mandelmarch-code-divergence":
+        results.code_divergence = checked(name, data, "code_divergence")
     elif kind.get("schema") == "mandelmarch-race":
         results.races.append(checked(name, data, "race"))
     elif kind.get("format") == MAP_FORMAT:

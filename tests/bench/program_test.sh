@@ -66,30 +66,16 @@ grep -q reference p3.csv && fail "the yardstick is no application"
 mkdir -p folder/below
 cp a.json folder/
 cp b.json folder/below/
-echo '{"schema": "mandelmarch-divergence"}' >folder/divergence.json
+echo '{"schema": "mandelmarch-code-divergence"}' >folder/code_divergence.json
 expect 0 portability folder
 grep -q mandelbox out || fail "no portability of a folder"
-[ "$(cat err)" = "bench: folder/divergence.json: no result of bench, left out" ] || fail "$(cat err)"
+[ "$(cat err)" = "bench: folder/code_divergence.json: no result of bench, left out" ] || fail "$(cat err)"
 grep -q '^H, the set of platforms:$' out || fail "H is not named"
 sed 's/"mode": "exact"/"mode": 7/' a.json >folder/damaged.json
 expect 2 portability folder
 grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
-expect 2 portability folder/divergence.json
+expect 2 portability folder/code_divergence.json
 
-# Code divergence: the same values follow from the CSV, as p3-analysis-library computes them.
-expect 0 divergence "$source" --csv lines.csv --json lines.json
-python3 - <<'PY'
-import csv, itertools, json, sys
-csv.field_size_limit(sys.maxsize)
-needed = [{(entry["file"], line) for entry in json.loads(row["coverage"]) for line in entry["used_lines"]}
-          for row in csv.DictReader(open("lines.csv"))]
-distances = [1 - len(a & b) / len(a | b) for a, b in itertools.combinations(needed, 2)]
-data = json.load(open("lines.json"))
-assert len(needed) == len(data["models"]) > 4
-assert abs(1 - sum(distances) / len(distances) - data["convergence"]) < 1e-12, data["convergence"]
-assert data["convergence_without_one_text"] < data["convergence"]
-PY
-expect 2 divergence nowhere
 cp a.json kept.json
 expect 2 portability a.json --json a.json
 cmp a.json kept.json || fail "portability wrote over what it reads"

@@ -27,7 +27,7 @@ REGISTRY = Registry().with_resources((schema["$id"], Resource.from_contents(sche
 BY_NAME = {
     "mandelmarch-bench": "result", "mandelmarch-bench-random": "random", "mandelmarch-duel": "duel",
     "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film", "mandelmarch-race": "race",
-    "mandelmarch-divergence": "divergence",
+    "mandelmarch-code-divergence": "code_divergence",
 }
 
 
@@ -76,7 +76,7 @@ def written(folder):
     bench = BIN / "bench"
     run(bench, "random", "--scenes", 1, "--sets", 1, "--json", folder / "random.json")
     run(bench, "equivalence", "--backend", "openmp", "--scenes", 2, "--json", folder / "equivalence.json")
-    run(bench, "divergence", SOURCE, "--json", folder / "divergence.json")
+    run(SOURCE / "tools" / "code_divergence.py", "--json", folder / "code_divergence.json")
     run(bench, "portability", results / "bench.json", results / "targets.json", "--json", folder / "portability.json")
     run(bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float", "--repetitions", 1,
         "--json", folder / "result.json")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from made_flight import audit, film, flight_map
-from made_others import divergence, race
+from made_others import code_divergence, race
 
 SETTING = {
     "width": 540,
@@ -288,6 +288,6 @@ def everything() -> dict[str, Any]:
         "map.json": flight_map(),
         "flight.json": audit(),
         "film.json": film(),
-        "divergence.json": divergence(),
+        "code_divergence.json": code_divergence(),
         "race.json": race(bench()["environment"]),
     }

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Synthetic files of bench's other commands."""
+"""Synthetic files of tools/code_divergence.py and bench race."""
 
 from __future__ import annotations
 
 from typing import Any
 
 
-def divergence() -> dict[str, Any]:
+def code_divergence() -> dict[str, Any]:
     def model(name: str, lines: int, distances: dict[str, float]) -> dict[str, Any]:
         return {"backend": name, "lines": lines, "lines_of_job": 0, "lines_of_kernel": 987, "distances": distances}
 
     models = [model("openmp", 1234, {"openmp": 0, "vulkan": 0.4321}), model("vulkan", 321, {"openmp": 0.4321, "vulkan": 0})]
     return {
-        "schema": "mandelmarch-divergence",
-        "version": 1,
+        "schema": "mandelmarch-code-divergence",
+        "version": 2,
         "models": models,
         "convergence": 0.5679,
-        "convergence_without_one_text": 0.0123,
+        "convergence_without_shared_kernel": 0.0123,
     }
 
 

@@ -85,6 +85,16 @@ class ResultsTest(unittest.TestCase):
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
 
+    def test_a_program_with_a_folder_is_of_the_repository(self):
+        self.write("list", "a.json 0 1 tools/code_divergence.py --json {}\n")
+        code, said = self.results()
+        self.assertEqual(code, 0, said)
+        self.assertIn("mandelmarch-code-divergence", self.text("output/a.json"))
+        self.assertFalse(os.path.exists(self.path("calls")))
+        # Negative control: bin/ lacks the program.
+        self.write("list", "b.json 0 1 code_divergence.py --json {}\n")
+        self.assertNotEqual(self.results()[0], 0)
+
     def test_all_are_measured_and_handed_over(self):
         code, said = self.results()
         self.assertEqual(code, 0, said)

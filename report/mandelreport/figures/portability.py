@@ -68,7 +68,7 @@ def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backen
         mean = sum(values) / len(values)
         axis.plot([1], [mean], linestyle="", label=name, **_mark(backends.number_of(name)))
         said.append(f"{name} {digits(mean)}")
-    together, apart = divergence["convergence"], divergence["convergence_without_one_text"]
+    together, apart = divergence["convergence"], divergence["convergence_without_shared_kernel"]
     axis.plot([together], [1], "k*", markersize=14, label=f"all {len(names)}, one kernel source")
     axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, one source each")
     axis.annotate("", (together, 0.985), (apart, 0.985), arrowprops={"arrowstyle": "->", "color": "0.5"})

@@ -200,7 +200,7 @@ def section(material: Material) -> dict[str, Any]:
         factor_table(material),
         *map(_race, material.results.races),
     ]
-    divergence = material.results.divergence
+    divergence = material.results.code_divergence
     return {
         "tables": [table for table in tables if table],
         "reasons": _reasons(material),
