@@ -48,26 +48,26 @@ std::string lack_of(const Row& row, bool by_run)
 }
 
 // Compares a configuration of two results. If it can be tested, its verdict is `undecided` until judge_all() sets it.
-Compared compared(const Row& old_row, const Row& new_row, bool by_run)
+Judged compared(const Row& old_row, const Row& new_row, bool by_run)
 {
-    Compared c{.name = new_row.name(), .platform = new_row.platform};
+    Judged c{.name = new_row.name()};
     const std::string old_lack = lack_of(old_row, by_run);
     const std::string new_lack = lack_of(new_row, by_run);
     if (!old_lack.empty()) {
-        const bool added = !old_row.timed() && new_lack.empty();
-        c.verdict = added ? Verdict::added : Verdict::not_compared;
+        const bool only_new = !old_row.timed() && new_lack.empty();
+        c.verdict = only_new ? Verdict::only_new : Verdict::not_compared;
         c.why = "old: " + old_lack;
         return c;
     }
     if (!new_lack.empty()) {
-        c.verdict = new_row.failed() ? Verdict::broken : Verdict::lost;
+        c.verdict = new_row.failed() ? Verdict::wrong : Verdict::missing;
         c.why = "new: " + new_lack;
         return c;
     }
     const Setting& a = old_row.setting;
     const Setting& b = new_row.setting;
     if (!(a == b)) {
-        c.verdict = Verdict::lost;
+        c.verdict = Verdict::missing;
         c.why = fmt::format("other settings: {}x{} and {}x{}", a.width, a.height, b.width, b.height);
         return c;
     }
@@ -91,10 +91,10 @@ std::string platform_names(const Result& result)
 }
 
 // Returns the comparison of a configuration that only the old result has.
-Compared missing(const Row& row, const Result& new_result, bool by_run)
+Judged missing(const Row& row, const Result& new_result, bool by_run)
 {
-    Compared c{.name = row.name(), .platform = row.platform, .why = "not in the new result"};
-    if (lack_of(row, by_run).empty()) c.verdict = Verdict::lost;
+    Judged c{.name = row.name(), .why = "not in the new result"};
+    if (lack_of(row, by_run).empty()) c.verdict = Verdict::missing;
     // A backend without a device appears as one row without a platform.
     for (const Row& other : new_result.rows) {
         if (other.backend == row.backend && other.platform.empty() && !other.unavailable.empty()) {
@@ -105,13 +105,6 @@ Compared missing(const Row& row, const Result& new_result, bool by_run)
 }
 
 }  // namespace
-
-bool ComparedResults::regression() const
-{
-    return std::ranges::any_of(rows, [](const Compared& row) {
-        return row.verdict == Verdict::slower || row.verdict == Verdict::broken || row.verdict == Verdict::lost;
-    });
-}
 
 ComparedResults compare_results(const Result& old_given, const Result& new_given)
 {
@@ -133,8 +126,8 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
     for (const Row& row : new_result.rows) {
         const Row* old_row = partner(old_result, row);
         if (old_row == nullptr) {
-            Compared c{.name = row.name(), .platform = row.platform, .why = "not in the old result"};
-            if (row.timed()) c.verdict = Verdict::added;
+            Judged c{.name = row.name(), .why = "not in the old result"};
+            if (row.timed()) c.verdict = Verdict::only_new;
             comparison.rows.push_back(std::move(c));
             continue;
         }
@@ -153,45 +146,18 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
         throw InputError(printable(why, longest_note));
     }
 
-    std::vector<Compared*> tested;
-    std::vector<Difference> differences;
-    for (Compared& row : comparison.rows) {
-        if (row.verdict != Verdict::undecided) continue;
-        tested.push_back(&row);
-        differences.push_back(row.difference);
-    }
-    const std::vector<Judgement> judgements = judge_all(differences, margin);
-    for (std::size_t i = 0; i < tested.size(); ++i) {
-        tested[i]->verdict = judgements[i].verdict;
-        tested[i]->p = judgements[i].p;
-    }
+    judge(comparison.rows, margin);
     return comparison;
 }
 
 std::string to_console(const ComparedResults& comparison)
 {
-    std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval",
-                                   "p, Holm", "units", "verdict");
-    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
-    for (const Compared& row : comparison.rows) {
-        if (!row.why.empty()) {
-            line(fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why));
-            continue;
-        }
-        const Difference& d = row.difference;
-        line(fmt::format("{:<48} {:>7.3f} {:<18} {:>8.2g} {:>7}  {}", row.name, d.ratio,
-                         fmt::format("[{:.3f}, {:.3f}]", d.interval.low, d.interval.high), row.p,
-                         fmt::format("{}, {}", row.old_units, row.new_units), name_of(row.verdict)));
-    }
+    std::string text = table_of(comparison.rows, 3);
     for (const std::string& difference : comparison.differences)
         text += printable("differs: " + difference, longest_note) + "\n";
     for (const std::string& warning : comparison.warnings)
         text += printable("warning: " + warning, longest_note) + "\n";
-    std::vector<Verdict> verdicts;
-    for (const Compared& row : comparison.rows) verdicts.push_back(row.verdict);
-    const std::string summary = summary_of(verdicts, margin);
-    if (!summary.empty()) text += fmt::format("verdicts: {}\n", summary);
-    return text;
+    return text + summary_of(comparison.rows, margin);
 }
 
 }  // namespace mandelmarch::bench

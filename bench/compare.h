@@ -11,24 +11,10 @@
 
 namespace mandelmarch::bench {
 
-struct Compared {
-    std::string name;
-    std::string platform;
-    Verdict verdict = Verdict::not_compared;
-    std::string why{};        // why nothing was tested; empty if it was
-    Difference difference{};  // of kernel times, new / old
-    double p = 1;             // after Holm's correction
-    // Numbers of compared medians: one for each run, or one for each group of samples if a result has one run only.
-    int old_units = 0, new_units = 0;
-};
-
 struct ComparedResults {
-    std::vector<Compared> rows;
+    std::vector<Judged> rows;
     std::vector<std::string> differences;  // between the environments
     std::vector<std::string> warnings;     // including the warnings of both results
-
-    // Returns true if a configuration is slower in the new result, or has a comparable speed in the old result only.
-    bool regression() const;
 };
 
 // Compares the configurations that have the same name and platform in both results, after disambiguated().
@@ -38,9 +24,9 @@ struct ComparedResults {
 // a warning says that differences between runs are unseen.
 //
 // If only the old result has a comparable speed for a configuration, the configuration is
-//   broken, if its picture is wrong or it failed in the new result;
-//   lost, if it is missing or unavailable there, or has another setting, too few samples or a time that is not above 0.
-// If only the new result has a speed for it, the configuration is added.
+//   wrong, if its picture is wrong or it failed in the new result;
+//   missing, if it is not there or unavailable there, or has another setting, too few samples or a time that is not above 0.
+// If only the new result has a speed for it, the configuration is new.
 //
 // Throws InputError if the results have no configuration in common.
 ComparedResults compare_results(const Result& old_given, const Result& new_given);

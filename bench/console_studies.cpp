@@ -33,7 +33,7 @@ std::string errors_of(const Result& result)
     double of_iterations = 0;
     double of_lanes = 0;
     for (const Counted& c : result.counts) {
-        const Count& n = c.count;
+        const Count& n = c;
         if (!n.errors || n.per_iteration() == 0 || n.march_iterations == 0) continue;
         of_operations = std::max(of_operations, n.errors->per_iteration / n.per_iteration());
         of_iterations = std::max(of_iterations, n.errors->per_estimate / ratio(n.march_iterations, n.march_estimates));
@@ -59,7 +59,7 @@ std::string counts_table(const Result& result)
     text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
                         "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
     for (const Counted& c : result.counts) {
-        const Count& n = c.count;
+        const Count& n = c;
         const Operations all = n.all();
         const Row* whole = whole_picture(result, c);
         const double pixels = whole != nullptr ? static_cast<double>(whole->setting.width) * whole->setting.height

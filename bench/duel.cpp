@@ -14,8 +14,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Returns for each run the median of its pairs' ratios.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
@@ -41,22 +39,21 @@ Judged tested(std::string name, const std::map<int, double>& by_run, double marg
     for (const auto& [run, ratio] : by_run) ratios.push_back(ratio);
     Judged j{.name = std::move(name), .verdict = Verdict::undecided};
     j.difference = paired_difference(ratios, margin);
-    j.runs = static_cast<int>(ratios.size());
+    j.old_units = j.new_units = static_cast<int>(ratios.size());
     return j;
 }
 
-Judged judged(const DuelRow& row, double margin)
+Judged tested(const DuelRow& row, double margin)
 {
-    Judged j{.name = row.name};
+    Judged j{.name = row.name, .verdict = Verdict::no_speed};
     if (!row.old_failure.empty()) {
         j.why = "old: " + row.old_failure;
     } else if (!row.new_failure.empty()) {
-        j.verdict = Verdict::broken;
+        j.verdict = Verdict::wrong;
         j.why = "new: " + row.new_failure;
     } else if (j.why = lack_of(row); j.why.empty()) {
         j = tested(row.name, ratios_of(row), margin);
     }
-    j.pairs = static_cast<int>(row.pairs.size());
     j.same_picture = row.same_picture;
     return j;
 }
@@ -86,104 +83,31 @@ std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& 
 
 std::string_view name_of(DuelClock clock) { return clock == DuelClock::wall ? "wall" : "processor"; }
 
-std::vector<Judged> judge(const Duel& duel)
+Duel judged(Duel duel)
 {
-    std::vector<Judged> all;
-    for (const DuelRow& row : duel.rows) all.push_back(judged(row, duel.margin));
+    std::vector<Judged>& all = duel.verdicts;
+    all.clear();
+    for (const DuelRow& row : duel.rows) all.push_back(tested(row, duel.margin));
     if (std::ranges::count(all, Verdict::undecided, &Judged::verdict) > 1) {
         const std::map<int, double> means = mean_of_rows(duel, all);
         if (means.size() > 1) all.push_back(tested(std::string(all_rows), means, duel.margin));
     }
-    std::vector<Judged*> open;
-    std::vector<Difference> differences;
-    for (Judged& row : all) {
-        if (row.verdict != Verdict::undecided) continue;
-        open.push_back(&row);
-        differences.push_back(row.difference);
-    }
-    const std::vector<Judgement> judgements = judge_all(differences, duel.margin);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        open[i]->verdict = judgements[i].verdict;
-        open[i]->p = judgements[i].p;
-    }
-    return all;
+    judge(all, duel.margin);
+    return duel;
 }
 
-bool regression(const std::vector<Judged>& judged)
+std::string to_console(const Duel& duel)
 {
-    return std::ranges::any_of(
-        judged, [](const Judged& row) { return row.verdict == Verdict::slower || row.verdict == Verdict::broken; });
-}
-
-std::string to_console(const Duel& duel, const std::vector<Judged>& judged)
-{
-    std::string text = fmt::format("{:<44} {:>7} {:<18} {:>8} {:>8}  {}\n", "row", "new/old", "95 % interval",
-                                   "p, Holm", "runs", "verdict");
-    const auto line = [&](const std::string& whole) { text += clipped(printable(whole), console_columns) + "\n"; };
-    for (const Judged& row : judged) {
-        if (!row.why.empty()) {
-            line(fmt::format("{:<44} {}: {}", row.name, name_of(row.verdict), row.why));
-            continue;
-        }
-        const Difference& d = row.difference;
-        line(fmt::format("{:<44} {:>7.4f} {:<18} {:>8.2g} {:>8}  {}{}", row.name, d.ratio,
-                         fmt::format("[{:.4f}, {:.4f}]", d.interval.low, d.interval.high), row.p, row.runs,
-                         name_of(row.verdict), row.same_picture ? "" : ", another picture"));
-    }
-    text += fmt::format("{} runs of each program, {} pictures of each row in each, {}\n", duel.runs,
-                        duel.rounds, duel.clock == DuelClock::wall ? "kernel time" : "processor time");
+    std::string text = table_of(duel.verdicts, 4);
+    text += fmt::format("{} runs of each program, {} pictures of each row in each, {}\n", duel.runs, duel.rounds,
+                        duel.clock == DuelClock::wall ? "kernel time" : "processor time");
     for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
         text += printable("differs: " + difference, longest_note) + "\n";
     }
     for (const std::string& warning : duel.warnings) text += printable("warning: " + warning, longest_note) + "\n";
-    std::vector<Verdict> verdicts;
-    for (const Judged& row : judged) {
-        if (row.name != all_rows) verdicts.push_back(row.verdict);
-    }
-    const std::string summary = summary_of(verdicts, duel.margin);
-    if (!summary.empty()) text += fmt::format("verdicts: {}\n", summary);
-    return text;
-}
-
-nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged)
-{
-    const auto side = [](const DuelSide& s) { return Json{{"program", s.program}, {"environment", s.environment}}; };
-    Json verdicts = Json::array();
-    for (const Judged& row : judged) {
-        const Difference& d = row.difference;
-        const bool told = row.why.empty();
-        verdicts.push_back({{"name", row.name},
-                            {"verdict", name_of(row.verdict)},
-                            {"why", told ? Json() : Json(row.why)},
-                            {"ratio", told ? Json(d.ratio) : Json()},
-                            {"interval", told ? Json{d.interval.low, d.interval.high} : Json()},
-                            {"p", told ? Json(row.p) : Json()},
-                            {"runs", row.runs}});
-    }
-    Json rows = Json::array();
-    for (const DuelRow& row : duel.rows) {
-        Json pairs = Json::array();
-        for (const DuelPair& pair : row.pairs) {
-            pairs.push_back(
-                {{"run", pair.run}, {"round", pair.round}, {"old", pair.old_seconds}, {"new", pair.new_seconds}});
-        }
-        rows.push_back({{"name", row.name},
-                        {"old_failure", row.old_failure.empty() ? Json() : Json(row.old_failure)},
-                        {"new_failure", row.new_failure.empty() ? Json() : Json(row.new_failure)},
-                        {"same_picture", row.same_picture},
-                        {"pairs", pairs}});
-    }
-    return {{"schema", "mandelmarch-duel"},
-            {"version", 1},
-            {"old", side(duel.old_side)},
-            {"new", side(duel.new_side)},
-            {"clock", name_of(duel.clock)},
-            {"margin", duel.margin},
-            {"runs", duel.runs},
-            {"rounds", duel.rounds},
-            {"warnings", duel.warnings},
-            {"verdicts", verdicts},
-            {"rows", rows}};
+    std::vector<Judged> rows = duel.verdicts;
+    std::erase_if(rows, [](const Judged& row) { return row.name == all_rows; });
+    return text + summary_of(rows, duel.margin);
 }
 
 }  // namespace mandelmarch::bench

@@ -44,31 +44,19 @@ struct Duel {
     int rounds = 0;        // pairs of pictures of each configuration in a run
     std::vector<std::string> warnings{};
     std::vector<DuelRow> rows{};
-};
-
-struct Judged {
-    std::string name;  // of the configuration; all_rows for the geometric mean of all
-    Verdict verdict = Verdict::no_speed;
-    std::string why{};        // why nothing was tested; empty if it was
-    Difference difference{};  // of times, new / old
-    double p = 1;             // after Holm's correction
-    int runs = 0, pairs = 0;
-    bool same_picture = true;
+    std::vector<Judged> verdicts{};  // set by judged()
 };
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Judges each configuration and, if several were tested, also the geometric mean of their ratios, which comes last; see
-// judge_all(). From each run the median of the pairs' ratios is taken. Student's t on the logarithms of these medians
-// tests whether the true ratio lies beyond the margin.
-std::vector<Judged> judge(const Duel& duel);
+// Sets the verdicts: of each configuration and, if several were tested, also of the geometric mean of their ratios,
+// which comes last; see bench/verdict.h. From each run the median of the pairs' ratios is taken. Student's t on the
+// logarithms of these medians tests whether the true ratio lies beyond the margin.
+Duel judged(Duel duel);
 
-// Returns true if a configuration is slower or broken in the new program.
-bool regression(const std::vector<Judged>& judged);
-
-std::string to_console(const Duel& duel, const std::vector<Judged>& judged);
+std::string to_console(const Duel& duel);
 
 // Returns JSON that follows bench/schemas/duel.schema.json.
-nlohmann::ordered_json json_of(const Duel& duel, const std::vector<Judged>& judged);
+nlohmann::ordered_json json_of(const Duel& duel);
 
 }  // namespace mandelmarch::bench

@@ -24,38 +24,31 @@ void check_program(const std::string& program)
     }
 }
 
-// Returns the options that select configurations, as arguments for both programs.
-std::vector<std::string> arguments_of(const Options& o, bool first)
+// Returns the arguments of both programs, besides those that bench::words_of() returns.
+std::vector<std::string> arguments_of(const DuelOptions& options, bool first)
 {
-    std::vector<std::string> words{"--backend",   o.backend,   "--fractal", o.fractal,
-                                   "--study",     o.study,     "--seed",    std::to_string(o.seed),
-                                   "--precision", o.precision, "--quiet"};
-    const auto add = [&](const char* option, const std::string& value) {
-        if (!value.empty()) words.insert(words.end(), {option, value});
-    };
-    add("--mode", o.mode);
-    add("--size", o.size);
-    if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);
+    std::vector<std::string> words = words_of(options.rows);
+    words.emplace_back("--quiet");
     if (!first) words.emplace_back("--unproven");
     return words;
 }
 
 class RunningDuel {
 public:
-    RunningDuel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress)
-        : plan_(plan), options_(options), progress_(progress), random_(options.seed)
+    RunningDuel(const DuelOptions& options, const std::function<void(double)>& progress)
+        : options_(options), progress_(progress), random_(options.rows.seed)
     {
-        duel_.old_side.program = plan.old_program;
-        duel_.new_side.program = plan.new_program;
-        duel_.clock = plan.clock;
-        duel_.margin = plan.margin;
-        duel_.rounds = plan.rounds;
+        duel_.old_side.program = options.old_program;
+        duel_.new_side.program = options.new_program;
+        duel_.clock = options.clock;
+        duel_.margin = options.margin;
+        duel_.rounds = options.rounds;
     }
 
     Duel run()
     {
         const Steadiness steadiness;
-        for (int number = 0; number < plan_.runs; ++number) {
+        for (int number = 0; number < options_.runs; ++number) {
             try {
                 run(number);
                 ++duel_.runs;
@@ -84,8 +77,8 @@ private:
     void run(int number)
     {
         const std::vector<std::string> arguments = arguments_of(options_, duel_.runs == 0);
-        DuelProcess old_one(plan_.old_program, arguments, plan_.clock);
-        DuelProcess new_one(plan_.new_program, arguments, plan_.clock);
+        DuelProcess old_one(options_.old_program, arguments, options_.clock);
+        DuelProcess new_one(options_.new_program, arguments, options_.clock);
         of("old", [&] { old_one.wait(); });
         of("new", [&] { new_one.wait(); });
         if (duel_.runs == 0) {
@@ -101,13 +94,13 @@ private:
         }
         for (DuelRow& row : duel_.rows) look(row, old_one, new_one);
         std::vector<std::vector<DuelPair>> pairs(duel_.rows.size());
-        for (int round = 0; round < plan_.rounds; ++round) {
+        for (int round = 0; round < options_.rounds; ++round) {
             std::vector<std::size_t> order;
             for (std::size_t i = 0; i < duel_.rows.size(); ++i) order.push_back(i);
             std::ranges::shuffle(order, random_);
             for (const std::size_t i : order)
                 draw(duel_.rows[i], pairs[i], {.run = number, .round = round}, old_one, new_one);
-            progress_((number + (round + 1.0) / plan_.rounds) / plan_.runs);
+            progress_((number + (round + 1.0) / options_.rounds) / options_.runs);
         }
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             duel_.rows[i].pairs.insert(duel_.rows[i].pairs.end(), pairs[i].begin(), pairs[i].end());
@@ -122,12 +115,12 @@ private:
         const auto found = now.rows().find(name);
         if (found == now.rows().end()) return "there is no such row";
         if (!found->second.failure.empty()) return found->second.failure;
-        if (plan_.clock == DuelClock::processor && !found->second.in_process) {
+        if (options_.clock == DuelClock::processor && !found->second.in_process) {
             return "a driver draws it, whose processor time is not known";
         }
         const auto before = first.find(name);
         const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
-        return same ? std::string() : "the picture is not the one that the first run has proven";
+        return same ? std::string() : "the picture is not the one that was verified in the first run";
     }
 
     void look(DuelRow& row, const DuelProcess& old_one, const DuelProcess& new_one)
@@ -157,8 +150,7 @@ private:
         pairs.push_back(pair);
     }
 
-    const DuelOptions& plan_;
-    const Options& options_;
+    const DuelOptions& options_;
     const std::function<void(double)>& progress_;
     std::mt19937_64 random_;
     Duel duel_;
@@ -167,11 +159,11 @@ private:
 
 }  // namespace
 
-Duel run_duel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress)
+Duel run_duel(const DuelOptions& options, const std::function<void(double)>& progress)
 {
-    check_program(plan.old_program);
-    check_program(plan.new_program);
-    return RunningDuel(plan, options, progress).run();
+    check_program(options.old_program);
+    check_program(options.new_program);
+    return RunningDuel(options, progress).run();
 }
 
 }  // namespace mandelmarch::bench

@@ -12,9 +12,10 @@ namespace mandelmarch::bench {
 
 struct DuelOptions {
     std::string old_program, new_program;  // paths
+    Options rows;                          // which configurations take part
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
-    int runs = 10;  // of each program
+    int runs = 10;    // of each program
     int rounds = 20;    // pictures of each configuration by each program in a run
 };
 
@@ -24,6 +25,6 @@ struct DuelOptions {
 // are verified in the first run and must not change in later runs. If a program dies, the run is left out, with a
 // warning. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is not an executable
 // file, Error if no run was measured.
-Duel run_duel(const DuelOptions& plan, const Options& options, const std::function<void(double)>& progress);
+Duel run_duel(const DuelOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

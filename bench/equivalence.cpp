@@ -19,8 +19,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
@@ -111,7 +109,7 @@ std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptio
     for (const auto& backend : registry.backends()) {
         // The reference is left out: it is a separate implementation, whose bits differ.
         if (backend->info().role == Role::reference) continue;
-        if (!names_backend(options.backend, backend->name())) continue;
+        if (!options.backends.empty() && std::ranges::find(options.backends, backend->name()) == options.backends.end()) continue;
         const Listing listing = listing_of(*backend);
         if (!listing.unavailable.empty()) {
             result.missing.push_back(fmt::format("{}: {}", backend->name(), listing.unavailable));
@@ -161,14 +159,6 @@ Scene affordable(std::span<const std::unique_ptr<Renderer>> packs, const Scene& 
     }
 }
 
-std::vector<const Fractal*> fractals_of(const EquivalenceOptions& options)
-{
-    if (options.fractal != "all") return {&fractal_named(options.fractal)};
-    std::vector<const Fractal*> all;
-    for (const Fractal& fractal : fractals()) all.push_back(&fractal);
-    return all;
-}
-
 }  // namespace
 
 std::string Tested::name() const
@@ -181,11 +171,13 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress)
 {
-    check_backends(registry, options.backend);
-    const auto of = fractals_of(options);
+    std::vector<const Fractal*> of = options.fractals;
+    if (of.empty()) {
+        for (const Fractal& fractal : fractals()) of.push_back(&fractal);
+    }
     const Backend& right = registry.with(Role::host);
     EquivalenceResult result{.options = options,
-                             .yardstick = std::string(right.name()),
+                             .expected_by = std::string(right.name()),
                              .environment = environment(registry),
                              .subjects = {},
                              .missing = {},
@@ -228,40 +220,10 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     return result;
 }
 
-nlohmann::ordered_json json_of(const EquivalenceResult& result)
-{
-    Json subjects = Json::array();
-    for (const Tested& s : result.subjects) {
-        subjects.push_back({{"backend", s.backend},
-                            {"device", s.device},
-                            {"simd_width", s.options.simd_width},
-                            {"precision", name_of(s.options.precision)},
-                            {"pictures", s.pictures},
-                            {"unavailable", s.unavailable},
-                            {"refusal", s.refusal},
-                            {"wrong", s.wrong}});
-    }
-    Json discrepancies = Json::array();
-    for (const Discrepancy& d : result.discrepancies) {
-        discrepancies.push_back(
-            {{"scene", d.scene}, {"subject", d.subject}, {"what", d.what}, {"parameters", d.parameters}});
-    }
-    return {{"schema", "mandelmarch-bench-equivalence"},
-            {"version", 1},
-            {"scenes", result.options.scenes},
-            {"seed", result.options.seed},
-            {"fractal", result.options.fractal},
-            {"environment", result.environment},
-            {"missing", result.missing},
-            {"failures", result.failures},
-            {"subjects", subjects},
-            {"discrepancies", discrepancies}};
-}
-
 std::string to_console(const EquivalenceResult& result)
 {
     std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n",
-                                   result.options.scenes, result.options.seed, result.yardstick);
+                                   result.options.scenes, result.options.seed, result.expected_by);
     text += fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
                         "precision", "SIMD", "pictures", "unavailable", "wrong");
     for (const Tested& s : result.subjects) {

@@ -12,8 +12,8 @@
 namespace mandelmarch::bench {
 
 struct EquivalenceOptions {
-    std::string backend = "all";
-    std::string fractal = "all";
+    std::vector<std::string> backends{};       // names; empty: all
+    std::vector<const Fractal*> fractals{};    // empty: all
     int scenes = 1000;  // sum over all fractals
     unsigned seed = 1;  // see core/scene/extreme_scene.h
 };
@@ -41,7 +41,7 @@ struct Discrepancy {
 
 struct EquivalenceResult {
     EquivalenceOptions options;
-    std::string yardstick;  // name of the backend with the role host, which renders the expected pictures
+    std::string expected_by;  // name of the backend with the role host, which renders the expected pictures
     nlohmann::ordered_json environment;
     std::vector<Tested> subjects;
     std::vector<std::string> missing;   // backends without a device, and why
@@ -51,7 +51,7 @@ struct EquivalenceResult {
 
 // Renders each scene in both precisions with the scalar kernel and with every tested configuration. Scenes that would
 // be too much work are rendered smaller. Calls `found` with each discrepancy as soon as it is found, and `progress`
-// with the completed fraction. Throws InputError for an unknown backend or fractal. If no selected backend can be
+// with the completed fraction. If no selected backend can be
 // tested, throws Error if one of them failed, else Unavailable.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,

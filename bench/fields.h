@@ -3,7 +3,7 @@
 // published JSON Schema follow from the list. To describe a record, specialise Fields (bench/result_fields.h).
 //
 // A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, or a
-// std::optional, std::vector or std::array of these.
+// std::optional, std::vector or std::array of these; written, but not read, also a std::map of them by name.
 #pragma once
 
 #include <fmt/format.h>
@@ -88,6 +88,8 @@ struct Element<std::vector<T>> {
     using type = T;
 };
 template <class T>
+concept Map = requires { typename T::mapped_type; };
+template <class T>
 concept Optional = requires(const T& value) { value.has_value(); };
 template <class T>
 concept List = std::is_same_v<T, std::vector<typename Element<T>::type>>;
@@ -141,6 +143,10 @@ Json to_json(const T& value, const Rule& rule)
         return value;
     } else if constexpr (Optional<T>) {
         return value ? to_json(*value, rule) : Json();
+    } else if constexpr (Map<T>) {
+        Json json = Json::object();
+        for (const auto& [key, element] : value) json[key] = to_json(element, rule);
+        return json;
     } else if constexpr (Keyed<T>) {
         Json json = Json::object();
         for (std::size_t i = 0; i < value.size(); ++i) json[Keys<T>::list[i]] = to_json(value[i], rule);
@@ -158,6 +164,15 @@ Json to_json(const T& value, const Rule& rule)
     } else {
         return Json(value);
     }
+}
+
+// Returns a file with a record: the name and version of its format, then the record's fields.
+template <class Record>
+Json document(const char* schema, int version, const Record& record)
+{
+    Json json{{"schema", schema}, {"version", version}};
+    json.update(to_json(record));
+    return json;
 }
 
 // Why a value cannot be read, and its place: "rows[3].setting.width".

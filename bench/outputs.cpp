@@ -78,4 +78,26 @@ void Outputs::write_stdout() const
     }
 }
 
+void Outputs::option(CLI::App& app, const std::string& name, const std::string& about,
+                     std::function<std::string()> text)
+{
+    options_.push_back({name, std::make_shared<std::string>(), std::move(text)});
+    app.add_option(name, *options_.back().path, about);
+}
+
+int Outputs::deliver(const std::vector<std::string>& read, const std::function<Done()>& work)
+{
+    for (Option& option : options_) add(option.name, *option.path, option.text);
+    check(read);
+    const Done done = work();
+    const bool written = write_files();
+    if (on_stdout()) {
+        say(std::string_view(done.table));
+    } else {
+        print(std::string_view(done.table));
+    }
+    write_stdout();
+    return written && done.passed ? exit_success : exit_failure;
+}
+
 }  // namespace mandelmarch::bench

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <string>
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <vector>
 
 namespace mandelmarch::bench {
@@ -31,7 +33,25 @@ public:
     // Throws Error if standard output cannot be written.
     void write_stdout() const;
 
+    // Declares an option that names an output, with `text` as in add().
+    void option(CLI::App& app, const std::string& name, const std::string& about, std::function<std::string()> text);
+
+    // Checks the outputs, calls work() and writes them. The text that work() returns, the table for the user, goes to
+    // stderr if an output is standard output. Returns the exit code: success, if work() and all writing succeeded.
+    struct Done {
+        std::string table;
+        bool passed = true;
+    };
+    int deliver(const std::vector<std::string>& read, const std::function<Done()>& work);
+
 private:
+    // Files that options name.
+    struct Option {
+        std::string name;
+        std::shared_ptr<std::string> path;
+        std::function<std::string()> text;
+    };
+    std::vector<Option> options_;
     struct Output {
         std::string option, path;
         std::function<std::string()> text;

@@ -65,7 +65,7 @@ double drawn(const Entry& entry, std::mt19937_64& random)
 }
 
 // Times of all backends on all platforms for one problem, and the efficiencies derived from them.
-class Field {
+class PlatformTimes {
 public:
     void add(const Result& result, const Row& row)
     {
@@ -143,7 +143,7 @@ private:
     std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
 };
 
-Efficiencies means(const Field& field, const std::string& application,
+Efficiencies means(const PlatformTimes& field, const std::string& application,
                    const std::map<std::pair<std::string, std::string>, double>& seconds)
 {
     std::vector<double> by_application;
@@ -176,7 +176,7 @@ std::vector<CascadeStep> cascade_of(std::vector<OnPlatform> platforms)
     return steps;
 }
 
-Portability of(const Problem& problem, const Field& field, const std::string& application)
+Portability of(const Problem& problem, const PlatformTimes& field, const std::string& application)
 {
     Portability p;
     p.problem = fmt::format("{} {}x{}", problem.fractal, problem.width, problem.height);
@@ -229,7 +229,7 @@ double performance_portability(std::span<const double> efficiencies)
 std::vector<Portability> portability(std::span<const Result> given)
 {
     const std::vector<Result> results = disambiguated(given);
-    std::map<Problem, Field> fields;
+    std::map<Problem, PlatformTimes> fields;
     std::set<std::string> applications;
     for (const Result& result : results) {
         const std::string reference = result.reference();

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -65,13 +66,13 @@ void add(std::vector<StageTime>& times, const Registry& registry, const Scene& s
 std::vector<StageTime> profile(const Registry& registry, const Options& options, const Phase& phase)
 {
     std::vector<StageTime> times;
-    const auto [width, height] = size_of(options);
+    const auto [width, height] = options.picture_size();
     const int repetitions = options.repetitions.value_or(usual_repetitions);
-    for (const std::string& short_name : fractals_of(options.fractal)) {
-        const Scene scene = official_scene_of(short_name, width, height);
-        for (const Precision precision : precisions_of(options)) {
-            for (const Mode mode : modes_of(options)) {
-                phase({"profile", 0, short_name});
+    for (const Fractal* fractal : options.fractals) {
+        const Scene scene = official_scene(*fractal, width, height);
+        for (const Precision precision : options.precisions) {
+            for (const Mode mode : options.selected_modes()) {
+                phase({"profile", 0, std::string(fractal->short_name)});
                 add(times, registry, scene, precision, mode, repetitions);
             }
         }

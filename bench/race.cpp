@@ -13,8 +13,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t name_columns = 28;
 
 std::vector<double> seconds_of(const RacedProgram& racer)
@@ -22,22 +20,6 @@ std::vector<double> seconds_of(const RacedProgram& racer)
     std::vector<double> seconds;
     for (const RaceSample& sample : racer.samples) seconds.push_back(sample.seconds);
     return seconds;
-}
-
-bool timed(const RacedProgram& racer) { return is_right(racer.verdict) && !racer.samples.empty(); }
-
-// Returns our program, the baseline of the times; nullptr if it was not timed.
-const RacedProgram* pace_of(const Race& race)
-{
-    const auto found = std::ranges::find_if(race.racers, [](const RacedProgram& r) { return r.ours && timed(r); });
-    return found == race.racers.end() ? nullptr : &*found;
-}
-
-std::optional<Quotient> times_ours(const Race& race, const RacedProgram& racer)
-{
-    const RacedProgram* pace = pace_of(race);
-    if (pace == nullptr || !timed(racer)) return std::nullopt;
-    return quotient({{0, seconds_of(racer)}}, {{0, seconds_of(*pace)}});
 }
 
 // Truncates a long name at its start, as the end of a path is the specific part.
@@ -73,9 +55,27 @@ std::string_view name_of(RaceVerdict verdict)
     }
 }
 
-bool Race::held() const
+bool Race::passed() const
 {
     return std::ranges::all_of(racers, [](const RacedProgram& racer) { return is_right(racer.verdict); });
+}
+
+Race timed(Race race)
+{
+    const auto seconds_if_right = [](const RacedProgram& racer) {
+        return is_right(racer.verdict) ? seconds_of(racer) : std::vector<double>();
+    };
+    std::vector<double> ours;
+    for (RacedProgram& racer : race.racers) {
+        const std::vector<double> seconds = seconds_if_right(racer);
+        if (seconds.empty()) continue;
+        racer.wall = summary(seconds);
+        if (racer.ours && ours.empty()) ours = seconds;
+    }
+    for (RacedProgram& racer : race.racers) {
+        if (racer.wall && !ours.empty()) racer.times_ours = quotient({{0, seconds_of(racer)}}, {{0, ours}});
+    }
+    return race;
 }
 
 std::string to_console(const Race& race)
@@ -86,12 +86,12 @@ std::string to_console(const Race& race)
     const auto line = [&](const std::string& whole) { text += clipped(whole, console_columns) + "\n"; };
     for (const RacedProgram& racer : race.racers) {
         const std::string verdict = verdict_in_table(racer, pixels);
-        if (!timed(racer)) {
+        if (!racer.wall) {
             line(fmt::format("{:<28} {:<13} {}", name_in_table(racer), verdict, printable(racer.why)));
             continue;
         }
-        const Summary s = summary(seconds_of(racer));
-        const auto ratio = times_ours(race, racer);
+        const Summary& s = *racer.wall;
+        const auto& ratio = racer.times_ours;
         const auto interval = [](const std::optional<Interval>& i, double unit, int count) {
             return i ? fmt::format("[{}, {}]", digits(unit * i->low), digits(unit * i->high))
                      : fmt::format("n = {}", count);
@@ -105,53 +105,6 @@ std::string to_console(const Race& race)
                         race.fractal, race.width, race.height, race.rounds, race.limit);
     for (const std::string& warning : race.warnings) text += printable("warning: " + warning, longest_note) + "\n";
     return text;
-}
-
-nlohmann::ordered_json json_of(const Race& race)
-{
-    const auto interval = [](const std::optional<Interval>& i) { return i ? Json{i->low, i->high} : Json(); };
-    const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
-    Json racers = Json::array();
-    for (const RacedProgram& racer : race.racers) {
-        Json picture;
-        if (racer.picture) {
-            const RacePicture& p = *racer.picture;
-            picture = {{"width", p.width},
-                       {"height", p.height},
-                       {"differing", p.differing},
-                       {"visibly_differing", p.visibly_differing},
-                       {"first", p.first_x < 0 ? Json() : Json{p.first_x, p.first_y}},
-                       {"psnr", std::isfinite(p.psnr) ? Json(p.psnr) : Json()}};
-        }
-        Json samples = Json::array();
-        Json wall;
-        Json ratio;
-        if (timed(racer)) {
-            for (const RaceSample& s : racer.samples) {
-                samples.push_back({{"round", s.round}, {"wall", s.seconds}, {"processor", s.processor}});
-            }
-            const Summary s = summary(seconds_of(racer));
-            wall = {{"median", s.median}, {"interval", interval(s.interval)}};
-            if (const auto q = times_ours(race, racer)) {
-                ratio = {{"ratio", q->ratio}, {"interval", interval(q->interval)}};
-            }
-        }
-        racers.push_back({{"name", printable(racer.name)},
-                          {"ours", racer.ours},
-                          {"verdict", name_of(racer.verdict)},
-                          {"why", racer.why.empty() ? Json() : Json(printable(racer.why))},
-                          {"exit_code", or_null(racer.exit_code)},
-                          {"signal", or_null(racer.signal)},
-                          {"picture", picture},
-                          {"memory", racer.memory},
-                          {"wall", wall},
-                          {"times_ours", ratio},
-                          {"samples", samples}});
-    }
-    return {{"schema", "mandelmarch-race"},  {"version", 1},        {"environment", race.environment},
-            {"fractal", race.fractal},       {"width", race.width}, {"height", race.height},
-            {"parameters", race.parameters}, {"limit", race.limit}, {"rounds", race.rounds},
-            {"warnings", race.warnings},     {"programs", racers}};
 }
 
 }  // namespace mandelmarch::bench

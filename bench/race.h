@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/statistics.h"
+
 namespace mandelmarch::bench {
 
 enum class RaceVerdict {
@@ -52,6 +54,9 @@ struct RacedProgram {
     std::optional<RacePicture> picture{};  // if it has the right size
     std::uint64_t memory = 0;              // peak resident bytes of its largest process
     std::vector<RaceSample> samples{};     // of programs with a correct picture
+    // Set by timed().
+    std::optional<Summary> wall{};         // seconds
+    std::optional<Quotient> times_ours{};  // this program's wall time / that of our first program
 };
 
 struct Race {
@@ -65,8 +70,11 @@ struct Race {
     std::vector<RacedProgram> racers{};  // ours first
 
     // Returns true if every program's picture is correct.
-    bool held() const;
+    bool passed() const;
 };
+
+// Summarises the times of each program with a correct picture, and compares them with ours.
+Race timed(Race race);
 
 std::string to_console(const Race& race);
 

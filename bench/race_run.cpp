@@ -60,15 +60,16 @@ std::string absolute_program(const std::string& program)
     return fs::absolute(program).string();
 }
 
-Scene scene_of(const RaceOptions& plan, const Options& options)
+Scene scene_of(const RaceOptions& options)
 {
-    if (!plan.scene.empty() && options.fractal == "all") {
+    if (!options.scene.empty() && options.fractal == nullptr) {
         throw InputError("bench race: --scene without --fractal given, expected the fractal that the file is of");
     }
-    const Fractal& fractal = options.fractal == "all" ? fractals().front() : fractal_named(options.fractal);
-    Scene scene = official_scene(fractal);
-    if (!plan.scene.empty()) scene = read_parameters(plan.scene, fractal).scene;
-    if (plan.scene.empty() || !options.size.empty()) std::tie(scene.width, scene.height) = size_of(options);
+    const Fractal& fractal = options.fractal == nullptr ? fractals().front() : *options.fractal;
+    constexpr int side = 540;  // pixels
+    Scene scene = official_scene(fractal, side, side);
+    if (!options.scene.empty()) scene = read_parameters(options.scene, fractal).scene;
+    if (options.size) std::tie(scene.width, scene.height) = *options.size;
     scene.image_file = image_name;
     return scene;
 }
@@ -89,15 +90,15 @@ Scene moved(const Scene& scene, double share, std::mt19937_64& chance)
 
 class RunningRace {
 public:
-    RunningRace(const RaceOptions& plan, const Options& options, const std::function<void(double)>& progress)
-        : plan_(plan), progress_(progress), scene_(scene_of(plan, options)), random_(options.seed)
+    RunningRace(const RaceOptions& options, const std::function<void(double)>& progress)
+        : options_(options), progress_(progress), scene_(scene_of(options)), random_(options.seed)
     {
         race_.fractal = scene_.fractal->name;
         race_.width = scene_.width;
         race_.height = scene_.height;
         race_.parameters = to_parameters(scene_);
-        race_.limit = plan.limit;
-        race_.rounds = plan.rounds;
+        race_.limit = options.limit;
+        race_.rounds = options.rounds;
         const fs::path render = fs::read_symlink("/proc/self/exe").parent_path() / "render";
         const auto ours = [&](const std::string& backend, std::vector<std::string> more) {
             std::vector<std::string> words{render.string(), scene_name, "--fractal", race_.fractal,
@@ -110,10 +111,9 @@ public:
                 fmt::format("bench race: {}: not there, expected the program beside bench", render.string()));
         }
         expected_ = ours("openmp", {"--simd-width", "1"});
-        const std::string backend = options.backend == "all" ? "openmp" : options.backend;
-        race_.racers.push_back({.name = "mandelmarch " + backend, .ours = true});
-        words_.push_back(ours(backend, {}));
-        for (const std::string& program : plan.programs) {
+        race_.racers.push_back({.name = "mandelmarch " + options.backend, .ours = true});
+        words_.push_back(ours(options.backend, {}));
+        for (const std::string& program : options.programs) {
             race_.racers.push_back({.name = program});
             words_.push_back({absolute_program(program), scene_name});
         }
@@ -137,11 +137,11 @@ public:
                 timed.push_back(i);
             }
         }
-        for (int round = 0; round < plan_.rounds; ++round) {
+        for (int round = 0; round < options_.rounds; ++round) {
             view_ = another_view(official);
             std::ranges::shuffle(timed, random_);
             for (const std::size_t i : timed) again(i, round);
-            progress_(0.5 + 0.5 * (round + 1) / plan_.rounds);
+            progress_(0.5 + 0.5 * (round + 1) / options_.rounds);
         }
         for (std::string& warning : steadiness.warnings({})) race_.warnings.push_back(std::move(warning));
         return std::move(race_);
@@ -208,7 +208,7 @@ private:
                                   .folder = work.string(),
                                   .errors = complaints.number(),
                                   .confined = true})
-                        .end(plan_.limit);
+                        .end(options_.limit);
         } catch (const Error& error) {
             return fails(RaceVerdict::no_start, error.what());
         }
@@ -216,7 +216,7 @@ private:
         racer.memory = std::max(racer.memory, ended.memory);
         const std::string complaint = last_line(complaints.text(most_complaints));
         const std::string said = complaint.empty() ? "" : fmt::format(": {}", printable(complaint, longest_complaint));
-        if (ended.timed_out) return fails(RaceVerdict::hung, fmt::format("no end within {:g} s{}", plan_.limit, said));
+        if (ended.timed_out) return fails(RaceVerdict::hung, fmt::format("no end within {:g} s{}", options_.limit, said));
         if (ended.signal != 0) {
             return fails(RaceVerdict::crashed,
                          fmt::format("ended by signal {}, {}{}", ended.signal, sigdescr_np(ended.signal), said));
@@ -296,7 +296,7 @@ private:
         racer.samples.push_back(drawn.sample);
     }
 
-    const RaceOptions& plan_;
+    const RaceOptions& options_;
     const std::function<void(double)>& progress_;
     Scene scene_;
     std::mt19937_64 random_;                          // for the order
@@ -309,13 +309,13 @@ private:
 
 }  // namespace
 
-Race run_race(const RaceOptions& plan, const Options& options, const Registry& registry,
+Race run_race(const RaceOptions& options, const Registry& registry,
               const std::function<void(double)>& progress)
 {
-    RunningRace running(plan, options, progress);
+    RunningRace running(options, progress);
     Race race = running.run();
     race.environment = environment(registry);
-    return race;
+    return timed(std::move(race));
 }
 
 }  // namespace mandelmarch::bench

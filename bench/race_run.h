@@ -13,8 +13,12 @@
 namespace mandelmarch::bench {
 
 struct RaceOptions {
-    std::vector<std::string> programs;  // paths
-    std::string scene;                  // a parameter file; empty: the fractal's official scene
+    std::vector<std::string> programs;        // paths
+    const Fractal* fractal = nullptr;         // nullptr: the first
+    std::string scene;                        // a parameter file; empty: the fractal's official scene
+    std::optional<std::pair<int, int>> size;  // pixels; nullopt: that of the parameter file, or 540 x 540
+    std::string backend = "openmp";           // of our renderer
+    std::uint64_t seed = 1;                   // for the order in each round
     double limit = 60;                  // seconds per picture
     int rounds = 7;
 };
@@ -28,7 +32,7 @@ struct RaceOptions {
 // InputError if a program is not an executable file or the scene cannot be read, Error if our own picture cannot be
 // rendered.
 inline constexpr double longest_repeated = 20;  // seconds
-Race run_race(const RaceOptions& plan, const Options& options, const Registry& registry,
+Race run_race(const RaceOptions& options, const Registry& registry,
               const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

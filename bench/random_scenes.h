@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "bench/options.h"
 #include "core/image/compare.h"
 #include "core/render/registry.h"
 #include "core/scene/scene.h"
@@ -15,7 +17,7 @@ namespace mandelmarch::bench {
 
 struct RandomOptions {
     std::string backend = {};                                        // empty: the host's
-    std::string fractal = "all";                                     // all: those studied by default; or one name
+    std::vector<const Fractal*> fractals = default_fractals();
     int scenes = 60;                                                 // per fractal and set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds
     std::string without{};                                           // disabled optimisations, separated by commas
@@ -42,6 +44,15 @@ struct RandomSum {
     void add(const RandomRow& row);
     double off() const;
     double wrong_hits() const;
+    bool passed() const;  // true if both fractions are within their limits
+};
+
+// Sums of one fractal in one precision: over all scenes, and over each set by its seed.
+struct RandomSums {
+    std::string fractal;
+    Precision precision = Precision::f64;
+    RandomSum all;
+    std::map<std::string, RandomSum> sets;
 };
 
 // Limits for fast mode in each set: fractions of pixels that differ visibly, and that hit or miss wrongly.
@@ -50,12 +61,12 @@ inline constexpr double most_wrong_hits = 0.0002;
 
 struct RandomResult {
     RandomOptions options;
+    int width = 0, height = 0;  // pixels of each picture
     nlohmann::ordered_json environment;
+    std::vector<RandomSums> sums;
     std::vector<RandomRow> rows;  // by fractal, precision, set
 
-    // `set`: seed of the set; nullptr: all sets.
-    RandomSum sum(std::string_view fractal, Precision precision, const unsigned* set) const;
-    bool held() const;  // true if every set meets both limits
+    bool passed() const;  // true if every set meets both limits
 };
 
 // Renders the scenes of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode.

@@ -16,7 +16,7 @@ namespace mandelmarch::bench {
 // columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
-// Returns JSON that follows bench/result.schema.json, with raw samples and derived figures.
+// Returns JSON that follows bench/schemas/result.schema.json, with raw samples and derived figures.
 nlohmann::ordered_json json_of(const Result& result);
 
 // Parse a result written by json_of(). Derived quantities are not read, as they follow from the samples. `name`: name
@@ -27,6 +27,9 @@ Result read_result(const std::string& path);
 // Reads a result. Returns nullopt for a file of another kind, JSON or not. Throws InputError if the file cannot be read
 // or is a damaged result.
 std::optional<Result> read_if_result(const std::string& path);
+// Reads a file of bench and returns its contents in the current format: of a result with all figures computed again
+// from its samples. Throws InputError if the file cannot be read or is none.
+nlohmann::ordered_json upgraded_json(const std::string& path);
 // Returns the paths of the given files. A folder is replaced by the files in it and its subfolders whose names end in
 // .json, sorted.
 std::vector<std::string> result_files(const std::vector<std::string>& paths);

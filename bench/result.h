@@ -13,6 +13,7 @@
 
 namespace mandelmarch::bench {
 
+inline constexpr const char* result_schema = "mandelmarch-bench";
 inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bench/report.h"
+#include "bench/version1.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -33,8 +34,21 @@ std::optional<Result> read_if_result(const std::string& path)
     const std::string text = text_of_file(path);
     check_json_depth(text, path);
     const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object() || json.value("schema", Json()) != "mandelmarch-bench") return std::nullopt;
+    if (!json.is_object() || json.value("schema", Json()) != result_schema) return std::nullopt;
     return result_from_json(json, path);
+}
+
+nlohmann::ordered_json upgraded_json(const std::string& path)
+{
+    const std::string text = text_of_file(path);
+    check_json_depth(text, path);
+    Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.value("schema", Json()).is_string()) {
+        throw InputError(path + ": not a file of bench, expected a result of --json");
+    }
+    if (json["schema"] == result_schema) return json_of(result_from_json(json, path));
+    upgrade(json);
+    return json;
 }
 
 std::vector<std::string> result_files(const std::vector<std::string>& paths)

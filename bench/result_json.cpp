@@ -7,15 +7,12 @@
 #include "bench/portability.h"
 #include "bench/report.h"
 #include "bench/result_fields.h"
-#include "bench/schema.h"
 #include "bench/version1.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-constexpr const char* schema_name = "mandelmarch-bench";
 
 // Throws Refusal.
 void check(const Result& result)
@@ -34,10 +31,11 @@ void check(const Result& result)
 // Throws Refusal.
 Result result_of(Json json)
 {
-    if (!json.is_object() || json.value("schema", Json()) != schema_name) throw Refusal{"schema", "no result of bench"};
+    if (!json.is_object() || json.value("schema", Json()) != result_schema) throw Refusal{"", "no result of bench"};
     upgrade(json);
     if (const Json version = json.value("version", Json()); version != schema_version) {
-        throw Refusal{"version", fmt::format("{} given, expected {}", printable(version.dump(), 80), schema_version)};
+        throw Refusal{"", fmt::format("version {} of the result format, expected {}", printable(version.dump(), 80),
+                                      schema_version)};
     }
     Result result;
     from_json(json, result);
@@ -49,8 +47,7 @@ Result result_of(Json json)
 
 Json json_of(const Result& result)
 {
-    Json json{{"schema", schema_name}, {"version", schema_version}};
-    json.update(to_json(result));
+    Json json = document(result_schema, schema_version, result);
     json["portability"] = json_of(portability({&result, 1}));
     return json;
 }
@@ -70,7 +67,8 @@ Result result_from_json(const Json& json, const std::string& name)
         return result_of(json);
     } catch (const Refusal& refusal) {
         throw InputError(
-            fmt::format("{}: {}: {}, expected a result of bench --json", name, refusal.place, refusal.why));
+            fmt::format("{}: {}{}{}, expected a result of bench --json", name, refusal.place,
+                        refusal.place.empty() ? "" : ": ", refusal.why));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(fmt::format("{}: no result of bench: {}", name, error.what()));
     }

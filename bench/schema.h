@@ -49,12 +49,18 @@ Json record_schema(Json& definitions)
     return object_schema(std::move(properties));
 }
 
+// The schemas do not repeat larger limits, which only catch damaged files.
+inline constexpr double most_limited = 1e9;
+
 template <class Number>
 Json number_schema(const Rule& rule)
 {
     Json schema{{"type", std::is_floating_point_v<Number> ? "number" : "integer"}};
-    if (std::isfinite(rule.min)) schema["minimum"] = rule.min;
-    if (std::isfinite(rule.max) && rule.max < max_integer) schema["maximum"] = rule.max;
+    const auto number = [](double limit) {
+        return std::trunc(limit) == limit ? Json(static_cast<std::int64_t>(limit)) : Json(limit);
+    };
+    if (rule.min > -most_limited) schema["minimum"] = number(rule.min);
+    if (rule.max < most_limited) schema["maximum"] = number(rule.max);
     return rule.null == Null::none ? schema : nullable(std::move(schema));
 }
 
@@ -76,6 +82,8 @@ Json schema_of(const Rule& rule, Json& definitions)
         return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
     } else if constexpr (std::is_same_v<T, Json>) {
         return {{"$ref", "https://mandelmarch.invalid/bench/schemas/environment.schema.json"}};
+    } else if constexpr (Map<T>) {
+        return {{"type", "object"}, {"additionalProperties", schema_of<typename T::mapped_type>(rule, definitions)}};
     } else if constexpr (Keyed<T>) {
         Json properties = Json::object();
         for (const char* key : Keys<T>::list) {

@@ -65,7 +65,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
         // timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
-            for (const Precision precision : precisions_of(options)) {
+            for (const Precision precision : options.precisions) {
                 Peak peak{platform_of(device), std::string(backend->name()), index, precision, 0};
                 if (wanted(peak)) asked.push_back({backend.get(), std::move(peak)});
             }
@@ -106,16 +106,16 @@ PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again)
 Result measure(const Registry& registry, const Options& options, const Phase& phase)
 {
     Result result;
-    result.study = study_named(options.study).name;
+    result.study = options.study->name;
     result.seed = options.seed;
     Steadiness steadiness;
     result.environment = environment(registry);
     std::vector<Case> cases = cases_of(registry, options);
     if (cases.empty()) throw InputError("bench: no row is left by these options (bench --list shows the rows)");
     for (const Case& one : cases) {
-        if (one.backend != nullptr || one.row.backend != options.backend) continue;
+        if (one.backend != nullptr || options.backends != std::vector{one.row.backend}) continue;
         if (!one.row.failure.empty()) throw Error(one.row.failure);
-        throw Unavailable(fmt::format("backend {}: {}", options.backend, one.row.unavailable));
+        throw Unavailable(fmt::format("backend {}: {}", one.row.backend, one.row.unavailable));
     }
 
     const auto start = Clock::now();
@@ -129,7 +129,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     }
     if (!rules.repetitions) keep_long_pictures(live, rules);
     count_all(live, result, phase);
-    if (options.study == "profile") result.stages = profile(registry, options, phase);
+    if (options.study->name == "profile") result.stages = profile(registry, options, phase);
     const PeakMeasurement peaks = [&](const auto& wanted) {
         return options.peaks ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();
     };

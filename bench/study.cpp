@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <regex>
 #include <tuple>
 
-#include "cli/option_values.h"
 #include "bench/views.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
@@ -39,12 +37,12 @@ bool is_baseline(const BackendInfo& info, const Setting& setting, Precision prec
     return info.role == Role::host && setting.simd_width == 1;
 }
 
-Case case_of(const std::string& short_name, const Study& study, const Point& point, std::pair<int, int> size)
+Case case_of(const Fractal& fractal, const Study& study, const Point& point, std::pair<int, int> size)
 {
     Case made;
     Setting& setting = made.row.setting;
     point.set(setting);
-    for (const View& view : views_of(short_name, size.first, size.second)) {
+    for (const View& view : views_of(fractal.short_name, size.first, size.second)) {
         if (view.name == setting.view) made.scene = view.scene;
     }
     if (setting.width != 0) {
@@ -84,79 +82,25 @@ bool chosen(const std::string& filter, const std::string& name)
     try {
         return std::regex_search(name, std::regex(others ? filter.substr(1) : filter, std::regex::extended)) != others;
     } catch (const std::regex_error&) {
-        throw InputError(fmt::format("--benchmark_filter: '{}' given, expected a regular expression", filter));
+        throw InputError(fmt::format("--filter: '{}' given, expected a regular expression", filter));
     }
 }
 
 }  // namespace
 
-std::vector<std::string> fractals_of(std::string_view option)
-{
-    if (option != "all") return {std::string(fractal_named(option).short_name)};
-    std::vector<std::string> in_default_study;
-    for (const Fractal& fractal : fractals()) {
-        if (fractal.in_default_study) in_default_study.emplace_back(fractal.short_name);
-    }
-    return in_default_study;
-}
-
-std::vector<Precision> precisions_of(const Options& options)
-{
-    if (options.precision == "float") return {Precision::f32};
-    if (options.precision == "double") return {Precision::f64};
-    return {Precision::f64, Precision::f32};
-}
-
-std::vector<Mode> modes_of(const Options& options)
-{
-    if (options.mode.empty()) return study_named(options.study).modes;
-    if (options.mode == "exact") return {Mode::exact};
-    if (options.mode == "fast") return {Mode::fast};
-    return {Mode::exact, Mode::fast};
-}
-
-std::pair<int, int> size_of(const Options& options)
-{
-    const Study& study = study_named(options.study);
-    return options.size.empty() ? std::pair(study.width, study.height) : size_option(options.size);
-}
-
 std::string platform_of(const Device& device) { return device.is_gpu ? device.name : host_cpu().platform(); }
-
-bool names_backend(std::string_view asked, std::string_view backend)
-{
-    if (asked == "all") return true;
-    for (const auto name : std::views::split(asked, ',')) {
-        if (std::string_view(name.begin(), name.end()) == backend) return true;
-    }
-    return false;
-}
-
-void check_backends(const Registry& registry, std::string_view asked)
-{
-    for (const auto part : std::views::split(asked, ',')) {
-        const std::string_view name(part.begin(), part.end());
-        if (asked == "all" || registry.find(name) != nullptr) continue;
-        throw InputError(
-            fmt::format("--backend: '{}' given, expected all, or names of backends with commas between them", name));
-    }
-    if (asked.empty())
-        throw InputError("--backend: '' given, expected all, or names of backends with commas between them");
-}
 
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {
     std::vector<Case> cases;
-    const Study& study = study_named(options.study);
-    const auto size = size_of(options);
-    check_backends(registry, options.backend);
+    const Study& study = *options.study;
     for (const auto& backend : registry.backends()) {
         const BackendInfo info = backend->info();
         // Include the baselines even if --backend does not name them, as speed-ups are computed from them.
-        const bool baselines = options.baselines && options.study == standard_study && info.role != Role::none &&
+        const bool baselines = options.baselines && study.name == standard_study && info.role != Role::none &&
                                info.role != Role::accelerator;
-        const bool all = options.backend == "all" && (options.baselines || info.role != Role::reference);
-        const bool asked = all || names_backend(options.backend, backend->name());
+        const bool unasked = options.backends.empty() && !options.baselines && info.role == Role::reference;
+        const bool asked = !unasked && options.selects(backend->name());
         if ((!asked && !baselines) || !study.measures(info)) continue;
         Listing listing = listing_of(*backend);
         if (listing.devices.empty()) {
@@ -164,12 +108,12 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
             continue;
         }
         const std::vector<Device>& devices = listing.devices;
-        for (const std::string& short_name : fractals_of(options.fractal)) {
-            for (const Point& point : points_of(options, study, fractal_named(short_name), info)) {
-                for (const Precision precision : precisions_of(options)) {
-                    for (const Mode mode : modes_of(options)) {
+        for (const Fractal* fractal : options.fractals) {
+            for (const Point& point : points_of(options, study, *fractal, info)) {
+                for (const Precision precision : options.precisions) {
+                    for (const Mode mode : options.selected_modes()) {
                         for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
-                            Case made = case_of(short_name, study, point, size);
+                            Case made = case_of(*fractal, study, point, options.picture_size());
                             const Setting& setting = made.row.setting;
                             if (!asked && !is_baseline(info, setting, precision, mode)) continue;
                             made.options = {.device = device,

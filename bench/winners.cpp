@@ -21,15 +21,15 @@ double kernel_median(const Row* row) { return median(kernel_times(*row)); }
 
 Rival rival_of(const Row& row, const Row& fastest)
 {
-    Rival rival{.row = &row};
+    Rival rival{.row = &row, .judged = {.name = row.name(), .verdict = Verdict::no_speed}};
     const ValuesByRun by_run = ratios_by_run(row, fastest);
     const std::vector<double> units =
         by_run.size() == 1 ? group_medians(by_run.begin()->second) : medians_of(by_run);
-    rival.tested = units.size() > 1;
-    if (rival.tested) {
-        rival.difference = paired_difference(units, margin);
+    if (units.size() > 1) {
+        rival.judged.verdict = Verdict::undecided;
+        rival.judged.difference = paired_difference(units, margin);
     } else {
-        rival.difference.ratio = kernel_median(&row) / kernel_median(&fastest);
+        rival.judged.difference.ratio = kernel_median(&row) / kernel_median(&fastest);
     }
     return rival;
 }
@@ -54,17 +54,17 @@ std::string line_of(const Contest& contest)
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (contest.rivals.empty()) return text + name + " alone was timed";
     // Name the first rival that is not slower than the winner or, if all are slower, the fastest of them.
-    const auto slower = [](const Rival& rival) { return rival.judgement.verdict == Verdict::slower; };
+    const auto slower = [](const Rival& rival) { return rival.judged.verdict == Verdict::slower; };
     const auto open = std::ranges::find_if_not(contest.rivals, slower);
     const bool won = open == contest.rivals.end();
     const Rival& next = won ? contest.rivals.front() : *open;
-    const Difference& d = next.difference;
+    const Difference& d = next.judged.difference;
     text += fmt::format("{} {}, {} times as fast as {}", name, won ? "won" : "leads", digits(d.ratio),
                         label_of(*next.row));
-    if (!next.tested) return text + ": too few pictures to be certain";
+    if (next.judged.verdict == Verdict::no_speed) return text + ": too few pictures to be certain";
     text += fmt::format(" [{}, {}]", digits(d.interval.low), digits(d.interval.high));
-    if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.judgement.p);
-    if (next.judgement.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
+    if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.judged.p);
+    if (next.judged.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
     return text + ": undecided, more runs would tell";
 }
 
@@ -106,17 +106,15 @@ std::vector<Contest> contests_of(const Result& result)
     }
     std::vector<Contest> contests;
     for (auto& rows : groups) contests.push_back(contest_of(std::move(rows)));
-    std::vector<Rival*> tested;
-    std::vector<Difference> differences;
-    for (Contest& contest : contests) {
-        for (Rival& rival : contest.rivals) {
-            if (!rival.tested) continue;
-            tested.push_back(&rival);
-            differences.push_back(rival.difference);
-        }
+    std::vector<Judged> all;
+    for (const Contest& contest : contests) {
+        for (const Rival& rival : contest.rivals) all.push_back(rival.judged);
     }
-    const std::vector<Judgement> judgements = judge_all(differences, margin);
-    for (std::size_t i = 0; i < tested.size(); ++i) tested[i]->judgement = judgements[i];
+    judge(all, margin);
+    auto judged = all.begin();
+    for (Contest& contest : contests) {
+        for (Rival& rival : contest.rivals) rival.judged = *judged++;
+    }
     return contests;
 }
 

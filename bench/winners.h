@@ -13,9 +13,9 @@ namespace mandelmarch::bench {
 // A configuration that is slower than the fastest one, or whose difference from it is not significant.
 struct Rival {
     const Row* row = nullptr;
-    bool tested = false;      // true if both have two runs in common, or six rounds of a single run
-    Difference difference{};  // of kernel times, this configuration's / the fastest's; only the ratio if not tested
-    Judgement judgement{};    // slower, same or undecided
+    // Kernel times, this configuration's / the fastest's: slower, same or undecided; no_speed, with the ratio only,
+    // unless both have two runs in common, or six rounds of a single run.
+    Judged judged{};
 };
 
 // The timed configurations of one fractal in one precision and mode.

@@ -27,6 +27,26 @@ constexpr std::array named_sizes{NamedSize{"720p", 1280, 720}, NamedSize{"1080p"
 
 }  // namespace
 
+CLI::Validator whole(std::int64_t low, std::int64_t high)
+{
+    return {[=](const std::string& text) {
+                const auto value = parse_whole(text);
+                if (value && *value >= low && *value <= high) return std::string();
+                return fmt::format("'{}' given, expected a whole number from {} to {}", text, low, high);
+            },
+            ""};
+}
+
+CLI::Validator real(double low, double high)
+{
+    return {[=](const std::string& text) {
+                const auto value = parse_real(text);
+                if (value && *value >= low && *value <= high) return std::string();
+                return fmt::format("'{}' given, expected a number from {} to {}", text, low, high);
+            },
+            ""};
+}
+
 int whole_option(const std::string& name, const std::string& text, int low, int high)
 {
     const auto value = parse_whole(text);

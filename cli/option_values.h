@@ -3,6 +3,7 @@
 // option, the given value and the values that are allowed.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -12,6 +13,10 @@
 #include "core/image/image.h"
 
 namespace mandelmarch {
+
+// Return checks of an option whose value is a number from `low` to `high`, for CLI::Option::check().
+CLI::Validator whole(std::int64_t low, std::int64_t high);
+CLI::Validator real(double low, double high);
 
 // Parses an integer from `low` to `high`. `name`: the option's name without dashes.
 int whole_option(const std::string& name, const std::string& text, int low, int high);

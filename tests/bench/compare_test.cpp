@@ -57,7 +57,7 @@ double same(int) { return 1; }
 
 int called(const ComparedResults& compared)
 {
-    return static_cast<int>(std::ranges::count_if(compared.rows, [](const Compared& row) {
+    return static_cast<int>(std::ranges::count_if(compared.rows, [](const Judged& row) {
         return row.verdict == Verdict::faster || row.verdict == Verdict::slower;
     }));
 }
@@ -124,17 +124,17 @@ TEST(Compare, FindsARegressionAndAnImprovement)
     EXPECT_EQ(compared.rows[3].verdict, Verdict::slower);
     EXPECT_EQ(compared.rows[8].verdict, Verdict::faster);
     EXPECT_EQ(called(compared), 2);
-    EXPECT_TRUE(compared.regression());
+    EXPECT_TRUE(regression(compared.rows));
     EXPECT_NEAR(compared.rows[3].difference.ratio, 1.15, 0.05);
     EXPECT_TRUE(compared.warnings.empty());
-    EXPECT_FALSE(compare_results(before, before).regression());
+    EXPECT_FALSE(regression(compare_results(before, before).rows));
 }
 
 TEST(Compare, AnImprovementAloneIsNoRegression)
 {
     std::mt19937_64 random(7);
     const Result before = random_result(random, same);
-    EXPECT_FALSE(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).regression());
+    EXPECT_FALSE(regression(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).rows));
 }
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
@@ -170,39 +170,39 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
     EXPECT_GE(compared.rows[0].p, significance);
     EXPECT_EQ(compared.rows[0].verdict, Verdict::undecided);
     EXPECT_EQ(compared.rows[1].verdict, Verdict::same);
-    EXPECT_FALSE(compared.regression());
+    EXPECT_FALSE(regression(compared.rows));
     const std::string text = to_console(compared);
     EXPECT_EQ(text.find("no difference"), std::string::npos);
     EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more runs would tell: --runs)\n"))
         << text;
 }
 
-TEST(Judge, CompareAndDuelAreJudgedAlike)
+std::vector<Verdict> verdicts(const std::vector<Difference>& differences, double within)
 {
-    std::mt19937_64 random(7);
-    const Result before = random_result(random, same);
-    const Result after = random_result(random, [](int i) { return i % 3 == 0 ? 1.5 : i % 3 == 1 ? 0.7 : 1.01; });
-    const ComparedResults compared = compare_results(before, after);
-    std::vector<Difference> differences;
-    for (const Compared& row : compared.rows) differences.push_back(row.difference);
-    const std::vector<Judgement> judged = judge_all(differences, margin);
-    for (std::size_t i = 0; i < judged.size(); ++i) EXPECT_EQ(judged[i].verdict, compared.rows[i].verdict);
+    std::vector<Judged> rows;
+    for (const Difference& difference : differences) {
+        rows.push_back({.name = "row", .verdict = Verdict::undecided, .difference = difference});
+    }
+    judge(rows, within);
+    std::vector<Verdict> found;
+    for (const Judged& row : rows) found.push_back(row.verdict);
+    return found;
 }
 
 TEST(Judge, EachVerdict)
 {
+    const Difference same_within_two{.ratio = 1.001, .interval = {0.99, 1.012}, .p = 1};
+    const Difference slower_alone{.ratio = 1.3, .interval = {1.05, 1.6}, .p = 0.02};
     const std::vector<Difference> made{{.ratio = 1.2, .interval = {1.1, 1.3}, .p = 1e-4},
                                        {.ratio = 0.8, .interval = {0.7, 0.9}, .p = 1e-4},
-                                       {.ratio = 1.001, .interval = {0.99, 1.012}, .p = 1},
+                                       same_within_two,
                                        {.ratio = 1.001, .interval = {0.97, 1.03}, .p = 1},
-                                       {.ratio = 1.3, .interval = {1.05, 1.6}, .p = 0.02}};
+                                       slower_alone};
     const std::vector<Verdict> expected{Verdict::slower, Verdict::faster, Verdict::same, Verdict::undecided,
                                         Verdict::undecided};
-    std::vector<Verdict> found;
-    for (const Judgement& judgement : judge_all(made, 0.02)) found.push_back(judgement.verdict);
-    EXPECT_EQ(found, expected) << "the last is significant alone, and not among five";
-    EXPECT_EQ(judge_all(std::span(made).subspan(4), 0.02)[0].verdict, Verdict::slower);
-    EXPECT_EQ(judge_all(std::span(made).subspan(2, 1), 0.01)[0].verdict, Verdict::undecided) << "a narrower margin";
+    EXPECT_EQ(verdicts(made, 0.02), expected) << "the last is significant alone, and not among five";
+    EXPECT_EQ(verdicts({slower_alone}, 0.02)[0], Verdict::slower);
+    EXPECT_EQ(verdicts({same_within_two}, 0.01)[0], Verdict::undecided) << "a narrower margin";
 }
 
 TEST(Compare, ABrokenPictureIsARegression)
@@ -214,8 +214,8 @@ TEST(Compare, ABrokenPictureIsARegression)
     after.rows[2].failure = "the picture is wrong";
     after.rows[2].samples.clear();
     const ComparedResults compared = compare_results(before, after);
-    EXPECT_EQ(compared.rows[2].verdict, Verdict::broken);
-    EXPECT_TRUE(compared.regression());
+    EXPECT_EQ(compared.rows[2].verdict, Verdict::wrong);
+    EXPECT_TRUE(regression(compared.rows));
 }
 
 TEST(Compare, WhatCannotBeComparedSaysWhy)
@@ -227,10 +227,10 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
     after.rows[1].backend = "another";
     after.rows[2].unavailable = "no device";
     const ComparedResults compared = compare_results(before, after);
-    EXPECT_EQ(compared.rows[0].verdict, Verdict::lost);
+    EXPECT_EQ(compared.rows[0].verdict, Verdict::missing);
     EXPECT_NE(compared.rows[0].why.find("other settings"), std::string::npos);
     EXPECT_EQ(compared.rows[1].why, "not in the old result");
-    EXPECT_EQ(compared.rows[2].verdict, Verdict::lost);
+    EXPECT_EQ(compared.rows[2].verdict, Verdict::missing);
     EXPECT_EQ(compared.rows.back().why, "not in the new result");
     ASSERT_EQ(compared.warnings.size(), 1U);
     EXPECT_NE(compared.warnings[0].find("unseen"), std::string::npos);
@@ -240,16 +240,16 @@ TEST(Compare, WhatCannotBeComparedSaysWhy)
 }
 
 // Returns the comparison of row 3 after `change` has modified the new result. Expects that it counts as a regression.
-Compared third_row_after(const std::function<void(Result&)>& change)
+Judged third_row_after(const std::function<void(Result&)>& change)
 {
     std::mt19937_64 random(7);
     const Result before = random_result(random, same);
     Result after = before;
-    EXPECT_FALSE(compare_results(before, after).regression());
+    EXPECT_FALSE(regression(compare_results(before, after).rows));
     change(after);
     const ComparedResults compared = compare_results(before, after);
-    EXPECT_TRUE(compared.regression());
-    const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Compared::name);
+    EXPECT_TRUE(regression(compared.rows));
+    const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Judged::name);
     if (found == compared.rows.end()) return {};
     EXPECT_NE(to_console(compared).find(before.rows[3].name()), std::string::npos);
     return *found;
@@ -258,10 +258,10 @@ Compared third_row_after(const std::function<void(Result&)>& change)
 TEST(Compare, WhatVanishedIsLost)
 {
     const auto missing = third_row_after([](Result& after) { after.rows.erase(after.rows.begin() + 3); });
-    EXPECT_EQ(missing.verdict, Verdict::lost);
+    EXPECT_EQ(missing.verdict, Verdict::missing);
     EXPECT_EQ(missing.why, "not in the new result");
     const auto unavailable = third_row_after([](Result& after) { after.rows[3].unavailable = "no device"; });
-    EXPECT_EQ(unavailable.verdict, Verdict::lost);
+    EXPECT_EQ(unavailable.verdict, Verdict::missing);
     EXPECT_EQ(unavailable.why, "new: unavailable: no device");
     const auto backend = third_row_after([](Result& after) {
         Row& row = after.rows[3];
@@ -270,21 +270,21 @@ TEST(Compare, WhatVanishedIsLost)
         row.unavailable = "no driver";
         row.samples.clear();
     });
-    EXPECT_EQ(backend.verdict, Verdict::lost);
+    EXPECT_EQ(backend.verdict, Verdict::missing);
     EXPECT_EQ(backend.why, "new: unavailable: no driver");
 }
 
 TEST(Compare, WhatHasNoTimeIsLost)
 {
     const auto none = third_row_after([](Result& after) { after.rows[3].samples.clear(); });
-    EXPECT_EQ(none.verdict, Verdict::lost);
+    EXPECT_EQ(none.verdict, Verdict::missing);
     for (const double seconds : {0.0, -1.0}) {
         const auto zero = third_row_after([&](Result& after) { after.rows[3].samples[7].kernel = seconds; });
-        EXPECT_EQ(zero.verdict, Verdict::lost);
+        EXPECT_EQ(zero.verdict, Verdict::missing);
         EXPECT_EQ(zero.why, "new: a time is not above 0");
     }
     const auto few = third_row_after([](Result& after) { after.rows[3].samples.resize(1); });
-    EXPECT_EQ(few.verdict, Verdict::lost);
+    EXPECT_EQ(few.verdict, Verdict::missing);
 }
 
 TEST(Compare, WhatIsNewIsSaidAndFine)
@@ -295,10 +295,10 @@ TEST(Compare, WhatIsNewIsSaidAndFine)
     before.rows[1].unavailable = "no device";
     before.rows.erase(before.rows.begin() + 3);
     const ComparedResults compared = compare_results(before, after);
-    EXPECT_FALSE(compared.regression());
-    EXPECT_EQ(compared.rows[1].verdict, Verdict::added);
-    EXPECT_EQ(compared.rows[3].verdict, Verdict::added);
-    EXPECT_NE(to_console(compared).find("added: not in the old result"), std::string::npos);
+    EXPECT_FALSE(regression(compared.rows));
+    EXPECT_EQ(compared.rows[1].verdict, Verdict::only_new);
+    EXPECT_EQ(compared.rows[3].verdict, Verdict::only_new);
+    EXPECT_NE(to_console(compared).find("new: not in the old result"), std::string::npos);
 }
 
 TEST(Compare, TheResultsOwnWarningsAreShown)

@@ -71,7 +71,7 @@ int alarms(const std::function<double(int)>& factor, const Noise& noise, const A
     return count;
 }
 
-bool judge_alarms(const Duel& duel) { return called(judge(duel)); }
+bool judge_alarms(const Duel& duel) { return called(judged(duel).verdicts); }
 
 TEST(Duel, EqualProgramsRaiseAtMostOneAlarmInTwenty)
 {
@@ -94,8 +94,8 @@ TEST(Duel, ShortcutsRaiseMany)
     const Noise quiet_pictures{.run = 0.03, .moment = 0.1, .picture = 0.01, .hit = 0};
     EXPECT_GT(alarms(same, quiet_pictures, pairs_as_units), 100) << "pairs of one run taken for independent";
     const auto uncorrected = [](const Duel& duel) {
-        const auto judged = judge(duel);
-        return std::ranges::any_of(judged, [&](const Judged& row) {
+        const Duel found = judged(duel);
+        return std::ranges::any_of(found.verdicts, [&](const Judged& row) {
             return row.name != all_rows && (row.difference.interval.low > 1 || row.difference.interval.high < 1);
         });
     };
@@ -106,7 +106,7 @@ TEST(Duel, FindsThreePercentInNineOfTen)
 {
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
     // A single slower row is found, too, if runs differ less.
-    const auto third = [](const Duel& duel) { return judge(duel).at(3).verdict == Verdict::slower; };
+    const auto third = [](const Duel& duel) { return judged(duel).verdicts.at(3).verdict == Verdict::slower; };
     EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.run = 0.005}, third), 360) << "of 400";
 }
 
@@ -143,30 +143,30 @@ TEST(Duel, EachVerdict)
     duel.rows[4].pairs.clear();
     duel.rows[5].old_failure = "there is no such row";
     duel.rows[6].pairs[7].old_seconds = 0;
-    const auto judged = judge(duel);
-    ASSERT_EQ(judged.size(), 9U);
-    EXPECT_EQ(judged[0].verdict, Verdict::slower);
-    EXPECT_NEAR(judged[0].difference.ratio, 1.05, 0.01);
-    EXPECT_EQ(judged[1].verdict, Verdict::faster);
-    EXPECT_EQ(judged[2].verdict, Verdict::undecided);
-    EXPECT_EQ(judged[3].verdict, Verdict::same);
-    EXPECT_EQ(judged[4].verdict, Verdict::broken);
-    EXPECT_EQ(judged[4].why, "new: the picture is wrong");
-    EXPECT_EQ(judged[5].verdict, Verdict::no_speed);
-    EXPECT_EQ(judged[6].why, "a time is not above 0");
-    EXPECT_EQ(judged[8].name, all_rows);
-    EXPECT_TRUE(regression(judged));
+    const std::vector<Judged> verdicts = judged(duel).verdicts;
+    ASSERT_EQ(verdicts.size(), 9U);
+    EXPECT_EQ(verdicts[0].verdict, Verdict::slower);
+    EXPECT_NEAR(verdicts[0].difference.ratio, 1.05, 0.01);
+    EXPECT_EQ(verdicts[1].verdict, Verdict::faster);
+    EXPECT_EQ(verdicts[2].verdict, Verdict::undecided);
+    EXPECT_EQ(verdicts[3].verdict, Verdict::same);
+    EXPECT_EQ(verdicts[4].verdict, Verdict::wrong);
+    EXPECT_EQ(verdicts[4].why, "new: the picture is wrong");
+    EXPECT_EQ(verdicts[5].verdict, Verdict::no_speed);
+    EXPECT_EQ(verdicts[6].why, "a time is not above 0");
+    EXPECT_EQ(verdicts[8].name, all_rows);
+    EXPECT_TRUE(regression(verdicts));
 }
 
-TEST(Duel, OnlySlowerAndBrokenAreRegressions)
+TEST(Duel, OnlySlowerAndWrongAreRegressions)
 {
     const Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
-    EXPECT_FALSE(regression(judge(made_duel(random, same, quiet))));
-    EXPECT_FALSE(regression(judge(made_duel(
-        random, [](int) { return 0.9; }, quiet))));
-    EXPECT_TRUE(regression(judge(made_duel(
-        random, [](int i) { return i == 1 ? 1.1 : 1.0; }, quiet))));
+    EXPECT_FALSE(regression(judged(made_duel(random, same, quiet)).verdicts));
+    EXPECT_FALSE(regression(judged(made_duel(
+        random, [](int) { return 0.9; }, quiet)).verdicts));
+    EXPECT_TRUE(regression(judged(made_duel(
+        random, [](int i) { return i == 1 ? 1.1 : 1.0; }, quiet)).verdicts));
 }
 
 TEST(Duel, TheMarginIsWhatIsAskedFor)
@@ -174,9 +174,9 @@ TEST(Duel, TheMarginIsWhatIsAskedFor)
     const Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
     std::mt19937_64 random(4);
     Duel duel = made_duel(random, all_slower, quiet);
-    EXPECT_EQ(judge(duel)[0].verdict, Verdict::slower);
+    EXPECT_EQ(judged(duel).verdicts[0].verdict, Verdict::slower);
     duel.margin = 0.06;
-    EXPECT_EQ(judge(duel)[0].verdict, Verdict::same);
+    EXPECT_EQ(judged(duel).verdicts[0].verdict, Verdict::same);
 }
 
 TEST(Duel, TheTableSaysWhatDiffers)
@@ -187,7 +187,7 @@ TEST(Duel, TheTableSaysWhatDiffers)
     duel.new_side.environment = {{"build", {{"flags", "-O2"}}}};
     duel.warnings = {"load: much"};
     duel.rows[0].same_picture = false;
-    const std::string text = to_console(duel, judge(duel));
+    const std::string text = to_console(judged(duel));
     EXPECT_NE(text.find("differs: compiler flags: -O3 in the old result, -O2 in the new\n"), std::string::npos) << text;
     EXPECT_NE(text.find("warning: load: much\n"), std::string::npos);
     EXPECT_NE(text.find("another picture\n"), std::string::npos);

@@ -66,8 +66,7 @@ TEST(Winners, OneRunIsJudgedByGroupsOfRounds)
     const std::vector<Contest> contests =
         contests_of(made_result({raced("stdpar", 0.2, 0, 1), raced("openmp", 0.1, 0, 1)}));
     ASSERT_EQ(contests.size(), 1U);
-    EXPECT_TRUE(contests[0].rivals.at(0).tested);
-    EXPECT_EQ(contests[0].rivals.at(0).judgement.verdict, Verdict::slower);
+    EXPECT_EQ(contests[0].rivals.at(0).judged.verdict, Verdict::slower);
 }
 
 TEST(Winners, TheScalarTextIsARivalAndTheReferenceIsNone)

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands of bench. Each function declares a command's options and returns what the command does; the returned
+// function is called after parsing, and returns the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/render/registry.h"
+
+namespace mandelmarch::bench {
+
+using Run = std::function<int()>;
+
+// `arguments`: all of bench's, for the processes of further runs.
+Run measure_command(CLI::App& app, const Registry& registry, const std::vector<std::string>& arguments);
+
+Run compare_command(CLI::App& app, const Registry& registry);
+Run csv_command(CLI::App& app, const Registry& registry);
+Run json_command(CLI::App& app, const Registry& registry);
+Run schema_command(CLI::App& app, const Registry& registry);
+Run portability_command(CLI::App& app, const Registry& registry);
+Run peak_command(CLI::App& app, const Registry& registry);
+
+Run duel_command(CLI::App& app, const Registry& registry);
+Run race_command(CLI::App& app, const Registry& registry);
+
+Run random_command(CLI::App& app, const Registry& registry);
+Run equivalence_command(CLI::App& app, const Registry& registry);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The published JSON Schemas of the files that bench writes, generated from the descriptions of their records.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mandelmarch::bench {
+
+// Returns the kinds of files: "result", "duel", ...
+std::vector<std::string> schema_kinds();
+
+// Returns the schema of a kind as it stands in bench/schemas. Throws InputError, which lists the kinds, for another
+// name.
+std::string schema_text(std::string_view kind);
+
+}  // namespace mandelmarch::bench
