@@ -9,6 +9,7 @@
 #include <map>
 
 #include "apps/demo_folder.h"
+#include "cli/arguments.h"
 #include "cli/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
@@ -169,19 +170,14 @@ int body(int argc, char** argv)
 {
     CLI::App app("demo: renders official scenes on every backend, compares the pictures and prints the times.");
     app.set_version_flag("--version", version_line("demo"));
-    std::string side_text = "540";
+    int side = 540;
     std::string folder;
-    app.add_option("--side", side_text, "side of the square pictures, in pixels")->capture_default_str();
+    app.add_option("--side", side, "side of the square pictures, in pixels")
+        ->check(whole(16, 4096))
+        ->capture_default_str();
     app.add_option("--folder", folder, "write the pictures and the table (demo.json) to this folder");
     app.footer("Exit codes: 0 success, 1 a picture or a device failed, 2 bad input.");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {  // --help, --version
-        return app.exit(answer);
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("demo: {} (--help lists the options)", error.what()));
-    }
-    const int side = whole_option("side", side_text, 16, 4096);
+    if (const auto done = parse_arguments(app, "demo", argc, argv)) return *done;
 
     const Registry registry = program_backends(argc, argv);
     print("{}, {} threads\n", cpu_name(), usable_threads());

@@ -166,7 +166,7 @@ RendererOptions renderer_of(const Flythrough& options, const Backend& backend, c
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (devices[i].is_gpu) gpus.push_back(static_cast<int>(i));
     }
-    if (!options.device_given && !gpus.empty()) {
+    if (!options.device && !gpus.empty()) {
         renderer.device = gpus[static_cast<std::size_t>(ranks.local_rank()) % gpus.size()];
     }
     return renderer;

@@ -21,27 +21,35 @@ namespace {
 
 constexpr int most_frames = 10'000'000;
 
+const std::vector<std::pair<std::string, Command>> commands{
+    {"plan", Command::plan}, {"render", Command::render}, {"film", Command::film}, {"audit", Command::audit}};
+
+const std::string& name_of(Command command)
+{
+    return std::ranges::find(commands, command, &std::pair<std::string, Command>::second)->first;
+}
+
+// Options that mean different things in different commands, before they are parsed.
 struct Texts {
-    std::string command, seed = "1", frames, rate, size, samples = "1", device, threads = "0", look, segments,
-                         every = "1", precision = "float", mode = "fast", kind = "png", estimate{conservative_estimate};
+    std::string frames, rate, size, segments;
 };
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)
 {
     std::string names;
     for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    app.add_option("COMMAND", texts.command, "what to do (explained below)")
-        ->required()
-        ->check(CLI::IsMember({"plan", "render", "film", "audit"}));
+    add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->required();
     app.add_option("PATH", options.path, "path file: read by render and audit, written by film if given");
     app.add_option("--fractal", options.fractal, names)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
-    app.add_option("--seed", texts.seed, "random seed of the planned route (default 1)");
+    app.add_option("--seed", options.seed, "random seed of the planned route")
+        ->check(whole(0, std::int64_t{1} << 53))
+        ->capture_default_str();
     const std::string changing = " in flight: A, A:B (first to last frame) or 0s=A,60s=B (at seconds)";
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
-    add_estimate_option(app, texts.estimate);
+    add_estimate_option(app, options.conservative);
     app.add_option("--frames", texts.frames,
                    "plan, film: length without the title (default: 4 minutes); render: only frames A-B, from 0");
     app.add_option("--fps", texts.rate, "plan, film: frames per second, recorded in the path file (default 30)");
@@ -49,19 +57,17 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
                    "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080)");
     add_projection_option(app, options.projection);
     app.add_flag("--stereo", options.stereo, "film, render: side-by-side stereo, the left eye on the left");
-    app.add_option("--samples", texts.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
+    app.add_option("--samples", options.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
+        ->check(real(1, 8))
         ->capture_default_str();
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", texts.device, "device of that backend, from 0 (default: each MPI rank its own GPU)");
-    app.add_option("--precision", texts.precision, "floating-point precision")
-        ->check(CLI::IsMember({"double", "float"}))
-        ->capture_default_str();
-    app.add_option("--mode", texts.mode,
-                   "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed")
-        ->check(CLI::IsMember({"exact", "fast"}))
-        ->capture_default_str();
-    app.add_option("--threads", texts.threads, "host threads; 0 (default): one per core that the process may use");
-    app.add_option("--look", texts.look, "look, a colouring type from 0 to 4 (default: 3, or the path file's)");
+    app.add_option("--device", options.device, "device of that backend, from 0 (default: each MPI rank its own GPU)")
+        ->check(whole(0, 1'000'000));
+    add_precision_options(app, options.renderer);
+    app.add_option("--threads", options.threads, "host threads; 0 (default): one per core that the process may use")
+        ->check(whole(0, 1024));
+    app.add_option("--look", options.look, "look, a colouring type from 0 to 4 (default: 3, or the path file's)")
+        ->check(whole(0, colouring_types - 1));
     app.add_option("--output", options.output,
                    "path file (default path.json) or film: .mp4, .mkv, .webm or .gif (default video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
@@ -72,10 +78,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--title", options.title, "first line of the title; no title without --title and --authors");
     app.add_option("--authors", options.authors, "second line of the title");
     app.add_option("--stills", options.stills, "write still frames to this folder instead of a film");
-    app.add_option("--still-format", texts.kind, "format of stills")
-        ->check(CLI::IsMember({"png", "jpeg"}))
+    add_choice(app, "--still-format", options.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills");
+    app.add_option("--every", options.every, "with --stills: only every N-th frame")
+        ->check(whole(1, most_frames))
         ->capture_default_str();
-    app.add_option("--every", texts.every, "with --stills: only every N-th frame (default 1)");
     app.add_option("--segments", texts.segments, "render only segments A-B (60 frames each, from 0); do not join");
     app.add_flag("--force", options.force, "render although the path breaks a promise");
     app.footer(
@@ -112,8 +118,8 @@ void take_frames(const Texts& texts, Flythrough& options)
         return;
     }
     if (!texts.rate.empty()) {
-        throw InputError(
-            fmt::format("--fps: {} takes the rate from the path file, expected plan or film", texts.command));
+        throw InputError(fmt::format("--fps: {} takes the rate from the path file, expected plan or film",
+                                     name_of(options.command)));
     }
     if (texts.frames.empty()) return;
     if (options.command == Command::audit) throw InputError("--frames: not supported by audit, which uses all frames");
@@ -147,45 +153,25 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     Texts texts;
     app.set_version_flag("--version", version_line("flythrough"));
     add_options(app, registry, options, texts);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {  // --help, --version
-        done = app.exit(answer);
-        return options;
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("flythrough: {} (--help lists the options)", error.what()));
-    }
-    options.command = texts.command == "plan"     ? Command::plan
-                      : texts.command == "render" ? Command::render
-                      : texts.command == "audit"  ? Command::audit
-                                                  : Command::film;
+    done = parse_arguments(app, "flythrough", argc, argv);
+    if (done) return options;
     fractal_named(options.fractal);
-    options.seed = large_option("seed", texts.seed, 1ULL << 53);
     take_frames(texts, options);
     take_size(texts.size, options);
-    options.conservative = texts.estimate == conservative_estimate;
-    options.samples = real_option("samples", texts.samples, 1, 8);
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
     }
-    options.threads = whole_option("threads", texts.threads, 0, 1024);
-    options.device_given = !texts.device.empty();
-    if (options.device_given) options.renderer.device = whole_option("device", texts.device, 0, 1'000'000);
-    options.renderer.precision = texts.precision == "float" ? Precision::f32 : Precision::f64;
-    options.renderer.mode = texts.mode == "fast" ? Mode::fast : Mode::exact;
-    if (!texts.look.empty()) options.look = whole_option("look", texts.look, 0, colouring_types - 1);
+    if (options.device) options.renderer.device = *options.device;
     if (!texts.segments.empty()) {
         options.segments = range_option("segments", texts.segments, "A-B, such as 0-9");
     }
-    options.every = static_cast<std::size_t>(whole_option("every", texts.every, 1, most_frames));
-    options.jpeg = texts.kind == "jpeg";
     const bool reads = options.command == Command::render || options.command == Command::audit;
     if (reads && options.path.empty()) {
-        throw InputError(fmt::format("flythrough: no path file given, expected flythrough {} PATH", texts.command));
+        throw InputError(fmt::format("flythrough: no path file given, expected flythrough {} PATH", name_of(options.command)));
     }
     if (reads && !(options.power.empty() && options.scale.empty())) {
         throw InputError(fmt::format("--{}: {} takes the shape from the path file, expected plan or film",
-                                     options.power.empty() ? "scale" : "power", texts.command));
+                                     options.power.empty() ? "scale" : "power", name_of(options.command)));
     }
     if (!options.stills.empty() && !options.summary.empty()) {
         throw InputError("--summary: cannot be combined with --stills (it describes a film)");

@@ -35,8 +35,8 @@ struct Flythrough {
     bool stereo = false;
     bool conservative = true;  // plan, film: the kind of estimate; a path file contains its own
     std::string backend = "auto";
-    RendererOptions renderer;
-    bool device_given = false;
+    RendererOptions renderer{.precision = Precision::f32, .mode = Mode::fast};
+    std::optional<int> device;  // nullopt: each MPI rank its own GPU
     int threads = 0;
     std::optional<int> look;
     std::string power, scale;  // schedules of these shape parameters as text, see parse_schedule(); empty: not given

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.h"
 #include "cli/option_values.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -89,13 +90,7 @@ int body(int argc, char** argv)
         "Two EXR pictures are compared in every bit of colour and, if both have it, depth; other pictures in their "
         "bytes.\n"
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {  // --help, --version
-        return app.exit(answer);
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("imgdiff: {} (--help lists the options)", error.what()));
-    }
+    if (const auto done = parse_arguments(app, "imgdiff", argc, argv)) return *done;
     first = input_name(first);
     second = input_name(second);
     map = output_name(map);

@@ -74,15 +74,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
                              fractal != nullptr ? fractal : "fractal"));
     app.set_version_flag("--version", version_line(program));
     Options options;
-    std::string device = "0";
-    std::string threads = "0";
-    std::string simd_width = "0";
-    std::string precision = "double";
-    std::string mode = "exact";
-    std::string estimate{counted_estimate};
     std::string without;
-    std::string eyes;
-    std::string samples;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
     if (fractal == nullptr) {
         std::string names;
@@ -90,27 +82,30 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         app.add_option("--fractal", options.fractal, names);
     }
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", device, "device of that backend, from 0 (default 0; see --list-devices)");
-    app.add_option("--precision", precision, "floating-point precision")
-        ->check(CLI::IsMember({"double", "float"}))
+    app.add_option("--device", options.renderer.device, "device of that backend, from 0 (see --list-devices)")
+        ->check(whole(0, 1'000'000))
         ->capture_default_str();
-    app.add_option("--mode", mode, "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed")
-        ->check(CLI::IsMember({"exact", "fast"}))
-        ->capture_default_str();
-    add_estimate_option(app, estimate);
+    add_precision_options(app, options.renderer);
+    add_estimate_option(app, options.conservative);
     add_projection_option(app, options.projection);
-    app.add_option("--eyes", eyes, "render side-by-side stereo with this eye distance, in scene units");
+    app.add_option("--eyes", options.eyes, "render side-by-side stereo with this eye distance, in scene units")
+        ->check(real(0, 1e6));
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k (default: from PARAMS)");
     app.add_option("--region", options.region,
                    "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
-    app.add_option("--samples", samples,
+    app.add_option("--samples", options.samples,
                    "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS asks for "
-                   "super-sampling)");
-    app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use");
-    app.add_option("--simd-width", simd_width, "pixels computed at once per core; 1: scalar, 0 (default): automatic");
+                   "super-sampling)")
+        ->check(whole(1, most_samples));
+    app.add_option("--threads", options.renderer.threads,
+                   "host threads; 0 (default): one per core that the process may use")
+        ->check(whole(0, 1024));
+    app.add_option("--simd-width", options.renderer.simd_width,
+                   "pixels computed at once per core; 1: scalar, 0 (default): automatic")
+        ->check(whole(0, 1024));
     app.add_option(
         "--without", without,
-        "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,root,tail,normal,surroundings");
+        "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,refinement,tail,gradient,shared-occlusion");
     app.add_option("--output", options.output,
                    "picture: .bmp, .png, .ppm, .jpg or .exr (default: from PARAMS; -: standard output, as BMP)");
     app.add_option("--stats", options.stats, "write times and work counts to this file, as JSON");
@@ -136,23 +131,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
         fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {  // --help, --version
-        done = app.exit(answer);
-        return options;
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("{}: {} (--help lists the options)", program, error.what()));
-    }
-    options.renderer.device = whole_option("device", device, 0, 1'000'000);
-    options.renderer.threads = whole_option("threads", threads, 0, 1024);
-    options.renderer.simd_width = whole_option("simd-width", simd_width, 0, 1024);
-    options.renderer.precision = precision == "float" ? Precision::f32 : Precision::f64;
-    options.renderer.mode = mode == "fast" ? Mode::fast : Mode::exact;
+    done = parse_arguments(app, program, argc, argv);
+    if (done) return options;
     options.renderer.techniques = techniques_without(without);
-    options.conservative = estimate == conservative_estimate;
-    if (!eyes.empty()) options.eyes = real_option("eyes", eyes, 0, 1e6);
-    if (!samples.empty()) options.samples = whole_option("samples", samples, 1, most_samples);
     options.parameters = input_name(options.parameters);
     options.output = output_name(options.output);
     options.stats = output_name(options.stats);

@@ -1,35 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options --estimate and --projection, which set properties of a scene that a parameter file does not contain.
+// Options of several programs: --precision and --mode, and --estimate and --projection, which set properties of a
+// scene that a parameter file does not contain.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 
+#include "cli/arguments.h"
 #include "core/base/error.h"
+#include "core/render/backend.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
 
-// Adds --estimate. `name`: contains the default, and receives the value.
-inline void add_estimate_option(CLI::App& app, std::string& name)
+// Adds --estimate. `conservative`: true for the fractal's conservative estimate.
+inline void add_estimate_option(CLI::App& app, bool& conservative)
 {
-    app.add_option("--estimate", name,
-                   "distance estimate; counted: the original's, conservative: rarely above the distance")
-        ->check(CLI::IsMember({std::string(counted_estimate), std::string(conservative_estimate)}))
-        ->capture_default_str();
+    add_choice(app, "--estimate", conservative,
+               {{std::string(original_estimate), false}, {std::string(conservative_estimate), true}},
+               "distance estimate; original: that of the original program, conservative: rarely above the distance");
 }
 
 inline void add_projection_option(CLI::App& app, Projection& projection)
 {
-    app.add_option("--projection", projection, "perspective, or equirectangular (all directions, 360 x 180 degrees)")
-        ->transform(CLI::Transformer(std::map<std::string, Projection>{
-            {"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}}))
-        // This check runs before the Transformer, which would accept other words.
-        ->transform(CLI::IsMember({"perspective", "equirectangular"}))
-        ->default_str("perspective");
+    add_choice(app, "--projection", projection,
+               {{"perspective", Projection::perspective}, {"equirectangular", Projection::equirectangular}},
+               "perspective, or equirectangular (all directions, 360 x 180 degrees)");
+}
+
+inline void add_precision_options(CLI::App& app, RendererOptions& options)
+{
+    add_choice(app, "--precision", options.precision, {{"double", Precision::f64}, {"float", Precision::f32}},
+               "floating-point precision");
+    add_choice(app, "--mode", options.mode, {{"exact", Mode::exact}, {"fast", Mode::fast}},
+               "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed");
 }
 
 // Throws InputError if an equirectangular picture is not twice as wide as high. `pictures`: number of pictures side by

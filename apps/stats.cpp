@@ -32,7 +32,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderStats&
         {"threads", report.threads},
         {"simd_width", report.simd_width},
         {"instruction_set", report.instruction_set},
-        {"stride", report.step_factor > 0 ? nlohmann::ordered_json(report.step_factor) : nlohmann::ordered_json()},
+        {"step_factor", report.step_factor > 0 ? nlohmann::ordered_json(report.step_factor) : nlohmann::ordered_json()},
         {"unsettled", report.unsettled},
         {"survey",
          {{"rays", survey.rays},

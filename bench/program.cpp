@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/program.h"
 
-#include <fmt/format.h>
-
+#include "cli/arguments.h"
 #include "cli/backend_option.h"
 #include "bench/commands.h"
-#include "core/base/error.h"
 #include "core/base/version.h"
 
 namespace mandelmarch::bench {
@@ -49,13 +47,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         CLI::App* sub = app.add_subcommand(command.name, command.about);
         runs.emplace_back(sub, command.declare(*sub, registry));
     }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {  // --help, --version
-        return app.exit(answer);
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("bench: {} (--help lists the options)", error.what()));
-    }
+    if (const auto done = parse_arguments(app, "bench", argc, argv)) return *done;
     for (const auto& [sub, run] : runs) {
         if (sub->parsed()) return run();
     }

@@ -56,22 +56,6 @@ int whole_option(const std::string& name, const std::string& text, int low, int 
     return static_cast<int>(*value);
 }
 
-std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high)
-{
-    const auto value = parse_whole(text);
-    if (!value || *value < 0 || static_cast<std::uint64_t>(*value) > high) {
-        refuse(name, text, fmt::format("a whole number from 0 to {}", high));
-    }
-    return static_cast<std::uint64_t>(*value);
-}
-
-double real_option(const std::string& name, const std::string& text, double low, double high)
-{
-    const auto value = parse_real(text);
-    if (!value || *value < low || *value > high) refuse(name, text, fmt::format("a number from {} to {}", low, high));
-    return *value;
-}
-
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected)
 {

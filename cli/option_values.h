@@ -21,12 +21,6 @@ CLI::Validator real(double low, double high);
 // Parses an integer from `low` to `high`. `name`: the option's name without dashes.
 int whole_option(const std::string& name, const std::string& text, int low, int high);
 
-// Parses an integer from 0 to `high`, which may be too large for an int.
-std::uint64_t large_option(const std::string& name, const std::string& text, std::uint64_t high);
-
-// Parses a number from `low` to `high`.
-double real_option(const std::string& name, const std::string& text, double low, double high);
-
 // Parses two integers from `low` to `high`, separated by the character `between`. `expected`: the allowed values, in
 // words for the error message.
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,

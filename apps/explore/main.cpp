@@ -11,6 +11,7 @@
 #include "cli/backend_option.h"
 #include "apps/explore/explorer.h"
 #include "apps/explore/script.h"
+#include "cli/arguments.h"
 #include "cli/option_values.h"
 #include "backends/all.h"
 #include "core/base/console.h"
@@ -28,9 +29,9 @@ struct Options {
     std::string file;
     std::string fractal;
     std::string backend;
-    std::string device;
-    std::string precision;
-    std::string mode;
+    std::optional<int> device;
+    std::optional<Precision> precision;
+    std::optional<Mode> mode;
     std::string size;
     std::string folder;
     std::string script;
@@ -45,11 +46,11 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
     app.add_option("--fractal", options.fractal, "fractal to open, or fractal of a .dat that does not name one");
     std::vector<std::string> names = registry.names();
     app.add_option("--backend", options.backend, "rendering backend (default: last used)")->check(CLI::IsMember(names));
-    app.add_option("--device", options.device, "device of that backend, from 0");
-    app.add_option("--precision", options.precision, "floating-point precision (default: last used)")
-        ->check(CLI::IsMember({"double", "float"}));
-    app.add_option("--mode", options.mode, "rendering mode (default: last used)")
-        ->check(CLI::IsMember({"exact", "fast"}));
+    app.add_option("--device", options.device, "device of that backend, from 0")->check(whole(0, 1'000'000));
+    add_choice(app, "--precision", options.precision, {{"double", Precision::f64}, {"float", Precision::f32}},
+               "floating-point precision (default: last used)");
+    add_choice(app, "--mode", options.mode, {{"exact", Mode::exact}, {"fast", Mode::fast}},
+               "rendering mode (default: last used)");
     app.add_option("--size", options.size, "size of the window, WxH in pixels (default: last used)");
     app.add_option("--folder", options.folder,
                    "where to save views, pictures, paths and films (default: current folder)");
@@ -57,13 +58,7 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
     app.footer(
         "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, except with --script.\n"
         "Exit codes: 0 success, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answer) {
-        done = app.exit(answer);
-    } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("explore: {} (--help lists the options)", error.what()));
-    }
+    done = parse_arguments(app, "explore", argc, argv);
     return options;
 }
 
@@ -72,10 +67,9 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
     // With a script, the settings of earlier runs are not used.
     Settings settings = options.script.empty() ? read_settings(file, said) : Settings();
     if (!options.backend.empty()) settings.setup = {options.backend, 0, settings.setup.precision, settings.setup.mode};
-    if (!options.device.empty()) settings.setup.device = whole_option("device", options.device, 0, 1'000'000);
-    if (!options.precision.empty())
-        settings.setup.precision = options.precision == "double" ? Precision::f64 : Precision::f32;
-    if (!options.mode.empty()) settings.setup.mode = options.mode == "exact" ? Mode::exact : Mode::fast;
+    settings.setup.device = options.device.value_or(settings.setup.device);
+    settings.setup.precision = options.precision.value_or(settings.setup.precision);
+    settings.setup.mode = options.mode.value_or(settings.setup.mode);
     if (!options.size.empty()) std::tie(settings.width, settings.height) = size_option(options.size);
     return settings;
 }

@@ -22,7 +22,7 @@ inline constexpr int colouring_types = 5;  // 0 and 1: of the original program; 
 inline constexpr double plain_step_factor = 0.95;
 
 // Names of the estimates: the original program's, and the fractal's conservative one (core/scene/fractal.h).
-inline constexpr std::string_view counted_estimate = "counted";
+inline constexpr std::string_view original_estimate = "original";
 inline constexpr std::string_view conservative_estimate = "conservative";
 
 // Limits of a ray's steps that a film or a trial sets. They are not in the parameter file (core/render/stepping.h).

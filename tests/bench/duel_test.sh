@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# duel_test.sh BIN: runs `bench duel` and checks exit codes, messages, and the verdict on a program that is twice as
+# duel_test.sh BIN: runs `bench duel` and checks exit codes, messages, and the verdict on a program that is ten times as
 # slow.
 set -euo pipefail
 bench=$1/bench
 . "$(dirname "$0")/expect.sh"
-for percent in 0 100; do cp "$1/bench_slowed" "slowed_$percent"; done
+for percent in 0 900; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
 few=(--runs 4 --repetitions 4 --clock processor)
 
-# A program with twice the work of the other one is detected, and one with half of it.
-expect 1 duel ./slowed_0 ./slowed_100 "${rows[@]}" "${few[@]}" --json slower.json
+# A program with ten times the work of the other one is detected, and one with a tenth of it.
+expect 1 duel ./slowed_0 ./slowed_900 "${rows[@]}" "${few[@]}" --json slower.json
 grep -q '^mandelbox/float/exact/openmp/0 .*SLOWER$' out || fail "$(cat out)"
-expect 0 duel ./slowed_100 ./slowed_0 "${rows[@]}" "${few[@]}"
+expect 0 duel ./slowed_900 ./slowed_0 "${rows[@]}" "${few[@]}"
 grep -q '^mandelbox/float/exact/openmp/0 .*faster$' out || fail "$(cat out)"
-! grep -q reference out || fail "the yardstick is in a duel"
+! grep -q reference out || fail "the expected picture is in a duel"
 
 # With equal programs, every pair is measured. The verdicts are not checked, as other programs may disturb the machine.
 got=0
@@ -37,7 +37,7 @@ expect 2 duel ./slowed_0 ./slowed_0 --csv x.csv
 expect 2 duel ./slowed_0 ./slowed_0 --runs 1
 expect 2 duel ./slowed_0 ./slowed_0 --margin -1
 cp ./slowed_0 kept
-expect 2 duel ./slowed_0 ./slowed_100 --json slowed_0
+expect 2 duel ./slowed_0 ./slowed_900 --json slowed_0
 cmp slowed_0 kept || fail "a duel wrote over a program"
 printf '#!/bin/sh\nexit 3\n' >refuses
 printf '#!/bin/sh\nread line; exit 0\n' >silent
@@ -53,7 +53,7 @@ cat >dies_once <<'SH'
 #!/bin/sh
 echo "$OMP_WAIT_POLICY" >>policies
 case "$*" in *--unproven*) echo start >>starts; [ "$(wc -l <starts)" != 2 ] || kill -9 $$ ;; esac
-exec ./slowed_100 "$@"
+exec ./slowed_900 "$@"
 SH
 chmod +x dies_once
 OMP_WAIT_POLICY=active expect 1 duel ./slowed_0 ./dies_once "${rows[@]}" --runs 4 --repetitions 4 --clock processor --json killed.json

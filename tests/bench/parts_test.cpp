@@ -44,15 +44,5 @@ TEST(Parts, OfSeveralPicturesFromAFreshRendererNothingIsSaid)
     EXPECT_FALSE(is_named(row));
 }
 
-// Older files have no `host`: their kernel time was measured by the host's clock, so it is used as `host`, too.
-TEST(Parts, OfAnOlderFileTheHostsTimeIsTheKernels)
-{
-    nlohmann::ordered_json json = json_of(made_result({leaving(0.25)}));
-    for (auto& sample : json["rows"][0]["samples"]) sample.erase("host");
-    json["rows"][0]["setting"].erase("band");
-    const Result older = result_from_json(json, "older");
-    for (const Sample& s : older.rows[0].samples) EXPECT_EQ(s.host, s.kernel);
-}
-
 }  // namespace
 }  // namespace mandelmarch::bench

@@ -68,11 +68,11 @@ std::string complaint(Defect defect)
     backends.push_back(std::make_unique<BrokenBackend>(defect, "openmp"));
     const Registry registry(std::move(backends));
     Options options;
-    options.fractal = "box";
-    options.mode = "fast";
-    options.precision = "float";
-    options.size = "48x40";
-    options.study = "profile";
+    options.fractals = {&fractal_named("box")};
+    options.modes = {Mode::fast};
+    options.precisions = {Precision::f32};
+    options.size = {48, 40};
+    options.study = &study_named("profile");
     options.repetitions = 1;
     try {
         profile(registry, options, [](const Step&) {});

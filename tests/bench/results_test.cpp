@@ -42,7 +42,7 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
     ASSERT_EQ(ratios.size(), 1);
     EXPECT_EQ(ratios[0]["numerator"], "mandelbox/float/exact/vulkan/0");
     EXPECT_EQ(ratios[0]["denominator"], "mandelbox/float/exact/openmp/0");
-    EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["most"], 3);
+    EXPECT_DOUBLE_EQ(ratios[0]["ratio"]["max"], 3);
 }
 
 // In the CSV, both the column application and the column backend distinguish the scalar kernel from the packs of the
@@ -62,7 +62,7 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_NE(csv.find(",float,exact,openmp-scalar,0,simd-width=1,"), std::string::npos) << csv;
     Result sweep = result;
     sweep.study = "simd-widths";
-    EXPECT_NE(to_csv(sweep).find("\nmandelbox float exact 100x100 simd-width=1,openmp,"), std::string::npos);
+    EXPECT_NE(to_csv(derived(sweep)).find("\nmandelbox float exact 100x100 simd-width=1,openmp,"), std::string::npos);
 }
 
 // Ratios are computed round by round, so that slow rounds cancel. The pictures of the sweep have two aspect ratios. A
@@ -75,14 +75,14 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
     for (std::size_t i = 0; i < 4; ++i) rows[i].sweep_value = "size=" + std::to_string(i);
     rows[2].setting.width = 177;
     const Json questions = json_of(made_result(std::move(rows)))["questions"];
-    const Json& first = questions["to_first_point"];
+    const Json& first = questions["to_first_value"];
     ASSERT_EQ(first.size(), 3);
-    EXPECT_DOUBLE_EQ(first[0]["ratio"]["most"], 3);
-    EXPECT_DOUBLE_EQ(first[2]["ratio"]["most"], 12);
-    const Json& previous = questions["to_previous_point"];
+    EXPECT_DOUBLE_EQ(first[0]["ratio"]["max"], 3);
+    EXPECT_DOUBLE_EQ(first[2]["ratio"]["max"], 12);
+    const Json& previous = questions["to_previous_value"];
     ASSERT_EQ(previous.size(), 2);
-    EXPECT_DOUBLE_EQ(previous[0]["ratio"]["most"], 3);
-    EXPECT_DOUBLE_EQ(previous[1]["ratio"]["most"], 4);
+    EXPECT_DOUBLE_EQ(previous[0]["ratio"]["max"], 3);
+    EXPECT_DOUBLE_EQ(previous[1]["ratio"]["max"], 4);
 }
 
 // Each error is one line with the file, the place and the value.
@@ -97,7 +97,7 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
                                                                    {"/rows/0/samples/3/run", "-1"},
                                                                    {"/rows/0/samples/3", "[]"},
                                                                    {"/rows/0/samples", "{}"},
-                                                                   {"/rows/0/verification/fine", "1"},
+                                                                   {"/rows/0/verification/passed", "1"},
                                                                    {"/rows/0/verification/pixels", "18446744073709551615"},
                                                                    {"/rows/0/work/steps", "-1"},
                                                                    {"/rows/0/precision", "\"half\""},
@@ -122,7 +122,7 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
     Json json = whole();
     json["rows"][0]["samples"][3]["kernel"] = "fast";
     EXPECT_EQ(refusal_of(text_of(json)),
-              "file.json: rows[0]: samples[3]: kernel: \"fast\" given, expected a number from -1000000000 to "
+              "file.json: rows[0].samples[3].kernel: \"fast\" given, expected a number from -1000000000 to "
               "1000000000, expected a result of bench --json");
 }
 
@@ -158,7 +158,7 @@ Json with_counts()
     result.rows[0].operations = 1e9;
     result.rows[0].operations_error = 1e7;
     result.counts.push_back(counted);
-    return json_of(result);
+    return json_of(derived(result));
 }
 
 TEST(ResultFile, LanesAreReadAsTheyWereWritten)
@@ -167,28 +167,46 @@ TEST(ResultFile, LanesAreReadAsTheyWereWritten)
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
-// Older builds, whose results have no lane_use, counted lanes for one vector length only and without refill.
-TEST(ResultFile, AnOldResultClaimsNoRefilledLanes)
+// Results of version 1 have other words, and the oldest lack what later builds measured.
+TEST(ResultFile, AnOldResultIsUpgraded)
 {
-    Json json = with_counts();
-    json["counts"][0].erase("lane_use");
-    const Result result = parse_result(text_of(json), "file.json");
-    ASSERT_EQ(result.counts[0].lane_use.size(), 1U);
-    EXPECT_EQ(result.counts[0].lane_use[0].together.in_iterations, 0.25);
-    EXPECT_FALSE(result.counts[0].lane_use[0].refilled.has_value());
-}
-
-// Older builds counted the pixels of a lattice, for which no standard errors were computed.
-TEST(ResultFile, AnOldResultClaimsNoStandardErrors)
-{
-    Json json = with_counts();
-    json["counts"][0].erase("standard_errors");
-    json["counts"][0]["lane_use"][0].erase("standard_errors");
-    json["rows"][0].erase("operations_standard_error");
-    const Result result = parse_result(text_of(json), "file.json");
-    EXPECT_FALSE(result.counts[0].errors);
-    EXPECT_FALSE(result.counts[0].lane_use[0].together_error);
-    EXPECT_FALSE(result.rows[0].operations_error);
+    const Result read = parse_result(R"({"schema": "mandelmarch-bench", "version": 1, "study": "packs", "seed": 1,
+        "launches": 1, "environment": {}, "warnings": [], "peaks": [], "stages": [],
+        "counts": [{"fractal": "mandelbox", "precision": "float", "mode": "fast", "setting": {"width": 9, "height": 9,
+            "iterations": 18, "detail": -3, "power": 1, "view": "official", "without": "root", "threads": 0, "pack": 0,
+            "chunk": 0, "frames": 0}, "pixels": 81, "hits": 9, "work": {"steps": 9, "de_calls": 9, "iterations": 9},
+            "stages": {"begin": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
+                "march": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
+                "refine": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
+                "normal": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
+                "shade": {"sums": 1, "products": 2, "quotients": 3, "roots": 4}},
+            "march_de_calls": 9, "march_iterations": 9, "lanes": 16, "active_in_steps": 0.5,
+            "active_in_iterations": 0.25}],
+        "rows": [{"fractal": "mandelbox", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0,
+            "point": "pack=16", "setting": {"width": 9, "height": 9, "iterations": 18, "detail": -3, "power": 1,
+            "view": "official", "without": "", "threads": 0, "pack": 16, "chunk": 0, "frames": 0}, "unavailable": null,
+            "failure": null, "platform": "CPU", "device_name": "CPU", "vendor": "", "driver": "", "is_gpu": false,
+            "instruction_set": "", "threads": 2, "pack": 16, "proof": {"drawn": true, "fine": true, "yardstick": false,
+            "level": "same bits", "text": "same bits", "against": "openmp --pack 1", "pixels": 81, "differing": 0,
+            "visibly_differing": 0, "largest_ulps": 0, "psnr_db": null}, "context_seconds": 0, "build_seconds": 0,
+            "work": {"steps": 9, "de_calls": 9, "iterations": 9}, "operations": 10,
+            "samples": [{"launch": 0, "round": 0, "kernel": 0.5, "wall": 0.6, "upload": 0, "readback": 0}]}]})",
+                                     "file.json");
+    const Row& row = read.rows.at(0);
+    EXPECT_EQ(read.study, "simd-widths");
+    EXPECT_EQ(row.name(), "mandelbox/float/fast/openmp/0/simd-width=16");
+    EXPECT_EQ(row.verification.against, "openmp --simd-width 1");
+    EXPECT_EQ(row.simd_width, 16);
+    EXPECT_EQ(row.samples.at(0).host, 0.5) << "the kernel's time, measured by the host's clock";
+    EXPECT_EQ(row.step_factor, 0);
+    EXPECT_FALSE(row.operations_error);
+    const Counted& counted = read.counts.at(0);
+    EXPECT_EQ(counted.setting.without, "refinement");
+    EXPECT_EQ(counted.all().divisions, 15U);
+    ASSERT_EQ(counted.lane_use.size(), 1U) << "for one vector length only, without refill";
+    EXPECT_EQ(counted.lane_use[0].together.in_iterations, 0.25);
+    EXPECT_FALSE(counted.lane_use[0].refilled);
+    EXPECT_FALSE(counted.errors);
 }
 
 // The share of peak has the same relative error as the number of operations.
@@ -196,7 +214,7 @@ TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
 {
     Result result = parse_result(text_of(with_counts()), "file.json");
     result.peaks.push_back({"machine", "openmp", 0, Precision::f32, 1e12});
-    const Json figures = json_of(result)["rows"][0]["figures"];
+    const Json figures = json_of(derived(result))["rows"][0]["figures"];
     EXPECT_NEAR(figures["share_of_peak_standard_error"].get<double>(), 0.01 * figures["share_of_peak"].get<double>(),
                 1e-12);
 }

@@ -153,7 +153,7 @@ grep -q "float's digits are too few for this view: .* --precision double" stderr
 grep -q '"unsettled": 0\.[0-9]*[1-9]' stats.json || fail "statistics without what is unsettled"
 expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
 ! grep -q 'shorter steps' stderr || fail "the official scene is called too fine"
-grep -q '"stride": 0\.95' stats.json || fail "statistics without the steps"
+grep -q '"step_factor": 0\.95' stats.json || fail "statistics without the steps"
 grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 
 # --version prints one line, with the version in CITATION.cff. Sanitizer builds have no bench.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parsing of a program's arguments, and options whose value is one of several names.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mandelmarch {
+
+// Parses the arguments, in which names of older versions may stand for today's. Returns the exit code if the program
+// should end, after --help or --version. Throws InputError, which begins with the program's name, for invalid
+// arguments.
+std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv);
+
+// Adds an option that sets `value` to one of the named values.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
+                        std::vector<std::pair<std::string, Value>> choices, const std::string& about)
+{
+    std::vector<std::string> names;
+    std::string chosen;
+    for (const auto& [name, choice] : choices) {
+        names.push_back(name);
+        if (choice == value) chosen = name;
+    }
+    const auto set = [&value, choices = std::move(choices)](const std::string& text) {
+        value = std::ranges::find(choices, text, &std::pair<std::string, Value>::first)->second;
+    };
+    return app.add_option_function<std::string>(option, set, about)->check(CLI::IsMember(names))->default_str(chosen);
+}
+
+}  // namespace mandelmarch
