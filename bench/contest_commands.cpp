@@ -96,7 +96,9 @@ Run race_command(CLI::App& app, const Registry& registry)
 {
     const auto state = std::make_shared<State<RaceOptions, Race>>();
     RaceOptions& o = state->options;
-    app.add_option("PROGRAM", o.programs, "executable files")->required();
+    app.add_option("PROGRAM", o.programs, "executable files")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
     app.add_option_function<std::string>(
         "--fractal", [&o](const std::string& text) { o.fractal = &fractal_named(text); },
         "fractal to render (default: mandelbulb)");

@@ -62,15 +62,12 @@ bool Race::passed() const
 
 Race timed(Race race)
 {
-    const auto seconds_if_right = [](const RacedProgram& racer) {
-        return is_right(racer.verdict) ? seconds_of(racer) : std::vector<double>();
-    };
     std::vector<double> ours;
     for (RacedProgram& racer : race.racers) {
-        const std::vector<double> seconds = seconds_if_right(racer);
-        if (seconds.empty()) continue;
-        racer.wall = summary(seconds);
-        if (racer.ours && ours.empty()) ours = seconds;
+        if (!is_right(racer.verdict)) racer.samples.clear();
+        if (racer.samples.empty()) continue;
+        racer.wall = summary(seconds_of(racer));
+        if (racer.ours && ours.empty()) ours = seconds_of(racer);
     }
     for (RacedProgram& racer : race.racers) {
         if (racer.wall && !ours.empty()) racer.times_ours = quotient({{0, seconds_of(racer)}}, {{0, ours}});

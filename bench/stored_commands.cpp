@@ -66,7 +66,10 @@ Run schema_command(CLI::App& app, const Registry& /*registry*/)
 Run compare_command(CLI::App& app, const Registry& /*registry*/)
 {
     const auto files = std::make_shared<std::vector<std::string>>();
-    app.add_option("FILES", *files, "two result files written by --json")->expected(2)->required();
+    app.add_option("FILES", *files, "two result files written by --json")
+        ->expected(2)
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
     return [files]() -> int {
         const ComparedResults comparison = compare_results(read_result(files->at(0)), read_result(files->at(1)));
         print(std::string_view(to_console(comparison)));
@@ -82,7 +85,9 @@ Run portability_command(CLI::App& app, const Registry& /*registry*/)
         Outputs outputs;
     };
     const auto state = std::make_shared<State>();
-    app.add_option("FILES", state->paths, "result files written by --json, or folders of them")->required();
+    app.add_option("FILES", state->paths, "result files written by --json, or folders of them")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
     state->outputs.option(app, "--json", "write the metric, with cascades, as JSON to this file (-: standard output)",
                           [s = state.get()] { return text_of(json_of(s->found)); });
     state->outputs.option(app, "--csv",
