@@ -140,7 +140,7 @@ expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --simd-width 1 --stats stats.json --output a.png
-for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
+for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"simd_width": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
     grep -q "$text" stats.json || fail "statistics without $text"
 done
@@ -153,7 +153,7 @@ grep -q "float's digits are too few for this view: .* --precision double" stderr
 grep -q '"unsettled": 0\.[0-9]*[1-9]' stats.json || fail "statistics without what is unsettled"
 expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
 ! grep -q 'shorter steps' stderr || fail "the official scene is called too fine"
-grep -q '"stride": 0\.95' stats.json || fail "statistics without the steps"
+grep -q '"step_factor": 0\.95' stats.json || fail "statistics without the steps"
 grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 
 # --version prints one line, with the version in CITATION.cff. Sanitizer builds have no bench.
