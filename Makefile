@@ -61,15 +61,15 @@ bundle: ## a folder and a .tar.xz that run without installation: build/bundle (4
 	@packaging/bundle $(BUILD) build/bundle $(DRIVERS) "$(FFMPEG)"
 
 # docs/bench.md explains the study.
-LAUNCHES ?= 3
+RUNS ?= 3
 bench: build ## the standard study in three processes, one after the other: report/results/bench.json (8 min)
 	@mkdir -p report/results
-	@bin/bench --backend all --launches $(LAUNCHES) --json report/results/bench.json --csv report/results/bench.csv
+	@bin/bench --backend all --runs $(RUNS) --json report/results/bench.json --csv report/results/bench.csv
 
 # Parameter files of scenes that differ are written to build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
-# FILES="bench.json packs.json" selects results from the list in tools/results.txt.
+# FILES="bench.json simd-widths.json" selects results from the list in tools/results.txt.
 FILES ?=
 results: build ## all results in report/results, from one clean revision; resumes if interrupted (2 hours, estimated)
 	@python3 tools/results.py $(FILES)

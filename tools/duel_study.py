@@ -14,7 +14,7 @@ import tempfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from table_file import put
 
-ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "320x180", "--launches", "10", "--repetitions", "20"]
+ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "320x180", "--runs", "10", "--repetitions", "20"]
 COLUMNS = {"SLOWER": 8, "faster": 8, "same": 8, "undecided": 11}  # verdicts and the widths of their columns
 
 
@@ -63,7 +63,7 @@ def main():
     parser.add_argument("--table")
     arguments = parser.parse_args()
     slower = f"slowed_{arguments.slower}"
-    lines = [f"{'programs':<12}{'row':<34}" + "".join(f"{v:>{w}}" for v, w in COLUMNS.items()) + f"{'least':>8}{'most':>8}"]
+    lines = [f"{'programs':<12}{'row':<34}" + "".join(f"{v:>{w}}" for v, w in COLUMNS.items()) + f"{'min':>8}{'max':>8}"]
     with tempfile.TemporaryDirectory() as folder:
         for name in ("slowed_0", slower):
             os.symlink(os.path.abspath(arguments.program), os.path.join(folder, name))
@@ -71,7 +71,7 @@ def main():
             found = duels(folder, slower, arguments, load, clock)
             lines += [f"{load} busy processes, --clock {clock}", *lines_of(found, f"{arguments.slower} % slower")]
             cpu = found["slowed_0"][0][1]["cpu"]
-    lines.insert(0, f"duel study: {arguments.duels} duels each, ten launches, {cpu.get('platform', cpu['model'])}, "
+    lines.insert(0, f"duel study: {arguments.duels} duels each, ten runs, {cpu.get('platform', cpu['model'])}, "
                     f"{cpu['cores_usable']} threads")
     put("\n".join(lines) + "\n", arguments.table)
 

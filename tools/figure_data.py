@@ -46,8 +46,8 @@ class Row:
 
     @property
     def off_percent(self):
-        proof = self.data["proof"]
-        return 100 * proof["visibly_differing"] / proof["pixels"]
+        verification = self.data["verification"]
+        return 100 * verification["visibly_differing"] / verification["pixels"]
 
 
 class Results:
@@ -79,13 +79,13 @@ class Results:
     def row(self, name, fractal, precision, mode, *more):
         """Returns one timed configuration: fractal (bulb, box), precision, mode, and in any order a backend (default
         openmp) and a sweep value."""
-        point = next((word for word in more if "=" in word), "")
+        value = next((word for word in more if "=" in word), "")
         backend = next((word for word in more if "=" not in word), "openmp")
         fractal = FRACTALS.get(fractal, fractal)
-        key = {"fractal": fractal, "precision": precision, "mode": mode, "backend": backend, "point": point, "device": 0}
+        key = {"fractal": fractal, "precision": precision, "mode": mode, "backend": backend, "sweep_value": value, "device": 0}
         found = [row for row in self.rows(name) if all(row[k] == v for k, v in key.items())]
         if not found:
-            words = " ".join(filter(None, (fractal, precision, mode, backend, point)))
+            words = " ".join(filter(None, (fractal, precision, mode, backend, value)))
             raise FigureError(f"{name}.json has no timed row {words}")
         return found[0]
 
@@ -93,14 +93,14 @@ class Results:
         """Returns a configuration's counted operations over those of openmp's scalar kernel, or None if one is
         unknown."""
         try:
-            scalar = self.row(name, row["fractal"], row["precision"], row["mode"], "pack=1")
+            scalar = self.row(name, row["fractal"], row["precision"], row["mode"], "simd-width=1")
         except FigureError:
             return None
         return row["operations"] / scalar["operations"] if row["operations"] and scalar["operations"] else None
 
     def ratio(self, name, question, row):
         """Returns (median, interval or None) of a configuration's ratio of kernel times, paired by round."""
-        for entry in self.json(name)["questions"].get(question, []):
+        for entry in self.json(name)["questions"][question]:
             if entry["numerator"] == row["name"] and entry["ratio"]["count"]:
                 return entry["ratio"]["median"], entry["ratio"]["interval"]
         raise FigureError(f"{name}.json says nothing of {row['name']} in {question}")

@@ -18,7 +18,7 @@ def frames(results, study, *row):
 def worth(results, technique, fractal, precision):
     """Kernel time of a fast picture without a technique over the time with all techniques, with the interval."""
     row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
-    return with_interval(*results.ratio("ablation", "to_first_point", row))
+    return with_interval(*results.ratio("ablation", "to_first_value", row))
 
 
 def convergence(results, key="convergence"):
@@ -29,7 +29,7 @@ def convergence(results, key="convergence"):
 def cost(results, technique, fractal, precision):
     """Percentage that a technique adds to the kernel time of a fast picture."""
     row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
-    without, interval = results.ratio("ablation", "to_first_point", row)
+    without, interval = results.ratio("ablation", "to_first_value", row)
     low, high = interval or (without, without)
     return with_interval(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
 
@@ -45,13 +45,13 @@ def speed_up(results, study, *row):
     return with_interval(figures["speed_up"], figures["speed_up_interval"], "{:.0f}".format)
 
 
-def over_scalar(results, packs, fractal, precision, mode):
+def over_scalar(results, study, fractal, precision, mode):
     """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
     times."""
-    rows = [row for row in results.rows(packs) if row["backend"] == "openmp" and row.figures.get("over_scalar") is not None and
+    rows = [row for row in results.rows(study) if row["backend"] == "openmp" and row.figures["over_scalar"] is not None and
             (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
     if not rows:
-        raise FigureError(f"{packs}.json has no row {fractal} {precision} {mode} beside the scalar text")
+        raise FigureError(f"{study}.json has no row {fractal} {precision} {mode} beside the scalar text")
     figures = min(rows, key=lambda row: row.kernel_ms).figures
     return with_interval(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
 
@@ -61,7 +61,7 @@ def model_cost(results, study, *backends):
     speeds = []
     for row in results.rows(study):
         if row["backend"] in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
-            scalar = results.row(study, row["fractal"], row["precision"], row["mode"], "pack=1")
+            scalar = results.row(study, row["fractal"], row["precision"], row["mode"], "simd-width=1")
             speeds.append(row.figures["over_scalar"] * scalar["threads"] / row["threads"])
     if not speeds:
         raise FigureError(f"{study}.json has no rows of {' '.join(backends)}")
@@ -113,27 +113,27 @@ def one_register(results):
     """Range of openmp's kernel times in packs of one register over those in its widest packs."""
     ratios = []
     for fractal in FRACTALS:
-        for precision, pack in (("float", 16), ("double", 8)):
-            rows = [row for row in results.rows("packs") if (row["backend"], row["fractal"], row["precision"], row["mode"]) ==
+        for precision, width in (("float", 16), ("double", 8)):
+            rows = [row for row in results.rows("simd-widths") if (row["backend"], row["fractal"], row["precision"], row["mode"]) ==
                     ("openmp", FRACTALS[fractal], precision, "exact")]
-            widest = max(rows, key=lambda row: row["setting"]["pack"])
-            ratios.append(results.row("packs", fractal, precision, "exact", f"pack={pack}").kernel_ms / widest.kernel_ms)
+            widest = max(rows, key=lambda row: row["setting"]["simd_width"])
+            ratios.append(results.row("simd-widths", fractal, precision, "exact", f"simd-width={width}").kernel_ms / widest.kernel_ms)
     return range_of(ratios)
 
 
 def backends_with_same_bits(results, study):
     """Number of backends that give the bits of the scalar kernel in all their exact configurations."""
     exact = [row for row in results.json(study)["rows"] if row["mode"] == "exact"]
-    fine = {row["backend"] for row in exact if row["proof"]["level"] == "same bits"}
-    return str(len(fine - {row["backend"] for row in exact if not row["proof"]["fine"]}))
+    same = {row["backend"] for row in exact if row["verification"]["level"] == "same bits"}
+    return str(len(same - {row["backend"] for row in exact if not row["verification"]["passed"]}))
 
 
-def rows_proven(results, study):
+def rows_verified(results, study):
     """Number of configurations whose pictures were verified before they were timed."""
     rows = results.rows(study)
-    if not all(row["proof"]["fine"] for row in rows):
+    if not all(row["verification"]["passed"] for row in rows):
         raise FigureError(f"{study}.json has a timed row whose picture is wrong")
-    return str(sum(not row["proof"]["yardstick"] for row in rows))
+    return str(sum(not row["verification"]["is_expected"] for row in rows))
 
 
 def random_off(results, study, fractal, precision):
@@ -207,7 +207,7 @@ NUMBERS = {
     "over-scalar": over_scalar,
     "peak": peak,
     "random-off": random_off,
-    "rows-proven": rows_proven,
+    "rows-verified": rows_verified,
     "share": share,
     "speed-up": speed_up,
     "work-over-openmp": work_over_openmp,

@@ -9,7 +9,7 @@ CONFIGURATIONS = [(f, p, m) for f in FRACTALS for m in ("exact", "fast") for p i
 TECHNIQUES = {  # sweep values of the ablation study
     "hull": "hull", "relaxation": "over-relaxation", "cones": "cones", "neighbours": "neighbours",
     "all-four": "these four together",
-    "trial": "trials", "tail": "tails", "root": "the root refined", "normal": "normals from the gradient",
+    "trial": "trials", "tail": "tails", "refinement": "the root refined", "gradient": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
 NAME_WIDTH = 46  # characters of an audit item's name in tools/flight_seeds.py's table
@@ -73,15 +73,15 @@ def ablation(results):
     """Gain from each technique of fast mode: the kernel time without it over the time with all techniques."""
     columns = [(fractal, precision) for fractal in FRACTALS for precision in ("double", "float")]
     rows = []
-    for point, name in TECHNIQUES.items():
+    for technique, name in TECHNIQUES.items():
         cells = []
         for fractal, precision in columns:
-            if point == "normal" and precision == "float":
+            if technique == "gradient" and precision == "float":
                 cells.append("-")
                 continue
-            row = results.row("ablation", fractal, precision, "fast", f"without={point}")
-            cells.append(with_interval(*results.ratio("ablation", "to_first_point", row)) +
-                         (f" ({row.off_percent:.1f} % off)" if point == "root" else ""))
+            row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
+            cells.append(with_interval(*results.ratio("ablation", "to_first_value", row)) +
+                         (f" ({row.off_percent:.1f} % off)" if technique == "refinement" else ""))
         rows.append([name, *cells])
     bounds = [results.row("ablation", *column, "fast", "without=none") for column in columns]
     rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
@@ -96,8 +96,8 @@ def growth(results):
     for fractal in FRACTALS:
         for precision in ("double", "float"):
             later = [results.row("resolution_fast", fractal, precision, "fast", f"size={s}x{s}") for s in SIDES[1:]]
-            steps = [results.ratio("resolution_fast", "to_previous_point", row) for row in later]
-            sweep, interval = results.ratio("resolution_fast", "to_first_point", later[-1])
+            steps = [results.ratio("resolution_fast", "to_previous_value", row) for row in later]
+            sweep, interval = results.ratio("resolution_fast", "to_first_value", later[-1])
             root = 1 / len(later)
             mean = (sweep ** root, [end ** root for end in interval] if interval else None)
             rows.append([f"{FRACTALS[fractal]}, {precision}", *(with_interval(*step) for step in [*steps, mean])])
@@ -136,7 +136,7 @@ def random(results, study):
 def quotient(row, key):
     """A speed-up with its interval; "-" if it was not timed, without an interval for a baseline compared with
     itself."""
-    value, interval = row.figures.get(key) if row else None, row.figures.get(key + "_interval") if row else None
+    value, interval = row.figures[key], row.figures[key + "_interval"]
     return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
 
 
@@ -146,19 +146,16 @@ def work_cell(results, name, row):
     return "-" if work is None else digits(work)
 
 
-def row_cells(results, name, row, scalar=None):
-    """`scalar`: configuration of another study with the speed-up over the scalar kernel, if `row` has none."""
+def row_cells(results, name, row):
     kernel = row.figures["kernel_seconds"]
     interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
     share = row.figures["share_of_peak"]
-    backend = row["backend"] + ("-scalar" if row["point"] == "pack=1" else "")
-    own = row.figures.get("over_scalar") is not None
-    return [row["fractal"], row["precision"], row["mode"], backend, row["proof"]["text"] or row["proof"]["level"],
+    return [row["fractal"], row["precision"], row["mode"], row["application"], row["verification"]["text"],
             digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
-            quotient(row if own else scalar, "over_scalar"), work_cell(results, name, row)]
+            quotient(row, "over_scalar"), work_cell(results, name, row)]
 
 
-ROW_HEAD = ["fractal", "precision", "mode", "backend", "proof", "kernel ms", "95 % interval", "share of peak", "over serial",
+ROW_HEAD = ["fractal", "precision", "mode", "backend", "verification", "kernel ms", "95 % interval", "share of peak", "over serial",
             "over scalar", "work over scalar's"]
 
 
@@ -167,17 +164,10 @@ def study(results, name):
     return table(ROW_HEAD, [row_cells(results, name, row) for row in results.rows(name)])
 
 
-def four_rows(results, name, packs):
-    """openmp's slowest and fastest variant for each fractal; `packs`: a sweep of pack widths, for the scalar kernel."""
+def four_rows(results, name):
+    """openmp's slowest and fastest variant for each fractal."""
     chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
-    return table(ROW_HEAD, [row_cells(results, name, results.row(name, *key), widest(results, packs, *key)) for key in chosen])
-
-
-def widest(results, packs, fractal, precision, mode):
-    """openmp's fastest configuration in a sweep of pack widths, or None."""
-    rows = [row for row in results.rows(packs) if row["backend"] == "openmp" and
-            (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
-    return min(rows, key=lambda row: row.kernel_ms, default=None)
+    return table(ROW_HEAD, [row_cells(results, name, results.row(name, *key)) for key in chosen])
 
 
 def aloud(results, name):

@@ -55,7 +55,7 @@ def main():
                 pairs = [compare(imgdiff, f"{scratch}/{side}/{name}", f"{scratch}/{SIDES[-1]}/{name}") for name in names]
                 rms = (sum(square for square, _ in pairs) / len(pairs)) ** 0.5
                 off = sum(share for _, share in pairs) / len(pairs)
-                figures = f"{rms:>12.2f}{100 * off:>14.1f} %" if side != SIDES[-1] else f"{'yardstick':>12}{'':>16}"
+                figures = f"{rms:>12.2f}{100 * off:>14.1f} %" if side != SIDES[-1] else f"{'baseline':>12}{'':>16}"
                 lines.append(f"{fractal:12}{side * side:>8g}{figures}{seconds[side]:>11.3f}")
     text = "\n".join(lines) + f"\n1920 x 1080, {len(names)} frames of each fractal's film, seed 1; seconds with reading the path and writing PNG\n"
     put(text, os.path.join(folder, "flight_samples.txt"))

@@ -124,8 +124,8 @@ def counted(pixels, march):
 def active_lanes(counts, refills):
     """Returns the fractions of a warp's lanes that are active in steps and in iterations."""
     use = next(use for use in counts["lane_use"] if use["lanes"] == LANES)
-    prefix = "refilled_" if refills else ""
-    return use[f"{prefix}active_in_steps"], use[f"{prefix}active_in_iterations"]
+    active = use["refilled" if refills else "together"]
+    return active["in_steps"], active["in_iterations"]
 
 
 def expected(gpu, march, steps, iterations, lanes):

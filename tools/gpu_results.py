@@ -65,7 +65,7 @@ def rows_of(folder):
             rows = json.loads(text_of(path))["rows"]
         except (ValueError, KeyError):
             continue
-        yield from (row for row in rows if row["figures"] and row["proof"]["fine"])
+        yield from (row for row in rows if row["figures"] and row["verification"]["passed"])
 
 
 def times(folder, device):

@@ -25,14 +25,14 @@ class Entry:
     def __init__(self, line, number):
         words = shlex.split(line)
         try:
-            self.name, self.minutes, launches = words[0], float(words[1]) * int(words[2]), words[2]
+            self.name, self.minutes, runs = words[0], float(words[1]) * int(words[2]), words[2]
             self.variables = dict(word.split("=", 1) for word in words[3:] if word.split("=")[0].isupper())
             self.answers = [int(code) for code in self.variables.pop("EXITS", "0").split(",")]
-            self.command = [word.replace("{launches}", launches) for word in words[3:] if not word.split("=")[0].isupper()]
+            self.command = [word.replace("{runs}", runs) for word in words[3:] if not word.split("=")[0].isupper()]
             if not self.command:
                 raise ValueError("no command")
         except (IndexError, ValueError) as error:
-            sys.exit(fail(f"results.txt:{number}: {error}, expected a file, minutes, launches and a command", 2))
+            sys.exit(fail(f"results.txt:{number}: {error}, expected a file, minutes, runs and a command", 2))
 
     def measure(self, programs, target):
         """Runs the command; writes the file completely or not at all. Returns its exit code, or 1 for uncommitted

@@ -44,7 +44,7 @@ def compare(studio: Studio, a: Picture, b: Picture) -> Difference:
     return Difference(worst.size, differing, int((worst > VISIBLE).sum()), int(worst.max()), psnr, bits)
 
 
-def yardstick(pictures: dict[Key, Picture], picture: Picture, reference: str) -> Picture | None:
+def expected_picture(pictures: dict[Key, Picture], picture: Picture, reference: str) -> Picture | None:
     """Returns the expected picture: the reference's in the same mode, in double."""
     key = picture.key
     if key.backend == reference:

@@ -65,15 +65,15 @@ class Answers:
         """Counts exact pictures with the same bits, and measures the error of fast ones."""
         if self.primary is None:
             return None
-        timed = f"figures!=null&point=&backend!={self.backends.reference}"
+        timed = f"figures!=null&sweep_value=&backend!={self.backends.reference}"
         files = self._standard()
-        every = [row for bench in self.results.study("standard") for row in bench.rows if row.timed and not row.point]
+        every = [row for bench in self.results.study("standard") for row in bench.rows if row.timed and not row.sweep_value]
         exact = [row for row in every if row.mode == "exact" and row.backend != self.backends.reference]
-        off = Place(files, f"rows:mode=fast&{timed}:proof.visibly_differing/proof.pixels", "most")
+        off = Place(files, f"rows:mode=fast&{timed}:verification.visibly_differing/verification.pixels", "max")
         return {
-            "same": self._count(f"rows:mode=exact&{timed}&proof.level=same bits", files),
+            "same": self._count(f"rows:mode=exact&{timed}&verification.level=same bits", files),
             "exact": self._count(f"rows:mode=exact&{timed}", files),
-            "all": bool(exact) and all(row.proof["level"] == "same bits" for row in exact),
+            "all": bool(exact) and all(row.verification["level"] == "same bits" for row in exact),
             "backends": self.backends.order(row.backend for row in exact),
             "off": self.trace.number(off, "digits", 100) if any(row.mode == "fast" for row in every) else None,
         }
@@ -84,9 +84,9 @@ class Answers:
 
     def fastest(self) -> dict[str, Any] | None:
         """Names the fastest backend on the primary machine, with the range of the next best one's times over it."""
-        if self.primary is None or not self.primary.others_to_host():
+        others = self.primary.ratios("others_to_host") if self.primary else []
+        if self.primary is None or not others:
             return None
-        others = self.primary.others_to_host()
         next_best: dict[str, dict[str, Any]] = {}
         for ratio in others:
             kept = next_best.setdefault(ratio["denominator"], ratio)
@@ -122,11 +122,11 @@ class Answers:
         rows = [
             (bench, row)
             for bench in self.results.benches
-            if bench.study in ("standard", "packs")
+            if bench.study in ("standard", "simd-widths")
             for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=self.backends.host)
-            if row.figures.get(key) is not None
+            if row.figures[key] is not None
         ]
-        order = [(b is self.primary, b.study == "standard", b.data["launches"], r.figures[key]) for b, r in rows]
+        order = [(b is self.primary, b.study == "standard", b.data["runs"], r.figures[key]) for b, r in rows]
         return rows[order.index(max(order))] if rows else None
 
     def speed_ups(self) -> dict[str, Any] | None:
@@ -174,8 +174,7 @@ class Answers:
         }
 
     def _found(self, question: str, numerator: str) -> dict[str, Any] | None:
-        entries = self.primary.data["questions"].get(question, []) if self.primary else []
-        return next((entry for entry in entries if entry["numerator"] == numerator), None)
+        return self.primary.ratio(question, numerator) if self.primary else None
 
     def float_or_double(self) -> dict[str, Any] | None:
         """Returns the cost of double on the host, and the error of float in pictures of random scenes."""
@@ -205,7 +204,7 @@ class Answers:
         """Compares a measured GPU, or the prediction for one, with the host, both at the film's size."""
         measured = [(b, r) for b in self.results.benches for r in b.rows if r.timed and r.is_gpu]
         if measured:
-            bench, row = min(measured, key=lambda one: one[1].kernel.median / one[1].pixels)
+            bench, row = max(measured, key=lambda one: one[1].figures["pixels_per_second"])
             return {
                 "measured": self.trace.times(bench.name, f"rows:name={row.name}:figures:kernel_seconds", 1e3),
                 "device": row.device_name,
@@ -237,7 +236,7 @@ class Answers:
             for row in bench.timed(fractal=fractal, precision="float", mode="fast", backend=self.backends.host)
             if (row.setting["width"], row.setting["height"]) == (1920, 1080)
         ]
-        return max(rows, key=lambda one: (one[0].data["launches"], one[1].kernel.count), default=None)
+        return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
 
     def film(self) -> dict[str, Any] | None:
         """Returns frames, seconds and seconds per frame of the first film with a summary."""

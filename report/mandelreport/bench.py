@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: the part of bench/result.schema.json that the report uses, with names and units."""
+"""A result file of bench: the part of bench/schemas/result.schema.json that the report uses, with names and units."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+from referencing import Registry, Resource
 
 from .errors import InputError
 
 SCHEMA = "mandelmarch-bench"
-VERSION = 1
+VERSION = 2
 SAME_PEAK = 1.5  # as same_peak in bench/platforms.h
-SCHEMA_FILE = Path(__file__).parents[2] / "bench" / "result.schema.json"
+SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
 
 
 @dataclass(frozen=True)
@@ -74,13 +75,7 @@ class Row:
     @property
     def value(self) -> str:
         """Returns the sweep value without its name: "2" for threads=2."""
-        return self.data["point"].partition("=")[2]
-
-    @property
-    def verification(self) -> str:
-        """Returns the result of verification in words. Files name the expected picture "yardstick" or nothing."""
-        text = self.data["proof"]["text"]
-        return "expected picture" if text in ("", "yardstick") else text
+        return self.data["sweep_value"].partition("=")[2]
 
     @property
     def pixels(self) -> int:
@@ -103,8 +98,7 @@ class Bench:
     @functools.cached_property
     def rows(self) -> list[Row]:
         """Returns the rows without the standard study's scalar kernel, whose times appear as over_scalar."""
-        baseline = "pack=1" if self.study == "standard" else None
-        return [Row(row) for row in self.data["rows"] if row["point"] != baseline]
+        return [Row(row) for row in self.data["rows"] if row["application"] == row["backend"]]
 
     def timed(self, **wanted: str) -> list[Row]:
         """Returns the timed rows with the given field values."""
@@ -146,29 +140,23 @@ class Bench:
 
     def rank(self) -> tuple[int, int]:
         """Returns the number of timed backends, and of runs."""
-        return len(self.values("backend")), self.data["launches"]
+        return len(self.values("backend")), self.data["runs"]
 
-    def ratio(self, question: str, numerator: Row) -> Times | None:
-        """Returns a row's ratio of kernel times, paired by round, or None if the file lacks it."""
-        for entry in self.data["questions"].get(question, []):
-            if entry["numerator"] == numerator.name and entry["ratio"]["count"]:
-                return Times.of(entry["ratio"])
-        return None
+    def ratios(self, question: str) -> list[dict[str, Any]]:
+        """Returns the ratios of kernel times that answer a question, of rows that share rounds."""
+        return [entry for entry in self.data["questions"][question] if entry["ratio"]["count"]]
 
-    def to_first_point(self, row: Row) -> Times | None:
-        """Returns the ratio of a sweep's row to the first one; computed for older files, which lack it."""
-        if (found := self.ratio("to_first_point", row)) is not None:
-            return found
-        alike = ("fractal", "precision", "mode", "backend", "device")
-        first = next((r for r in self.rows if all(r.data[key] == row.data[key] for key in alike)), row)
-        return Times(row.kernel.median / first.kernel.median, None, None, 1) if first.timed and first is not row else None
+    def ratio(self, question: str, numerator: str) -> dict[str, Any] | None:
+        """Returns the ratio of the row `numerator`, or None if there is none."""
+        return next((entry for entry in self.ratios(question) if entry["numerator"] == numerator), None)
 
-    def others_to_host(self) -> list[dict[str, Any]]:
-        """Returns other backends' kernel times over the host's, if they share rounds; older files have none."""
-        return [entry for entry in self.data["questions"].get("others_to_host", []) if entry["ratio"]["count"]]
+    def to_first_value(self, row: Row) -> Times | None:
+        """Returns the ratio of a sweep's row to the first one; None for the first one itself."""
+        entry = self.ratio("to_first_value", row.name)
+        return Times.of(entry["ratio"]) if entry else None
 
     def host_wins(self) -> bool:
-        others = self.others_to_host()
+        others = self.ratios("others_to_host")
         return bool(others) and all(entry["ratio"]["median"] > 1 for entry in others)
 
     def values(self, key: str) -> list[str]:
@@ -177,40 +165,26 @@ class Bench:
 
 
 @functools.cache
-def _validator(part: str = "", kind: str = "") -> jsonschema.Draft202012Validator:
-    """Validator for a whole result, for a list of one of the schema's definitions, or for another kind of file from
-    bench."""
-    file = SCHEMA_FILE.parent / "schemas" / f"{kind}.schema.json" if kind else SCHEMA_FILE
-    schema = json.loads(file.read_text(encoding="utf-8"))
-    if part:
-        schema = {"$defs": schema["$defs"], "type": "array", "items": {"$ref": f"#/$defs/{part}"}}
-    return jsonschema.Draft202012Validator(schema)
+def _validator(kind: str) -> jsonschema.Draft202012Validator:
+    schemas = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in SCHEMAS.glob("*.schema.json")}
+    registry: Registry = Registry().with_resources((s["$id"], Resource.from_contents(s)) for s in schemas.values())
+    return jsonschema.Draft202012Validator(schemas[f"{kind}.schema.json"], registry=registry)
 
 
-def _check(name: str, data: Any, part: str = "", kind: str = "") -> None:
-    errors = _validator(part, kind).iter_errors(data)
+def checked(name: str, data: Any, kind: str) -> Any:
+    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
+    line."""
+    errors = _validator(kind).iter_errors(data)
     error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
     if error is not None:
         place = "/".join(map(str, error.absolute_path)) or "its top level"
-        raise InputError(f"{name}: not a {kind or 'result'} of bench, version {VERSION}: {place}: {error.message[:160]}")
-
-
-def checked(name: str, data: dict[str, Any], kind: str) -> dict[str, Any]:
-    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
-    line."""
-    _check(name, data, kind=kind)
-    return data
-
-
-def read_portability(name: str, data: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Returns the output of `bench portability --json`: the metric over the platforms of several results."""
-    _check(name, data, "portability")
+        raise InputError(f"{name}: does not follow bench/schemas/{kind}.schema.json: {place}: {error.message[:160]}")
     return data
 
 
 def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
     """Checks a result against its schema. Raises InputError with one line."""
     if data.get("version") != VERSION:
-        raise InputError(f"{name}: version {data.get('version')} of a result of bench, expected {VERSION}; run bench again")
-    _check(name, data)
-    return Bench(name, path, data)
+        said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
+        raise InputError(f"{said}; run `bench json OLD.json > NEW.json`")
+    return Bench(name, path, checked(name, data, "result"))

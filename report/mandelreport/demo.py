@@ -35,7 +35,7 @@ class Picture:
 
 
 def label(row: dict[str, Any]) -> str:
-    return f"{row['backend']}{'-scalar' if row['pack'] == 1 else ''}, {row['precision']}, {row['mode']}"
+    return f"{row['backend']}{'-scalar' if row['simd_width'] == 1 else ''}, {row['precision']}, {row['mode']}"
 
 
 def read_table(folder: Path) -> dict[str, Any]:
@@ -91,7 +91,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
                 "pictures": pictures,
                 "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
-                "yardstick": [row for row in rows if row["said"] == "expected picture"],
+                "expected": [row for row in rows if row["said"] == "expected picture"],
                 "bars": bars_of(rows),
                 "failed": [row for row in rows if not row["fine"]],
                 "absent": [row for row in rows if not row["drawn"] and row["fine"]],

@@ -27,13 +27,13 @@ def _p_greater(data: dict[str, Any], entry: dict[str, Any]) -> float:
     """Returns the p-value of one ratio, paired by round, if the runs' medians differed from 1 by chance; 1 unless it is
     above 1."""
     above, below = (
-        {(s["launch"], s["round"]): s["kernel"] for row in data["rows"] if row["name"] == entry[end] for s in row["samples"]}
+        {(s["run"], s["round"]): s["kernel"] for row in data["rows"] if row["name"] == entry[end] for s in row["samples"]}
         for end in ("numerator", "denominator")
     )
-    launches: dict[int, list[float]] = {}
+    runs: dict[int, list[float]] = {}
     for at in above.keys() & below.keys():
-        launches.setdefault(at[0], []).append(above[at] / below[at])
-    logs = [math.log(statistics.median(ratios)) for ratios in launches.values()]
+        runs.setdefault(at[0], []).append(above[at] / below[at])
+    logs = [math.log(statistics.median(ratios)) for ratios in runs.values()]
     if len(logs) < 2 or statistics.mean(logs) <= 0:
         return 1
     error = statistics.stdev(logs) / math.sqrt(len(logs))

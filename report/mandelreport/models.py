@@ -15,7 +15,7 @@ from .bench import Bench, Row
 from .text import where
 from .trace import Place, Trace
 
-SCALAR = "pack=1"  # sweep value of the scalar kernel's rows
+SCALAR = "simd-width=1"  # sweep value of the scalar kernel's rows
 DRIVERS = ("opencl", "vulkan", "cuda")  # these drivers compile and distribute the work, on an unknown number of threads
 SAME_WORK = 1e-3  # in fast mode the last digits of counts differ
 
@@ -27,14 +27,13 @@ def one_thread(row: Row) -> bool:
 
 def label(row: Row) -> str:
     """Returns the name of a standard study's row in tables and charts."""
-    scalar = "-scalar" if row.point == SCALAR else ""
-    return f"{where(row)}{scalar}{' (1 thread)' if one_thread(row) else ''}"
+    return f"{where(row)}{row.application.removeprefix(row.backend)}{' (1 thread)' if one_thread(row) else ''}"
 
 
 def scalar_text(bench: Bench, row: Row, host: str) -> Row | None:
     """Returns the scalar kernel's row for a row's fractal, precision and mode."""
     kind = ("fractal", "precision", "mode")
-    rows = (Row(data) for data in bench.data["rows"] if data["backend"] == host and data["point"] == SCALAR)
+    rows = (Row(data) for data in bench.data["rows"] if data["backend"] == host and data["sweep_value"] == SCALAR)
     return next((r for r in rows if r.timed and all(r.data[key] == row.data[key] for key in kind)), None)
 
 
@@ -77,10 +76,10 @@ class Costs:
         self.speeds: dict[str, list[tuple[float, float, Row]]] = {}  # speed, scalar kernel's threads / row's, row
         for row in bench.rows:
             work = work_over_scalar(bench, row, self.host) if row.timed else None
-            if work is None or abs(work - 1) > SAME_WORK or row.pack != 1 or row.backend in (self.host, *DRIVERS):
+            if work is None or abs(work - 1) > SAME_WORK or row.simd_width != 1 or row.backend in (self.host, *DRIVERS):
                 continue
             scalar = scalar_text(bench, row, self.host)
-            if scalar is not None and row.figures.get("over_scalar") is not None:
+            if scalar is not None and row.figures["over_scalar"] is not None:
                 threads = scalar.threads / row.threads
                 self.speeds.setdefault(row.backend, []).append((threads * row.figures["over_scalar"], threads, row))
 
@@ -107,6 +106,6 @@ class Costs:
             "least": self._end(trace, min, every),
             "most": self._end(trace, max, every),
             "cheap": min(speed for speed, *_ in every) > 0.8,
-            "cases": trace.number(Place((self.bench.name,), f"rows:backend={first}&figures!=null&point=", "count"), "whole"),
+            "cases": trace.number(Place((self.bench.name,), f"rows:backend={first}&figures!=null&sweep_value=", "count"), "whole"),
             "size": self.bench.size,
         }

@@ -6,20 +6,6 @@ from __future__ import annotations
 from typing import Any
 
 from .blocks import Table
-from .errors import InputError
-
-SCHEMA = "mandelmarch-bench-random"
-VERSION = 1
-
-
-def read_random(name: str, data: dict[str, Any]) -> dict[str, Any]:
-    if data.get("version") != VERSION:
-        raise InputError(f"{name}: version {data.get('version')} of bench random, expected {VERSION}")
-    try:
-        random_table([data])
-    except (KeyError, IndexError, TypeError, ValueError) as error:
-        raise InputError(f"{name}: not a valid result of bench random: {error!r}") from None
-    return data
 
 
 def _range(values: list[float], places: int) -> str:

@@ -12,11 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from .backends import Backends
-from .bench import SCHEMA, Bench, checked, read_bench, read_portability
+from .bench import SCHEMA, Bench, checked, read_bench
 from .errors import InputError
 from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
-from .random_scenes import SCHEMA as RANDOM_SCHEMA
-from .random_scenes import read_random
 
 
 @dataclass
@@ -91,12 +89,12 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
     results.files[name] = data
     kind = data if isinstance(data, dict) else {}
     if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
-        results.portability = read_portability(name, data)
+        results.portability = checked(name, data, "portability")
         return
     if kind.get("schema") == SCHEMA:
         results.benches.append(read_bench(name, path, data))
-    elif kind.get("schema") == RANDOM_SCHEMA:
-        results.random.append(read_random(name, data))
+    elif kind.get("schema") == "mandelmarch-bench-random":
+        results.random.append(checked(name, data, "random"))
     elif kind.get("schema") == "mandelmarch-code-divergence":
         results.code_divergence = checked(name, data, "code_divergence")
     elif kind.get("schema") == "mandelmarch-race":

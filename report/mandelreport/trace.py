@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers in the report's text, each with its place in a result file. The page keeps both, for readers and for a test.
 
-A place is a path of steps separated by ":". `rows` is a key, `proof.level` a nested key, `0` an index of a list.
+A place is a path of steps separated by ":". `rows` is a key, `verification.level` a nested key, `0` an index of a list.
 `mode=fast&backend!=reference` keeps the matching elements of a list ("*" matches any text, > and < compare), and `a/b`
 is a quotient of two keys. In a text file `mandelbulb float:-2` is the last word but one of the line that begins with
 these words; "*" matches any word."""
@@ -25,7 +25,7 @@ STYLES = {
     "whole": lambda value: f"{value:,.0f}",
     "plain": lambda value: f"{value:.0f}",
 }
-RULES = {"least": min, "most": max, "count": len}
+RULES = {"min": min, "max": max, "count": len}
 CONDITION = re.compile(r"([\w.]+)(!=|=|>|<)(.*)", re.S)
 
 

@@ -55,13 +55,13 @@ del result['rows'][0]
 json.dump(result, open('gone.json', 'w'))
 PY
 expect 1 compare even.json gone.json
-grep -q LOST out || fail "a row that is gone is not named"
+grep -q MISSING out || fail "a row that is gone is not named"
 expect 0 compare gone.json even.json
 
 expect 0 portability a.json b.json --csv p3.csv
 grep -q mandelbox out || fail "no portability"
 grep -q '^mandelbox float exact 64x64,openmp,' p3.csv || fail "portability --csv"
-grep -q reference p3.csv && fail "the yardstick is no application"
+grep -q reference p3.csv && fail "the reference is an application"
 # Files in a folder that are not results of a study are left out, with a message.
 mkdir -p folder/below
 cp a.json folder/
@@ -84,7 +84,7 @@ cmp out a.csv || fail "csv makes other lines than --csv"
 
 # Outputs that cannot be written are refused before anything is measured. If one fails later, the others are written.
 expect 2 "${quick[@]}" --json nosuch/x.json
-! grep -q proof err || fail "measured for a file that cannot be written"
+! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
@@ -178,12 +178,13 @@ expect 2 portability deep.json
 
 # Checks the schema if the pinned Python package is installed (make python).
 python=$source/build/venv/bin/python3
-if [ -x "$python" ] && "$python" -c 'import jsonschema' 2>/dev/null; then
-    "$python" - "$source/bench/result.schema.json" a.json study.json <<'PY'
-import json, sys, jsonschema
-schema = json.load(open(sys.argv[1]))
+if [ -x "$python" ] && "$python" -c 'import jsonschema, referencing' 2>/dev/null; then
+    "$python" - "$source/bench/schemas" a.json study.json <<'PY'
+import json, sys, jsonschema, referencing
+schema, environment = (json.load(open(f'{sys.argv[1]}/{kind}.schema.json')) for kind in ('result', 'environment'))
 jsonschema.Draft202012Validator.check_schema(schema)
-validator = jsonschema.Draft202012Validator(schema)
+registry = referencing.Registry().with_resource(environment['$id'], referencing.Resource.from_contents(environment))
+validator = jsonschema.Draft202012Validator(schema, registry=registry)
 for path in sys.argv[2:]:
     validator.validate(json.load(open(path)))
 # Negative control: the schema must reject these changes.
@@ -192,8 +193,8 @@ def refused(change):
     change(result)
     return not validator.is_valid(result)
 assert refused(lambda r: r['rows'][0].pop('samples'))
-assert refused(lambda r: r['rows'][0]['proof'].update(fine=False)), 'a wrong picture with a speed'
-assert refused(lambda r: r.update(version=2))
+assert refused(lambda r: r['rows'][0]['verification'].update(passed=0))
+assert refused(lambda r: r.update(version=1))
 assert refused(lambda r: r.update(extra=1))
 PY
 else

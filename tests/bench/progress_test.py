@@ -41,11 +41,11 @@ with tempfile.TemporaryDirectory() as name:
     assert len(rounds) > 2 and rounds == sorted(rounds) and rounds[-1] > rounds[0], said[-3000:]
     assert re.search(r"further runs \[[#.]+\] +50 %, run 2 of 2, \d+ s left", said), said[-3000:]
     assert "\n" not in said, "lines beside the one that changes"
-    said = on_terminal(folder, "--precision", "float", "peak")
+    said = on_terminal(folder, "peak", "--precision", "float")
     assert re.search(r"multiply-add peaks \[[#.]+\] +\d+ %, \w+ float", said), said[-3000:]
 
     noted = subprocess.run([BENCH, *ROWS, "--no-peaks", "--repetitions", "2"], capture_output=True, text=True, check=True).stderr
     assert "bench: timing\n" in noted and "round" not in noted and "\r" not in noted, noted
-    noted = subprocess.run([BENCH, "--precision", "float", "peak"], capture_output=True, text=True, check=True).stderr
+    noted = subprocess.run([BENCH, "peak", "--precision", "float"], capture_output=True, text=True, check=True).stderr
     assert [line for line in noted.splitlines() if "peak" in line] == ["bench: multiply-add peaks"], noted
 print("fine")

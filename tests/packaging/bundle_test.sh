@@ -51,7 +51,7 @@ small="--size 97x61 --backend openmp"
 in_bundle mandelbox "$bundle/paramsBox.dat" $small --output a.exr || fail "no picture"
 "$build/bin/mandelbox" "$source/paramsBox.dat" $small --output "$folder/b.exr" || fail "no picture from the build"
 in_bundle imgdiff a.exr b.exr >/dev/null || fail "other bits than the build's"
-in_bundle bench --backend openmp --fractal box --precision float --size 32x24 --repetitions 2 --launches 2 --json bench.json \
+in_bundle bench --backend openmp --fractal box --precision float --size 32x24 --repetitions 2 --runs 2 --json bench.json \
     >/dev/null 2>"$folder/stderr" || fail "bench: $(cat "$folder/stderr")"
 in_bundle demo --side 16 >/dev/null 2>&1 || fail "demo"
 # If there is no ffmpeg, one line on stderr says so.

@@ -140,7 +140,7 @@ expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --simd-width 1 --stats stats.json --output a.png
-for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"pack": 1' '"de_calls": [1-9]' \
+for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"simd_width": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
     grep -q "$text" stats.json || fail "statistics without $text"
 done

@@ -30,8 +30,8 @@ scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
 "$bin/imgdiff" skeleton.exr openmp.exr >/dev/null || fail "the skeleton draws other bits"
 grep -q '"backend": "skeleton"' skeleton.json || fail "another backend drew"
 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --mode fast --output fast.exr --stats fast.json
-grep -q "\"stride\": 0" fast.json || fail "no trial went before the fast picture: $(cat fast.json)"
-grep -q "\"stride\": null" skeleton.json || fail "an exact picture has a trial"
+grep -q "\"step_factor\": 0" fast.json || fail "no trial went before the fast picture: $(cat fast.json)"
+grep -q "\"step_factor\": null" skeleton.json || fail "an exact picture has a trial"
 refused "$bin/render" "${scene[@]}" --backend skeleton --output no.exr
 
 # bench verifies and times it, and reports how it was built.
@@ -45,7 +45,7 @@ import sys
 
 result = json.load(open("result.json"))
 row = next(row for row in result["rows"] if row["backend"] == "skeleton")
-assert row["proof"]["level"] == "same bits" and row["figures"]["kernel_seconds"]["median"] > 0, row
+assert row["verification"]["level"] == "same bits" and row["figures"]["kernel_seconds"]["median"] > 0, row
 backends = result["environment"]["backends"]
 listed = re.search(r"set\(backends([^)]*)\)", open(sys.argv[1] + "/backends/CMakeLists.txt").read())[1].split()
 assert [backend["name"] for backend in backends] == [*listed, "skeleton"], backends

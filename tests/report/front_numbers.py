@@ -44,8 +44,8 @@ class Times:
     """A value and its interval. The interval is computed with Student's t from the logarithms of several runs' values,
     and widened to contain the value."""
 
-    def __init__(self, value: float, launches: list[float]):
-        logs = [math.log(one) for one in launches]
+    def __init__(self, value: float, runs: list[float]):
+        logs = [math.log(one) for one in runs]
         half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
         mean = statistics.mean(logs)
         self.value = value
@@ -63,29 +63,29 @@ class File:
         self.data = data
         self.rows = {row["name"]: row for row in data["rows"]}
 
-    def launches(self, name: str, clock: str) -> list[list[float]]:
+    def runs(self, name: str, clock: str) -> list[list[float]]:
         found: dict[int, list[float]] = {}
         for sample in self.rows[name]["samples"]:
-            found.setdefault(sample["launch"], []).append(sample[clock])
+            found.setdefault(sample["run"], []).append(sample[clock])
         return list(found.values())
 
     def kernel(self, name: str) -> Times:
-        launches = self.launches(name, "kernel")
-        return Times(statistics.median(sum(launches, [])), [statistics.median(one) for one in launches])
+        runs = self.runs(name, "kernel")
+        return Times(statistics.median(sum(runs, [])), [statistics.median(one) for one in runs])
 
     def speed(self, name: str, base: str) -> Times:
         """Returns the speed-up over the row `base`, in wall time."""
-        own, other = self.launches(name, "wall"), self.launches(base, "wall")
+        own, other = self.runs(name, "wall"), self.runs(base, "wall")
         ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
         return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
 
     def ratio(self, above: str, below: str) -> Times:
         """Returns the ratio of the kernel times of two rows, paired by round."""
-        a, b = ({(s["launch"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
-        launches: dict[int, list[float]] = {}
+        a, b = ({(s["run"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
+        runs: dict[int, list[float]] = {}
         for at in [at for at in a if at in b]:
-            launches.setdefault(at[0], []).append(a[at] / b[at])
-        return Times(statistics.median(sum(launches.values(), [])), [statistics.median(one) for one in launches.values()])
+            runs.setdefault(at[0], []).append(a[at] / b[at])
+        return Times(statistics.median(sum(runs.values(), [])), [statistics.median(one) for one in runs.values()])
 
     def work(self, above: str, below: str, *keys: str) -> float:
         def of(name: str) -> float:
@@ -95,8 +95,8 @@ class File:
         return of(above) / of(below)
 
 
-def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", point: str = "") -> str:
-    return f"{fractal}/{precision}/{mode}/{backend}/0{point and '/' + point}"
+def name_of(fractal: str, precision: str, mode: str, backend: str = "openmp", value: str = "") -> str:
+    return f"{fractal}/{precision}/{mode}/{backend}/0{value and '/' + value}"
 
 
 def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
@@ -106,7 +106,7 @@ def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
     for model in ("stdpar", "omptarget", "kokkos", "openacc"):
         for row in file.rows.values():
             if row["backend"] == model and row["samples"]:
-                scalar = name_of(row["fractal"], row["precision"], row["mode"], "openmp", "pack=1")
+                scalar = name_of(row["fractal"], row["precision"], row["mode"], "openmp", "simd-width=1")
                 assert abs(file.work(row["name"], scalar, "operations") - 1) < 1e-3, row["name"]
                 factor = file.rows[scalar]["threads"] / row["threads"]
                 speed = file.speed(row["name"], scalar)
@@ -134,7 +134,7 @@ def standard_rows(folder: Path) -> list[dict[str, Any]]:
     """Returns the timed rows of all results of the standard study, without the reference's and the scalar kernel's."""
     files = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.rglob("*.json"))]
     studies = [f for f in files if isinstance(f, dict) and f.get("schema") == "mandelmarch-bench" and f["study"] == "standard"]
-    return [r for f in studies for r in f["rows"] if r["samples"] and not r["point"] and r["backend"] != "reference"]
+    return [r for f in studies for r in f["rows"] if r["samples"] and not r["sweep_value"] and r["backend"] != "reference"]
 
 
 @functools.cache
@@ -145,7 +145,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     main = File(json.loads((folder / "bench.json").read_text(encoding="utf-8")))
     rows = standard_rows(folder)
     exact, fast = ([row for row in rows if row["mode"] == mode] for mode in ("exact", "fast"))
-    same = [sum(row["proof"]["level"] == "same bits" for row in exact), len(exact)]
+    same = [sum(row["verification"]["level"] == "same bits" for row in exact), len(exact)]
     cost = models(main)
     every = ends(sum(cost.values(), []))
     others = comparisons(main)
@@ -164,7 +164,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     nearest, farthest = (case(pick(best.values(), key=lambda n: others[n].value)) for pick in (min, max))
 
     def simd(mode: str) -> list[float]:
-        rows = [(name_of(f, "float", mode), name_of(f, "float", mode, "openmp", "pack=1")) for f in FRACTALS]
+        rows = [(name_of(f, "float", mode), name_of(f, "float", mode, "openmp", "simd-width=1")) for f in FRACTALS]
         return [n for row, scalar in rows for n in main.speed(row, scalar).numbers()] + [main.work(s, r, "operations") for r, s in rows]
 
     serial = [main.speed(name_of(f, "float", "exact"), name_of(f, "double", "exact", "reference")) for f in FRACTALS]
@@ -183,7 +183,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         *((f"in {m} mode openmp is ~ and ~ times as fast as the scalar kernel on as many threads (factors of # and # come from fewer operations)", simd(m)) for m in ("exact", "fast")),
         ("takes ~ and ~ times as long as openmp in exact mode", [n for one in serial for n in one.numbers()]),
         ("in exact mode: # of # exact pictures", same),
-        ("at most # % of an official scene's pixels", [100 * max(r["proof"]["visibly_differing"] / r["proof"]["pixels"] for r in fast)]),
+        ("at most # % of an official scene's pixels", [100 * max(r["verification"]["visibly_differing"] / r["verification"]["pixels"] for r in fast)]),
         ("In # of # comparisons the other backend takes significantly longer, at a level of # % for all", [*count, 5]),
         (f"The next best backend takes from {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
         *(box_or_bulb(*pair[0].split("/")[1:3], main.ratio(*pair)) for pair in pairs),
@@ -193,7 +193,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
          "product is # times as many operations.", factors),
         ("double takes ~ and ~ times as long in exact mode, and ~ and ~ times in fast mode", [n for two in digits for one in two for n in one.numbers()]),
         *other_files(folder),
-        ("In brackets: individual # % intervals of # runs", [95, main.data["launches"]]),
+        ("In brackets: individual # % intervals of # runs", [95, main.data["runs"]]),
     ]
 
 

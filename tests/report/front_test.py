@@ -95,16 +95,16 @@ def numbers_at(data: Any, path: str) -> list[float]:
     return [value for value, _ in values]
 
 
-def by_launch(pairs: list[tuple[int, float]]) -> list[list[float]]:
-    return [[value for of, value in pairs if of == launch] for launch in sorted({launch for launch, _ in pairs})]
+def by_run(pairs: list[tuple[int, float]]) -> list[list[float]]:
+    return [[value for of, value in pairs if of == run] for run in sorted({run for run, _ in pairs})]
 
 
-def interval_of(launches: list[list[float]], middle: float | None = None) -> tuple[float, float]:
+def interval_of(runs: list[list[float]], middle: float | None = None) -> tuple[float, float]:
     """Returns the interval of several runs: Student's t on the medians' logarithms, widened to contain the median of
     all values, or `middle`."""
-    logs = [math.log(statistics.median(launch)) for launch in launches]
+    logs = [math.log(statistics.median(run)) for run in runs]
     half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
-    middle = median_of(launches) if middle is None else middle
+    middle = median_of(runs) if middle is None else middle
     mean = statistics.mean(logs)
     return min(math.exp(mean - half), middle), max(math.exp(mean + half), middle)
 
@@ -115,16 +115,16 @@ def again(stored: Any, step: str, up: list[Any]) -> Any:
     row = next((e for e in up if isinstance(e, dict) and "samples" in e), None)
     entry = next((e for e in up if isinstance(e, dict) and "numerator" in e), None)
     if step == "kernel_seconds" and row is not None:
-        return summarised(stored, [(s["launch"], s["kernel"]) for s in row["samples"]])
+        return summarised(stored, [(s["run"], s["kernel"]) for s in row["samples"]])
     if step == "ratio" and entry is not None:
-        rows = {r["name"]: {(s["launch"], s["round"]): s["kernel"] for s in r["samples"]} for r in up[0]["rows"]}
+        rows = {r["name"]: {(s["run"], s["round"]): s["kernel"] for s in r["samples"]} for r in up[0]["rows"]}
         above, below = rows[entry["numerator"]], rows[entry["denominator"]]
         return summarised(stored, [(at[0], above[at] / below[at]) for at in above if at in below])
     if re.fullmatch("(speed_up|over_scalar)(_interval)?", step) and row is not None:
         serial = f"{row['fractal']}/double/exact/reference/0"
-        scalar = f"{row['fractal']}/{row['precision']}/{row['mode']}/openmp/0/pack=1"
+        scalar = f"{row['fractal']}/{row['precision']}/{row['mode']}/openmp/0/simd-width=1"
         base = next(r for r in up[0]["rows"] if r["name"] == (serial if step.startswith("speed_up") else scalar))
-        walls = [by_launch([(s["launch"], s["wall"]) for s in of["samples"]]) for of in (base, row)]
+        walls = [by_run([(s["run"], s["wall"]) for s in of["samples"]]) for of in (base, row)]
         quotient = median_of(walls[0]) / median_of(walls[1])
         if not step.endswith("_interval"):
             return quotient
@@ -133,14 +133,14 @@ def again(stored: Any, step: str, up: list[Any]) -> Any:
     return stored
 
 
-def median_of(launches: list[list[float]]) -> float:
-    return statistics.median([value for launch in launches for value in launch])
+def median_of(runs: list[list[float]]) -> float:
+    return statistics.median([value for run in runs for value in run])
 
 
 def summarised(stored: dict[str, Any], pairs: list[tuple[int, float]]) -> dict[str, Any]:
-    launches = by_launch(pairs)
-    interval = interval_of(launches) if len(launches) > 1 else stored["interval"]
-    return {"median": median_of(launches), "interval": interval and list(interval)}
+    runs = by_run(pairs)
+    interval = interval_of(runs) if len(runs) > 1 else stored["interval"]
+    return {"median": median_of(runs), "interval": interval and list(interval)}
 
 
 def value_of(files: dict[str, Any], values: dict[str, str], end: str = "") -> float:
@@ -152,7 +152,7 @@ def value_of(files: dict[str, Any], values: dict[str, str], end: str = "") -> fl
     if rule == "one":
         (only,) = found
         return only
-    return {"count": len, "least": min, "most": max}[rule](found)
+    return {"count": len, "min": min, "max": max}[rule](found)
 
 
 def written(value: float, style: str) -> str:
@@ -203,9 +203,9 @@ class FrontTest(unittest.TestCase):
             sample["kernel"] *= 1.05
         self.assertTrue(any("mandelbox/double/exact/openmp/0" in fault for fault in faults(self.page, files)))
 
-    def test_an_interval_that_is_not_of_the_launches_is_seen(self) -> None:
+    def test_an_interval_that_is_not_of_the_runs_is_seen(self) -> None:
         results = copy.deepcopy(READ)
-        for entry in results.primary().others_to_host():
+        for entry in results.primary().ratios("others_to_host"):
             entry["ratio"]["interval"][0] *= 1.01
         wrong = faults(page_of(results), results.files)
         self.assertEqual(len(wrong), 2, wrong)
@@ -225,7 +225,7 @@ class FrontTest(unittest.TestCase):
     def test_a_backend_that_beats_the_host_is_not_hidden(self) -> None:
         results = copy.deepcopy(READ)
         bench = results.primary()
-        for entry in bench.others_to_host():
+        for entry in bench.ratios("others_to_host"):
             entry["ratio"]["median"] /= 10
         self.assertIn("No backend is shown to be the fastest everywhere.", page_of(results))
         self.assertNotIn("No backend is shown to be the fastest everywhere.", self.page)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from made_flight import audit, film, flight_map
-from made_others import code_divergence, race
+from made_others import code_divergence, race, summary
 
 SETTING = {
     "width": 540,
@@ -20,36 +20,29 @@ SETTING = {
     "view": "official",
     "without": "",
     "threads": 0,
-    "pack": 0,
+    "simd_width": 0,
     "chunk": 0,
+    "band": 0,
+    "block_size": 0,
     "frames": 0,
 }
-OPERATIONS = {"sums": 10, "products": 20, "quotients": 1, "roots": 1}
-
-
-def summary(median: float) -> dict[str, Any]:
-    return {
-        "count": 9,
-        "median": median,
-        "mad": 0.01 * median,
-        "least": 0.9 * median,
-        "most": 1.1 * median,
-        "interval": [0.95 * median, 1.05 * median],
-    }
+OPERATIONS = {"additions": 10, "multiplications": 20, "divisions": 1, "square_roots": 1}
+QUESTIONS = ("mandelbox_to_mandelbulb", "double_to_float", "others_to_host", "to_first_value", "to_previous_value")
 
 
 def row(
-    fractal: str, precision: str, mode: str, backend: str, seconds: float, point: str = "", **setting: Any
+    fractal: str, precision: str, mode: str, backend: str, seconds: float, value: str = "", **setting: Any
 ) -> dict[str, Any]:
-    name = f"{fractal}/{precision}/{mode}/{backend}/0" + (f"/{point}" if point else "")
+    name = f"{fractal}/{precision}/{mode}/{backend}/0" + (f"/{value}" if value else "")
     return {
         "name": name,
         "fractal": fractal,
         "precision": precision,
         "mode": mode,
         "backend": backend,
+        "application": f"{backend}-scalar" if value == "simd-width=1" else backend,
         "device": 0,
-        "point": point,
+        "sweep_value": value,
         "setting": SETTING | setting,
         "unavailable": None,
         "failure": None,
@@ -60,38 +53,45 @@ def row(
         "is_gpu": False,
         "instruction_set": "",
         "threads": 2,
-        "pack": 16,
-        "proof": {
+        "simd_width": 16,
+        "verification": {
             "drawn": True,
-            "fine": True,
-            "yardstick": False,
+            "passed": True,
+            "is_expected": False,
             "level": "same bits",
             "text": "same bits",
             "against": "",
             "pixels": 291600,
             "differing": 0,
             "visibly_differing": 0,
-            "largest_ulps": 0.0,
+            "max_ulps": 0.0,
             "psnr_db": None,
         },
         "context_seconds": 0.0,
         "build_seconds": 0.0,
+        "step_factor": None,
+        "unsettled": 0.0,
         "work": {"steps": 9, "de_calls": 9, "iterations": 9},
         "operations": 1e9,
-        "samples": [{"launch": 0, "round": 0, "kernel": seconds, "wall": seconds, "upload": 0.0, "readback": 0.0}],
+        "operations_standard_error": None,
+        "samples": [{"run": 0, "round": 0, "kernel": seconds, "wall": seconds, "upload": 0.0, "readback": 0.0, "host": seconds}],
         "figures": {
             "kernel_seconds": summary(seconds),
             "wall_seconds": summary(1.1 * seconds),
             "upload_seconds": 0.0,
+            "host_seconds": seconds,
             "readback_seconds": 0.0,
+            "unaccounted_share": 0.0,
             "pixels_per_second": 1e6,
             "de_calls_per_second": 1e6,
             "iterations_per_second": 1e7,
             "operations_per_second": 1e9,
             "peak_operations_per_second": 1e10,
             "share_of_peak": 0.1,
+            "share_of_peak_standard_error": None,
             "bound_seconds": 0.1 * seconds,
             "speed_up": 1.5,
+            "speed_up_interval": None,
             "over_scalar": 2.0,
             "over_scalar_interval": [1.9, 2.1],
         },
@@ -111,19 +111,17 @@ def count(fractal: str, iterations: int, view: str = "official") -> dict[str, An
         "operations_per_iteration": 25.0,
         "march_de_calls": 5000,
         "march_iterations": iterations,
-        "lanes": 16,
-        "active_in_steps": 0.8,
-        "active_in_iterations": 0.7,
         "lane_use": [
             {
                 "lanes": lanes,
-                "active_in_steps": 0.8,
-                "active_in_iterations": 0.7,
-                "refilled_active_in_steps": 0.95,
-                "refilled_active_in_iterations": 0.85,
+                "together": {"in_steps": 0.8, "in_iterations": 0.7},
+                "refilled": {"in_steps": 0.95, "in_iterations": 0.85},
+                "together_standard_error": None,
+                "refilled_standard_error": None,
             }
             for lanes in (16, 32)
         ],
+        "standard_errors": None,
     }
 
 
@@ -158,17 +156,18 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
         "by_application_efficiency": 1.0,
         "by_application_efficiency_interval": [0.9, 1.0],
         "by_share_of_peak": 0.1,
-        "by_share_of_peak_interval": None,
+        "by_share_of_peak_interval": [0.1, 0.1],
         "platforms": [],
+        "not_measured": [],
         "cascade": [{"platform": "Processor", "efficiency": 1.0, "portability": 1.0}],
     }
     return copy.deepcopy(
         {
             "schema": "mandelmarch-bench",
-            "version": 1,
+            "version": 2,
             "study": study,
             "seed": 1,
-            "launches": 1,
+            "runs": 1,
             "warnings": [],
             "environment": {
                 "date": "2026-01-02T03:04:05Z",
@@ -230,7 +229,7 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
             if study == "profile"
             else [],
             "rows": made,
-            "questions": {"mandelbox_to_mandelbulb": [ratio], "double_to_float": []},
+            "questions": {question: [ratio] if question == "mandelbox_to_mandelbulb" else [] for question in QUESTIONS},
             "portability": [portability],
         }
     )
@@ -240,17 +239,19 @@ def with_scalar() -> dict[str, Any]:
     """Returns a result that includes the scalar kernel's rows."""
     data = bench()
     kinds = [(row["fractal"], row["precision"], row["mode"]) for row in data["rows"] if row["backend"] == "openmp"]
-    data["rows"] += [row(*kind, "openmp", 1.23, "pack=1", pack=1) for kind in kinds]
+    data["rows"] += [row(*kind, "openmp", 1.23, "simd-width=1", simd_width=1) for kind in kinds]
     for scalar in data["rows"][-len(kinds) :]:
         scalar["figures"] |= {"over_scalar": None, "over_scalar_interval": None}
     return data
 
 
 def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
-    return bench(
-        study,
-        [row("mandelbulb", "float", "exact", "openmp", 0.1 / (k + 1), f"{name}={value}") for k, value in enumerate(values)],
-    )
+    rows = [row("mandelbulb", "float", "exact", "openmp", 0.1 / (k + 1), f"{name}={value}") for k, value in enumerate(values)]
+    data = bench(study, rows)
+    data["questions"]["to_first_value"] = [
+        {"numerator": later["name"], "denominator": rows[0]["name"], "ratio": summary(1 / (k + 2))} for k, later in enumerate(rows[1:])
+    ]
+    return data
 
 
 def write(folder: Path, files: dict[str, Any]) -> Path:
@@ -266,6 +267,7 @@ def random_scenes() -> dict[str, Any]:
     def sums(off: float) -> dict[str, Any]:
         return {
             "scenes": 60,
+            "pixels": 1000,
             "off_percent": off,
             "hit_or_miss_percent": 0.0123,
             "scenes_far_off": 3,
@@ -274,7 +276,17 @@ def random_scenes() -> dict[str, Any]:
         }
 
     entry = {"fractal": "bulb", "precision": "double", "all": sums(0.5), "sets": {"1": sums(0.123), "2": sums(0.987)}}
-    return {"schema": "mandelmarch-bench-random", "version": 1, "backend": "openmp", "without": "", "sums": [entry]}
+    return {
+        "schema": "mandelmarch-bench-random",
+        "version": 1,
+        "backend": "openmp",
+        "without": "",
+        "width": 61,
+        "height": 45,
+        "environment": bench()["environment"],
+        "sums": [entry],
+        "scenes": [],
+    }
 
 
 def everything() -> dict[str, Any]:

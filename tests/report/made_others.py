@@ -6,6 +6,18 @@ from __future__ import annotations
 from typing import Any
 
 
+def summary(median: float) -> dict[str, Any]:
+    return {
+        "count": 9,
+        "runs": 1,
+        "median": median,
+        "mad": 0.01 * median,
+        "min": 0.9 * median,
+        "max": 1.1 * median,
+        "interval": [0.95 * median, 1.05 * median],
+    }
+
+
 def code_divergence() -> dict[str, Any]:
     def model(name: str, lines: int, distances: dict[str, float]) -> dict[str, Any]:
         return {"backend": name, "lines": lines, "lines_of_job": 0, "lines_of_kernel": 987, "distances": distances}
@@ -29,10 +41,11 @@ def race(environment: dict[str, Any]) -> dict[str, Any]:
             "why": why,
             "exit_code": 0,
             "signal": None,
-            "picture": {"width": 60, "height": 40, "differing": 24, "visibly_differing": 3, "first": [1, 2], "psnr": 40.5},
+            "picture": {"width": 60, "height": 40, "differing": 24, "visibly_differing": 3, "first_x": 1, "first_y": 2, "psnr_db": 40.5},
             "memory": 3 * 2**20,
-            "wall": {"median": seconds, "interval": [0.9 * seconds, 1.1 * seconds]} if seconds else None,
-            "times_ours": {"ratio": 7.77, "interval": None} if seconds else None,
+            "wall": summary(seconds) if seconds else None,
+            "times_ours": 7.77 if seconds else None,
+            "times_ours_interval": None,
             "samples": [{"round": 0, "wall": seconds, "processor": 0.1}] if seconds else [],
         }
 
@@ -40,7 +53,7 @@ def race(environment: dict[str, Any]) -> dict[str, Any]:
     named = {key: environment[key] for key in ("date", "git", "build", "cpu", "memory", "os", "backends", "icds", "variables")}
     return {
         "schema": "mandelmarch-race",
-        "version": 1,
+        "version": 2,
         "environment": named,
         "fractal": "mandelbox",
         "width": 60,

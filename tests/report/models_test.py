@@ -29,13 +29,13 @@ def bench(*rows: dict[str, Any]) -> Bench:
     return Bench("made", Path("made"), made.bench("standard", list(rows)))
 
 
-def row(backend: str, seconds: float, point: str = "", threads: int = 2, pack: int = 1, operations: float = 1e9, speed: float | None = None) -> dict[str, Any]:
-    made_row = made.row("mandelbulb", "float", "fast", backend, seconds, point) | {"threads": threads, "pack": pack, "operations": operations}
+def row(backend: str, seconds: float, value: str = "", threads: int = 2, simd_width: int = 1, operations: float = 1e9, speed: float | None = None) -> dict[str, Any]:
+    made_row = made.row("mandelbulb", "float", "fast", backend, seconds, value) | {"threads": threads, "simd_width": simd_width, "operations": operations}
     made_row["figures"] |= {"over_scalar": speed, "over_scalar_interval": speed and [0.9 * speed, 1.1 * speed]}
     return made_row
 
 
-SCALAR = row("openmp", 0.4, "pack=1")
+SCALAR = row("openmp", 0.4, "simd-width=1")
 
 
 class CostTest(unittest.TestCase):
@@ -44,11 +44,11 @@ class CostTest(unittest.TestCase):
         self.assertEqual({name: speeds[0][0] for name, speeds in costs.speeds.items()}, {"stdpar": 0.99, "kokkos": 1.0})
 
     def test_less_work_and_simd_are_no_cost_of_a_model(self) -> None:
-        others = [row("stdpar", 0.1, operations=5e8, speed=4.0), row("kokkos", 0.1, pack=8, speed=4.0), row("vulkan", 0.1, speed=4.0)]
-        self.assertEqual(Costs(bench(SCALAR, row("openmp", 0.1, pack=48, speed=4.0), *others), BACKENDS).speeds, {})
+        others = [row("stdpar", 0.1, operations=5e8, speed=4.0), row("kokkos", 0.1, simd_width=8, speed=4.0), row("vulkan", 0.1, speed=4.0)]
+        self.assertEqual(Costs(bench(SCALAR, row("openmp", 0.1, simd_width=48, speed=4.0), *others), BACKENDS).speeds, {})
 
     def test_one_thread_and_the_scalar_text_are_marked(self) -> None:
-        rows = [row("openmp", 0.1, pack=48), SCALAR, row("kokkos", 0.8, threads=1), row("vulkan", 0.2, threads=1)]
+        rows = [row("openmp", 0.1, simd_width=48), SCALAR, row("kokkos", 0.8, threads=1), row("vulkan", 0.2, threads=1)]
         self.assertEqual([label(Row(data)) for data in rows], ["openmp", "openmp-scalar", "kokkos (1 thread)", "vulkan"])
         self.assertEqual(ranked(with_scalar(bench(*rows), "reference")), ["openmp", "vulkan", "openmp-scalar", "kokkos (1 thread)"])
 
@@ -71,7 +71,7 @@ class HolmTest(unittest.TestCase):
 
     def data(self, *ratios: list[float]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
         def samples(values: list[float]) -> list[dict[str, Any]]:
-            return [{"launch": k, "round": 0, "kernel": value} for k, value in enumerate(values)]
+            return [{"run": k, "round": 0, "kernel": value} for k, value in enumerate(values)]
 
         rows = [{"name": "host", "samples": samples([1.0] * 5)}] + [{"name": str(n), "samples": samples(r)} for n, r in enumerate(ratios)]
         return {"rows": rows}, [{"numerator": str(n), "denominator": "host"} for n in range(len(ratios))]

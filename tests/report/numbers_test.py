@@ -43,7 +43,7 @@ def winners(text: str) -> set[str]:
     CSV."""
     best: dict[tuple[str, ...], tuple[float, str]] = {}
     for row in csv.DictReader(io.StringIO(text)):
-        if row["kernel_s"] and row["proof_fine"] == "1":
+        if row["kernel_s"] and row["verified"] == "1":
             kind = (row["fractal"], row["precision"], row["mode"])
             best[kind] = min(best.get(kind, (math.inf, "")), (float(row["kernel_s"]), row["application"]))
     return {backend for _, backend in best.values()}

@@ -120,7 +120,7 @@ class ReportTest(unittest.TestCase):
         self.assertIn(">0.12 – 0.99<", page)  # range over two sets of random scenes
         # The code convergence, and a race, in whose table a program with a wrong picture has no time.
         self.assertIn("a convergence of 0.568", page)
-        self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[411 – 502\]</td><td.*?>7.77</td>")
+        self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
         # Equal pictures are stored once: a correct and a wrong one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
@@ -213,15 +213,15 @@ class ReportTest(unittest.TestCase):
     def test_bad_files(self) -> None:
         # Files stay in the folder during the test and are read in the order of their names. So each broken file below
         # must come before the ones that are already there.
-        self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version 2", "expected 1")
+        self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version: 1 was expected")
         cut_off = made.random_scenes()
         del cut_off["sums"][0]["sets"]
         self.refused({"random.json": cut_off}, "random.json", "sets")
         self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "not JSON")
-        self.refused({"bench.json": made.bench() | {"version": 0}}, "bench.json", "version 0", "expected 1")
+        self.refused({"bench.json": made.bench() | {"version": 0}}, "bench.json", "version 0", "expected 2", "bench json")
         whole = made.bench()
-        del whole["rows"][3]["proof"]
-        self.refused({"bench.json": whole}, "bench.json", "rows/3", "proof")
+        del whole["rows"][3]["verification"]
+        self.refused({"bench.json": whole}, "bench.json", "rows/3", "verification")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
         self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "balls")
         self.refused(
@@ -258,8 +258,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(run.stderr.count("left out"), 2)
 
     def test_machines_are_compared_at_one_size(self) -> None:
-        def of(machine: str, launches: int, side: int) -> dict[str, object]:
-            data = made.bench() | {"launches": launches}
+        def of(machine: str, runs: int, side: int) -> dict[str, object]:
+            data = made.bench() | {"runs": runs}
             data["environment"]["cpu"]["model"] = machine
             for row in data["rows"]:
                 row["setting"] |= {"width": side, "height": side}
@@ -294,7 +294,7 @@ class ReportTest(unittest.TestCase):
             data = made.bench()
             data["environment"]["cpu"]["model"] = machine
             rows = data["rows"]
-            data["rows"] = [row | {"backend": backend} for backend in ("openmp", "opencl", "vulkan", *more) for row in rows[:4]]
+            data["rows"] = [row | {"backend": backend, "application": backend} for backend in ("openmp", "opencl", "vulkan", *more) for row in rows[:4]]
             for row in data["rows"]:
                 row["setting"] = row["setting"] | {"width": side, "height": side}
             return data
@@ -309,7 +309,7 @@ class ReportTest(unittest.TestCase):
         files: dict[str, object] = {"h.txt": f"H100 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
         data = made.bench()
         row = next(r for r in data["rows"] if (r["fractal"], r["precision"], r["mode"]) == ("mandelbulb", "float", "fast"))
-        row |= {"is_gpu": True, "device_name": "NVIDIA H200", "backend": "cuda"}
+        row |= {"is_gpu": True, "device_name": "NVIDIA H200", "backend": "cuda", "application": "cuda"}
         row["setting"] |= {"width": 1920, "height": 1080}
         row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
         files["bench.json"] = data

@@ -15,17 +15,19 @@ ENVIRONMENT = {"date": "2026-01-02T03:04:05Z", "git": {"revision": "0123456789ab
                "cpu": {"model": "A Processor", "cores_usable": 2}}
 
 
-def row(point, seconds):
+def row(value, seconds):
     figures = {"kernel_seconds": {"median": seconds, "count": 9, "interval": [seconds, 2 * seconds]},
-               "wall_seconds": {"median": seconds}, "share_of_peak": 0.25, "speed_up": 12.5, "over_scalar": 4.0, "over_scalar_interval": [3.0, 5.0]}
-    return {"name": point, "fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0, "point": point,
-            "proof": {"level": "perceptual", "fine": True, "yardstick": False, "text": "0.500 % off", "pixels": 200,
+               "wall_seconds": {"median": seconds}, "share_of_peak": 0.25, "speed_up": 12.5, "speed_up_interval": None,
+               "over_scalar": 4.0, "over_scalar_interval": [3.0, 5.0]}
+    return {"name": value, "fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "openmp", "application": "openmp",
+            "device": 0, "sweep_value": value,
+            "verification": {"level": "perceptual", "passed": True, "is_expected": False, "text": "0.500 % off", "pixels": 200,
                       "visibly_differing": 1}, "figures": figures}
 
 
 RATIO = {"numerator": "without=hull", "denominator": "without=none", "ratio": {"count": 9, "median": 1.5, "interval": [1.25, 1.75]}}
 ABLATION = {"environment": ENVIRONMENT, "rows": [row("without=none", 0.02), row("without=hull", 0.03)],
-            "questions": {"to_first_point": [RATIO]}}
+            "questions": {"to_first_value": [RATIO]}}
 WORTH = "It takes <!-- figures: worth hull bulb float -->1.50 [1.25, 1.75]<!-- end --> times as long.\n"
 K40 = """K40 on paper
 fractal     precision  mode   backend    cycles  cycles  active in   active in  all cycles   longest   expected, ms
@@ -33,7 +35,7 @@ fractal     precision  mode   backend    cycles  cycles  active in   active in  
 mandelbulb  float      fast   openacc        79     247        49%         62%         8.1       5.6     8.1   13.7
 """
 TABLE = """<!-- figures: study ablation -->
-| fractal | precision | mode | backend | proof | kernel ms | 95 % interval | share of peak | over serial | over scalar | work over scalar's |
+| fractal | precision | mode | backend | verification | kernel ms | 95 % interval | share of peak | over serial | over scalar | work over scalar's |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
 | mandelbulb | float | fast | openmp | 0.500 % off | 20.00 | [20.00, 40.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] | - |
 | mandelbulb | float | fast | openmp | 0.500 % off | 30.00 | [30.00, 60.00] | 25 % | 12.50 | 4.000 [3.000, 5.000] | - |
@@ -71,8 +73,8 @@ class FiguresTest(unittest.TestCase):
 
     def test_less_work_than_the_scalar_text_s_is_said_and_a_baseline_has_no_interval(self):
         data = copy.deepcopy(ABLATION)
-        for row_of, point, operations in zip(data["rows"], ("", "pack=1"), (30e6, 50e6)):
-            row_of |= {"point": point, "operations": operations}
+        for row_of, value, operations in zip(data["rows"], ("", "simd-width=1"), (30e6, 50e6)):
+            row_of |= {"sweep_value": value, "operations": operations}
         data["rows"][0]["figures"] |= {"speed_up": 1.0, "speed_up_interval": [0.7, 1.4]}
         self.results(data)
         _, _, text = self.figures("<!-- figures: study ablation --><!-- end -->\n")
@@ -82,8 +84,8 @@ class FiguresTest(unittest.TestCase):
     def test_a_model_s_cost_is_compared_thread_for_thread(self):
         data = copy.deepcopy(ABLATION)
         model, scalar = data["rows"]
-        model |= {"backend": "kokkos", "point": "", "threads": 1}
-        scalar |= {"point": "pack=1", "threads": 2}
+        model |= {"backend": "kokkos", "application": "kokkos", "sweep_value": "", "threads": 1}
+        scalar |= {"sweep_value": "simd-width=1", "threads": 2}
         model["figures"]["over_scalar"] = 0.49
         self.results(data)
         place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
@@ -109,7 +111,7 @@ class FiguresTest(unittest.TestCase):
     def test_a_changed_result_is_found(self):
         changed = copy.deepcopy(ABLATION)
         changed["rows"][1]["figures"]["kernel_seconds"]["median"] = 0.04
-        changed["questions"]["to_first_point"][0]["ratio"]["median"] = 2.0
+        changed["questions"]["to_first_value"][0]["ratio"]["median"] = 2.0
         self.results(changed)
         code, said, _ = self.figures(WORTH + TABLE, "--check")
         self.assertEqual(code, 1)
@@ -133,10 +135,10 @@ class FiguresTest(unittest.TestCase):
         self.assertEqual(text.splitlines()[3:], ["| mandelbox | frames inside the hull, % | quality | >= 90 | 88.2 | 1 of 2 |", "<!-- end -->"])
 
     def test_a_file_without_the_question_is_one_line(self):
-        self.results({**ABLATION, "questions": {}})
+        self.results({**ABLATION, "questions": {"to_first_value": []}})
         code, said, _ = self.figures(WORTH)
         self.assertEqual((code, said.count("\n")), (2, 1))
-        self.assertIn("ablation.json says nothing of without=hull in to_first_point", said)
+        self.assertIn("ablation.json says nothing of without=hull in to_first_value", said)
 
     def test_wrong_places_are_one_line(self):
         for text, message in (

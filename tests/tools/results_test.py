@@ -8,7 +8,7 @@ import time
 import unittest
 
 TOOL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "results.py")
-LIST = """a.json 1 2 bench --launches {launches} --json {}
+LIST = """a.json 1 2 bench --runs {runs} --json {}
 b.txt 1 1 KIND=second bench print
 c.json 1 1 bench --json {}
 """
@@ -103,7 +103,7 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.path("output"))), ["a.json", "b.txt", "c.json"])
         self.assertEqual(self.text("output/b.txt"), "printed\n")
         calls = self.text("calls").splitlines()
-        self.assertTrue(calls[0].startswith(" --launches 2 --json "))
+        self.assertTrue(calls[0].startswith(" --runs 2 --json "))
         self.assertEqual(calls[1], "second print")
 
     def test_what_failed_goes_on_where_it_stopped(self):

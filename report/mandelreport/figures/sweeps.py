@@ -48,15 +48,14 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
                 values = [1e3 * t.median for t in times]
                 errors = [[1e3 * t.errors()[side] for t in times] for side in (0, 1)]
             elif y == "speed-up":
-                gains = [(found.inverse() if (found := bench.to_first_point(row)) else Times(1, None, None, 1)) for _, row in points]
+                gains = [(found.inverse() if (found := bench.to_first_value(row)) else Times(1, None, None, 1)) for _, row in points]
                 values = [gain.median for gain in gains]
                 errors = [[gain.errors()[side] for gain in gains] for side in (0, 1)]
             else:
-                scale = [row.pixels / 1e6 for _, row in points]
-                values = [s / t.median for s, t in zip(scale, times)]
+                values = [row.figures["pixels_per_second"] / 1e6 for _, row in points]
                 errors = [
-                    [v - s / (t.high or t.median) for v, s, t in zip(values, scale, times)],
-                    [s / (t.low or t.median) - v for v, s, t in zip(values, scale, times)],
+                    [v - v * t.median / (t.high or t.median) for v, t in zip(values, times)],
+                    [v * t.median / (t.low or t.median) - v for v, t in zip(values, times)],
                 ]
             errors = [[max(0.0, e) for e in side] for side in errors]
             axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
@@ -86,25 +85,25 @@ def ablation(bench: Bench) -> Figure | None:
     for j, fractal in enumerate(fractals):
         axis = axes[0][j]
         of_fractal = [(name, rows) for (of, name), rows in lines.items() if of == fractal]
-        points = list(dict.fromkeys(row.value for _, rows in of_fractal for row in rows if row.value != "none"))
+        values = list(dict.fromkeys(row.value for _, rows in of_fractal for row in rows if row.value != "none"))
         width = 0.8 / len(of_fractal)
         for number, (name, rows) in enumerate(of_fractal):
             for row in rows:
-                found = bench.to_first_point(row)
+                found = bench.to_first_value(row)
                 if found is None:
                     continue
-                x = points.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width
+                x = values.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width
                 axis.bar(
                     x,
                     found.median,
                     width,
                     yerr=[[error] for error in found.errors()],
-                    label=name if row.value == points[0] else None,
+                    label=name if row.value == values[0] else None,
                     **style.look(number),
                 )
                 said.append(f"{fractal}, {name}, without {row.value}: {digits(found.median)}")
         axis.axhline(1, color="black", linewidth=0.8)
-        axis.set_xticks(range(len(points)), points, rotation=30, ha="right", fontsize=7)
+        axis.set_xticks(range(len(values)), values, rotation=30, ha="right", fontsize=7)
         axis.grid(axis="x", visible=False)
         axis.set(xlabel="disabled technique", title=fractal)
         if j == 0:
@@ -114,5 +113,5 @@ def ablation(bench: Bench) -> Figure | None:
         figure,
         "Bar charts: time without a technique over the time with all techniques. " + "; ".join(said) + ".",
         "Ablation: kernel time without a technique as a multiple of the time with all techniques, taken round by round, with its "
-        "95 % interval. 1: the technique gains nothing. Without root the picture differs.",
+        "95 % interval. 1: the technique gains nothing. Without refinement the picture differs.",
     )

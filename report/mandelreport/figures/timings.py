@@ -19,15 +19,15 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     """Shows the time of every backend over that of the scalar kernel, fastest first, a panel for each fractal and
     mode."""
     rows = with_scalar(bench, backends.reference)
-    if not any(row.point == SCALAR for row in rows):
+    if not any(row.sweep_value == SCALAR for row in rows):
         return None
     names = ranked(rows)
     fractals, modes = bench.values("fractal"), bench.values("mode")
     figure, axes = style.panels(len(modes), len(fractals), 8, (0.7 + 0.2 * len(names)) * len(modes), sharex=True, sharey=True)
     said = []
     for row in rows:
-        value = 1 if row.point == SCALAR else row.figures["over_scalar"]
-        times = Times(value, *(row.figures.get("over_scalar_interval") or (None, None)), 1).inverse()
+        value = 1 if row.sweep_value == SCALAR else row.figures["over_scalar"]
+        times = Times(value, *(row.figures["over_scalar_interval"] or (None, None)), 1).inverse()
         axis = axes[modes.index(row.mode)][fractals.index(row.fractal)]
         at = names.index(label(row)) + (-0.15 if row.precision == "double" else 0.15)
         low, high = times.errors()
@@ -59,10 +59,10 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
     # Numerator and denominator, such as mandelbox/double/exact/openmp/0, differ in what the question compares.
     entries = []
     for ratio in found:
-        fractal, precision, mode, backend, device, *point = ratio["denominator"].split("/")
+        fractal, precision, mode, backend, device, *scalar = ratio["denominator"].split("/")
         kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
         name = backend if device == "0" else f"{backend} {device}"
-        entries.append((kind, f"{name}-scalar" if point else name, backend, Times.of(ratio["ratio"])))
+        entries.append((kind, f"{name}-scalar" if scalar else name, backend, Times.of(ratio["ratio"])))
     kinds = list(dict.fromkeys(kind for kind, *_ in entries))
     names = backends.order(name for _, name, _, _ in entries)
     figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
@@ -139,13 +139,13 @@ def machines(benches: list[Bench]) -> Figure | None:
             x = k + (number - (len(benches) - 1) / 2) * width
             axis.bar(
                 x,
-                best.pixels / 1e6 / best.kernel.median,
+                best.figures["pixels_per_second"] / 1e6,
                 width,
                 label=bench.machine if k == 0 else None,
                 **style.look(number),
             )
             axis.text(
-                x, best.pixels / 1e6 / best.kernel.median, where(best), rotation=90, ha="center", va="bottom", fontsize=6
+                x, best.figures["pixels_per_second"] / 1e6, where(best), rotation=90, ha="center", va="bottom", fontsize=6
             )
             said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
     axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)

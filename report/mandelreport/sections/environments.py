@@ -40,7 +40,7 @@ def _facts(bench: Bench, host: str) -> dict[str, str]:
     return {
         "file": bench.name,
         "pixels": bench.size,
-        "runs, seed": f"{bench.data['launches']}, {bench.data['seed']}",
+        "runs, seed": f"{bench.data['runs']}, {bench.data['seed']}",
         "SIMD": instructions(bench, host) or "–",
         "date": e["date"][:16].replace("T", " "),
         "revision": git["revision"][:12] + (", with uncommitted changes" if git["dirty"] else ""),
@@ -86,7 +86,7 @@ def _backends(material: Material) -> Table | None:
 
 def section(material: Material) -> dict[str, Any]:
     others = [
-        [b.name, b.study, b.machine, str(b.data["launches"]), b.environment["git"]["revision"][:12], b.environment["date"][:10]]
+        [b.name, b.study, b.machine, str(b.data["runs"]), b.environment["git"]["revision"][:12], b.environment["date"][:10]]
         for b in material.results.benches
         if b.study != "standard"
     ]

@@ -43,6 +43,6 @@ def section(material: Material) -> dict[str, Any]:
         "no_gpu": Missing("This answer", "make k40"),
         "no_film": Missing("This answer", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
         "file": answers.primary.name if answers.primary else "",
-        "launches": answers.primary.data["launches"] if answers.primary else 0,
+        "runs": answers.primary.data["runs"] if answers.primary else 0,
         "machine": answers.primary.machine if answers.primary else "",
     }

@@ -28,7 +28,7 @@ def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
     ]
     if not rows:
         return "–"
-    bench, row = max(rows, key=lambda one: (one[0].data["launches"], one[1].kernel.count))
+    bench, row = max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count))
     return f"{time_cell(row)}{' *' if bench.study != 'standard' else ''}"
 
 

@@ -40,7 +40,7 @@ def _baseline(material: Material) -> str:
     file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
     if file is None:
         return text
-    ends = [trace.number(Place((file,), f"* * {mode}:3", rule)) for mode in ("exact", "fast") for rule in ("least", "most")]
+    ends = [trace.number(Place((file,), f"* * {mode}:3", rule)) for mode in ("exact", "fast") for rule in ("min", "max")]
     machine = next(line for line in str(material.results.files[file]).splitlines() if line.startswith("processor")).split(maxsplit=1)[1]
     return text + Markup(
         " With -march=native the scalar kernel is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
@@ -57,7 +57,7 @@ def section(material: Material) -> dict[str, Any]:
                 bench.name,
                 bench.machine,
                 bench.size,
-                str(bench.data["launches"]),
+                str(bench.data["runs"]),
                 instructions(bench, material.backends.host),
                 git["revision"][:7] + (" and changes" if git["dirty"] else ""),
             ]

@@ -16,9 +16,6 @@ from . import Material
 from .sweeps import THREADS, sweep
 
 
-FIRST = "to_first_point"
-
-
 def _march(material: Material) -> str:
     """States that marching takes most of the time, if every profile shows it."""
     shares = [
@@ -32,7 +29,7 @@ def _march(material: Material) -> str:
 
 def _traced(material: Material, bench: Bench, row: Row) -> Markup:
     """Formats the ratio of a sweep value to the first one, with its interval."""
-    return material.answers.trace.times(bench.name, f"questions:{FIRST}:numerator={row.name}:ratio")
+    return material.answers.trace.times(bench.name, f"questions:to_first_value:numerator={row.name}:ratio")
 
 
 def _scaling(material: Material) -> str:
@@ -40,7 +37,7 @@ def _scaling(material: Material) -> str:
     found = []
     for bench in material.results.study("threads"):
         cores = str(bench.environment["cpu"]["cores_usable"])
-        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.ratio(FIRST, row))]
+        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.to_first_value(row))]
     if not found:
         return ""
     least, most = (_traced(material, *pick(found, key=lambda one: one[2].median)[:2]) for pick in (min, max))
@@ -51,8 +48,8 @@ def _worth(material: Material) -> str:
     """Names the techniques with the largest and the smallest gain among those that do not change the picture."""
     longest: dict[str, tuple[float, Markup]] = {}
     for bench in material.results.study("ablation"):
-        for row in (row for row in bench.timed() if row.value not in ("none", "root")):
-            found = bench.ratio(FIRST, row)
+        for row in (row for row in bench.timed() if row.value not in ("none", "refinement")):
+            found = bench.to_first_value(row)
             if found and found.median > longest.get(row.value, (0,))[0]:
                 longest[row.value] = (found.median, _traced(material, bench, row))
     together = longest.pop("all-four", None)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..agreement import compare, difference_map, encode, flip_mean, yardstick
+from ..agreement import compare, difference_map, encode, expected_picture, flip_mean
 from ..blocks import Block, Figure, Missing, Table, data_uri
 from ..pictures import SCENES, SIDE, Key, Picture
 from ..random_scenes import random_table
@@ -43,7 +43,7 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         keys = [picture.key for picture in same]
         names = _names(keys)
         figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, rendered by {names}.", names)
-        canonical = yardstick(pictures, first, material.backends.reference)
+        canonical = expected_picture(pictures, first, material.backends.reference)
         drawn = None
         if canonical is not None:
             difference = compare(material.studio, canonical, first)

@@ -27,14 +27,14 @@ def _picture(material: Material, fractal: str) -> Figure | None:
     return Figure(data_uri("image/webp", buffer.getvalue()), alt, f"The {fractal.capitalize()}, official scene.", False)
 
 
-def _proofs(material: Material) -> Block:
+def _verification(material: Material) -> Block:
     """Returns the verification result of each row of the primary study, backends as columns."""
     bench = material.answers.primary
     if bench is None:
         return Missing("The verification", "make bench")
     names = material.backends.order(row.backend for row in bench.rows if row.timed)
     kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
-    said = {(row.fractal, row.precision, row.mode, row.backend): row.verification for row in bench.rows if row.timed}
+    said = {(row.fractal, row.precision, row.mode, row.backend): row.verification["text"] for row in bench.rows if row.timed}
     return Table(
         ["fractal", "precision", "mode", *names],
         [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],
@@ -46,6 +46,6 @@ def _proofs(material: Material) -> Block:
 def section(material: Material) -> dict[str, Any]:
     return {
         "pictures": [figure for fractal in SCENES if (figure := _picture(material, fractal))],
-        "proofs": _proofs(material),
+        "verification": _verification(material),
         "reference": material.backends.reference,
     }

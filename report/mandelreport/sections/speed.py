@@ -75,8 +75,8 @@ def _cost_see(material: Material, bench: Bench) -> str:
     cost = material.answers.cost()
     if cost is None:
         return ""
-    path = f"rows:backend={material.backends.host}&point=&figures!=null:figures.over_scalar"
-    least, most = (material.answers.trace.number(Place((bench.name,), path, rule)) for rule in ("least", "most"))
+    path = f"rows:backend={material.backends.host}&sweep_value=&figures!=null:figures.over_scalar"
+    least, most = (material.answers.trace.number(Place((bench.name,), path, rule)) for rule in ("min", "max"))
     return Markup(
         "{} stay near the line, at {} to {} times the scalar kernel's speed per thread: the models' own loops cost little. {} is {} to {} times as "
         "fast as the scalar kernel, in fast mode partly because it does fewer operations. Ratios are taken round by round, so two "

@@ -24,7 +24,7 @@ SWEEPS = [
         "ms",
         "Wall time per picture, including context and build: the cost of opening a device, and after how many pictures it is negligible.",
     ),
-    ("packs", "pixels at once on a core", "ms", "Kernel time by the number of pixels that a core computes at once."),
+    ("simd-widths", "pixels at once on a core", "ms", "Kernel time by the number of pixels that a core computes at once."),
     (
         "tiles",
         "tiles that a thread takes at once",

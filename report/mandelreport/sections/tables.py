@@ -8,7 +8,7 @@ import subprocess
 from collections.abc import Callable
 from typing import Any
 
-from ..bench import Bench, Row, read_portability
+from ..bench import Bench, Row, checked
 from ..blocks import Missing, Table
 from ..errors import InputError
 from ..figures import portability
@@ -30,7 +30,7 @@ def time_cell(row: Row | None) -> str:
 
 def quotient_cell(row: Row, key: str) -> str:
     """Formats a speed-up and its interval; no interval for a baseline compared with itself."""
-    value, interval = row.figures.get(key), row.figures.get(f"{key}_interval")
+    value, interval = row.figures[key], row.figures[f"{key}_interval"]
     if value is None:
         return "–"
     if value == 1:
@@ -69,7 +69,7 @@ def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str
 def _reasons(material: Material) -> list[str]:
     """Returns the distinct reasons why rows were not timed."""
     rows = [row for bench in material.results.study("standard") for row in bench.rows if not row.timed]
-    return list(dict.fromkeys(row.unavailable or row.failure or f"{row.name}: {row.proof['text']}" for row in rows))
+    return list(dict.fromkeys(row.unavailable or row.failure or f"{row.name}: {row.verification['text']}" for row in rows))
 
 
 def _peaks(material: Material) -> Table | None:
@@ -103,7 +103,7 @@ def _portability(material: Material) -> list[dict[str, Any]]:
     )
     if run.returncode != 0:
         raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
-    return read_portability(str(target), json.loads(target.read_text(encoding="utf-8")))
+    return checked(str(target), json.loads(target.read_text(encoding="utf-8")), "portability")
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
@@ -138,13 +138,13 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
     )
 
 
-def _packs(material: Material) -> Table | None:
-    """Compares the host's packs with the scalar kernel, if a sweep of pack widths has both."""
+def _simd_widths(material: Material) -> Table | None:
+    """Compares the host's packs with the scalar kernel, if a sweep of SIMD widths has both."""
     rows = [
         [bench.name, row.fractal, row.precision, row.mode, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
-        for bench in material.results.study("packs")
+        for bench in material.results.study("simd-widths")
         for row in bench.timed(backend=material.backends.host)
-        if row.figures.get("over_scalar") is not None
+        if row.figures["over_scalar"] is not None
     ]
     headers = ["file", "fractal", "precision", "mode", "pixels at once", "wall ms", "over scalar"]
     return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
@@ -167,10 +167,10 @@ def _lines_of_code(divergence: dict[str, Any]) -> Table:
 
 def _race(race: dict[str, Any]) -> Table:
     def cells(program: dict[str, Any]) -> list[str]:
-        picture, wall, ratio = program["picture"], program["wall"], program["times_ours"]
+        picture, wall, ratio, interval = (program[key] for key in ("picture", "wall", "times_ours", "times_ours_interval"))
         off = percent(picture["differing"] / (picture["width"] * picture["height"]), 3) if picture else "–"
         time = f"{ms(wall['median'])}" + (f" [{' – '.join(map(ms, wall['interval']))}]" if wall["interval"] else "") if wall else "–"
-        times = digits(ratio["ratio"]) + (f" [{' – '.join(map(digits, ratio['interval']))}]" if ratio["interval"] else "") if ratio else "–"
+        times = digits(ratio) + (f" [{' – '.join(map(digits, interval))}]" if interval else "") if ratio else "–"
         return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
 
     return Table(
@@ -193,9 +193,9 @@ def section(material: Material) -> dict[str, Any]:
         _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
         _columns(material, lambda _, row: quotient_cell(row, "over_scalar"), "Speed-up over the scalar kernel, wall times."),
         _columns(material, work, "Counted operations over the scalar kernel's, if they differ by more than 1 %; part of the speed-up is then due to the operations."),
-        _packs(material),
+        _simd_widths(material),
         _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations per second as a share of the measured peak."),
-        _columns(material, lambda _, row: row.verification, "Results of verification."),
+        _columns(material, lambda _, row: row.verification["text"], "Results of verification."),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),

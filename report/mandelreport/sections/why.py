@@ -85,17 +85,11 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     def kernel(name: str) -> Place:
         return Place((file,), f"rows:name={name}:figures:kernel_seconds:median")
 
-    def paired(question: str, numerator: str) -> dict[str, Any] | None:
-        return next((entry for entry in bench.data["questions"].get(question, []) if entry["numerator"] == numerator), None)
-
-    def ratio(question: str, numerator: str, denominator: str) -> Markup:
-        """Paired by round if the file has such a ratio."""
-        if paired(question, numerator):
-            return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
-        return trace.number(kernel(numerator), over=kernel(denominator))
+    def ratio(question: str, numerator: str) -> Markup:
+        return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
 
     def lanes(fractal: str) -> Markup:
-        return trace.number(counted(file, fractal, precision, "active_in_iterations"), "plain", 100)
+        return trace.number(counted(file, fractal, precision, "lane_use.0.together.in_iterations"), "plain", 100)
 
     def peak(name: str) -> Markup:
         return trace.one(file, f"rows:name={name}:figures.share_of_peak", "plain", 100)
@@ -106,9 +100,9 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         "precision": precision,
         "machine": bench.machine,
         "backend": host,
-        "ratio": ratio("mandelbox_to_mandelbulb", box_row, bulb_row),
+        "ratio": ratio("mandelbox_to_mandelbulb", box_row),
         "slower": times > 1,
-        "verdict": verdict(paired("mandelbox_to_mandelbulb", box_row)),
+        "verdict": verdict(bench.ratio("mandelbox_to_mandelbulb", box_row)),
         "size": bench.size,
         "sample": trace.number(counted(file, "mandelbox", precision, "pixels"), "whole"),
         **traced_factors(trace, file, box_row, bulb_row),
@@ -119,7 +113,7 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     }
     if angles is not None and angles.kernel is not None:
         angles_row = rows["mandelbulb", "angles"]
-        answer["angles"] = ratio("to_first_point", angles_row, bulb_row)
+        answer["angles"] = ratio("to_first_value", angles_row)
         of = [Place((file,), f"rows:name={name}:operations/work.iterations") for name in (angles_row, bulb_row)]
         answer["angle_operations"] = trace.number(of[0], over=of[1])
         answer["against_angles"] = trace.number(kernel(box_row), over=kernel(angles_row))
