@@ -167,7 +167,8 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     }
     const bool reads = options.command == Command::render || options.command == Command::audit;
     if (reads && options.path.empty()) {
-        throw InputError(fmt::format("flythrough: no path file given, expected flythrough {} PATH", name_of(options.command)));
+        throw InputError(
+            fmt::format("flythrough: no path file given, expected flythrough {} PATH", name_of(options.command)));
     }
     if (reads && !(options.power.empty() && options.scale.empty())) {
         throw InputError(fmt::format("--{}: {} takes the shape from the path file, expected plan or film",

@@ -103,9 +103,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--simd-width", options.renderer.simd_width,
                    "pixels computed at once per core; 1: scalar, 0 (default): automatic")
         ->check(whole(0, 1024));
-    app.add_option(
-        "--without", without,
-        "disable optimisations, for ablation: hull,relaxation,cones,neighbours,trial,refinement,tail,gradient,shared-occlusion");
+    app.add_option("--without", without,
+                   "disable optimisations, for ablation: "
+                   "hull,relaxation,cones,neighbours,trial,refinement,tail,gradient,shared-occlusion");
     app.add_option("--output", options.output,
                    "picture: .bmp, .png, .ppm, .jpg or .exr (default: from PARAMS; -: standard output, as BMP)");
     app.add_option("--stats", options.stats, "write times and work counts to this file, as JSON");
@@ -252,7 +252,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
         const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
         const Trial trial = try_steps(scene, backend, options.renderer);
         scene.limits.step_factor = trial.step_factor;
-        print("a trial on {} chose the stride\n", backend.name());
+        print("a trial on {} chose the step factor\n", backend.name());
         if (!trial.settled()) warn_unsettled(program, trial.off, options.renderer.precision);
     }
     print(text_of(trace_pixel(scene, options.renderer, x, y)));

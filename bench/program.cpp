@@ -3,7 +3,7 @@
 
 #include "cli/arguments.h"
 #include "cli/backend_option.h"
-#include "bench/commands.h"
+#include "bench/command/commands.h"
 #include "core/base/version.h"
 
 namespace mandelmarch::bench {

@@ -181,8 +181,9 @@ private:
             if (!variant.counted) continue;
             widths += fmt::format("{}{}", widths.empty() ? "" : ", ", variant.pack);
         }
-        throw InputError(fmt::format("--simd-width: {} is no SIMD width of openmp in {} on this machine, expected one of {}",
-                                     options_.simd_width, name_of(options_.precision), widths));
+        throw InputError(
+            fmt::format("--simd-width: {} is no SIMD width of openmp in {} on this machine, expected one of {}",
+                        options_.simd_width, name_of(options_.precision), widths));
     }
 
     RendererOptions options_;

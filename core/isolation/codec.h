@@ -43,8 +43,8 @@ template <class Archive, class ReportOrConst>
 requires std::is_same_v<std::remove_const_t<ReportOrConst>, RenderStats>
 void transfer(Archive& archive, ReportOrConst& report)
 {
-    auto& [backend, device, precision, mode, threads, simd_width, instruction_set, step_factor, unsettled, timings, work,
-           kernels] = report;
+    auto& [backend, device, precision, mode, threads, simd_width, instruction_set, step_factor, unsettled, timings,
+           work, kernels] = report;
     archive(backend);
     transfer(archive, device);
     archive(precision, mode, threads, simd_width, instruction_set, step_factor, unsettled, timings, work, kernels);

@@ -34,15 +34,15 @@ struct Device {
 
 // Optimisations. Each can be disabled by name, for ablation studies. None changes any bit of a picture in exact mode.
 struct Techniques {
-    bool hull = true;        // rays end, and in fast mode begin, at a bounding volume of the surface
-    bool relaxation = true;  // fast: steps longer than the estimate, and short steps close to a hit
-    bool cones = true;       // fast, openmp: a cone around the rays of 8 x 8 pixels finds where they can begin
-    bool neighbours = true;  // fast, openmp: rays begin near the hits of surrounding pixels
-    bool trial = true;       // fast: a small trial render decides whether steps must be shorter
-    bool refinement = true;  // fast: hits are refined to the canonical root; false: by one secant only
-    bool shared_occlusion = true;   // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
-    bool tail = true;        // fast, Mandelbox: the last iterations of an orbit skip their tests
-    bool gradient = true;    // fast, double: normals from the gradient; false: from differences of six estimates
+    bool hull = true;              // rays end, and in fast mode begin, at a bounding volume of the surface
+    bool relaxation = true;        // fast: steps longer than the estimate, and short steps close to a hit
+    bool cones = true;             // fast, openmp: a cone around the rays of 8 x 8 pixels finds where they can begin
+    bool neighbours = true;        // fast, openmp: rays begin near the hits of surrounding pixels
+    bool trial = true;             // fast: a small trial render decides whether steps must be shorter
+    bool refinement = true;        // fast: hits are refined to the canonical root; false: by one secant only
+    bool shared_occlusion = true;  // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
+    bool tail = true;              // fast, Mandelbox: the last iterations of an orbit skip their tests
+    bool gradient = true;          // fast, double: normals from the gradient; false: from differences of six estimates
 };
 
 // Returns all techniques except those in `names`, such as "hull,cones". Throws InputError, which lists the known names.
@@ -54,10 +54,10 @@ struct RendererOptions {
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     int threads = 0;     // for backends on the host's cores; 0: usable_threads() (core/base/cores.h)
-    int simd_width = 0;        // pixels computed at once on a core; 0: the backend's choice
+    int simd_width = 0;  // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice
-    int block_size = 0;       // threads per GPU thread block or work items per work group, a multiple of 32; 0: default
+    int block_size = 0;  // threads per GPU thread block or work items per work group, a multiple of 32; 0: default
     bool counts = true;  // false: RenderStats::work is not needed; openmp then renders fast pictures faster
     Techniques techniques = {};
 };

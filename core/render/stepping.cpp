@@ -15,10 +15,10 @@ Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques
         std::min(scene.limits.step_factor, fast ? fractal.fast.step_factor.value(inputs_of(scene)) : plain_step_factor);
     // Scenes that need short steps are rendered without over-relaxation.
     const bool relaxed = fast && techniques.relaxation && step_factor >= plain_step_factor;
-    return {
-        .step_factor = step_factor,
-        .relaxation = relaxed ? longest_relaxed : step_factor,
-        .root_share = techniques.refinement ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
+    return {.step_factor = step_factor,
+            .relaxation = relaxed ? longest_relaxed : step_factor,
+            .root_share =
+                techniques.refinement ? std::max(scene.limits.root_share, fractal.fast.root_share) : any_root_share};
 }
 
 StepLimits film_limits(const Scene& scene)

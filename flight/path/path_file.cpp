@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::string_view original_estimate_name = "counted";  // of the original estimate, in path files
-constexpr std::size_t most_frames = 10'000'000;  // 92 hours at 30 frames per second
+constexpr std::size_t most_frames = 10'000'000;                 // 92 hours at 30 frames per second
 constexpr const char* by_size = "by size";
 constexpr double usual_detail = -3;  // value of scene.detail if the detail level follows from the picture size
 constexpr ParameterInfo detail_meaning{"detail level", -37, 3};

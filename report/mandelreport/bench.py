@@ -16,7 +16,7 @@ from .errors import InputError
 
 SCHEMA = "mandelmarch-bench"
 VERSION = 2
-SAME_PEAK = 1.5  # as same_peak in bench/platforms.h
+SAME_PEAK = 1.5  # as same_peak in bench/judge/platforms.h
 SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // bench compare on synthetic results with known differences.
-#include "bench/compare.h"
+#include "bench/judge/compare.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <random>
 
-#include "bench/figures.h"
+#include "bench/result/figures.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
@@ -83,8 +83,7 @@ bool compare_alarms(const Result& before, const Result& after) { return called(c
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
-        if (difference(run_medians(before.rows[i]), run_medians(after.rows[i]), margin).p < significance)
-            return true;
+        if (difference(run_medians(before.rows[i]), run_medians(after.rows[i]), margin).p < significance) return true;
     }
     return false;
 }
@@ -134,7 +133,8 @@ TEST(Compare, AnImprovementAloneIsNoRegression)
 {
     std::mt19937_64 random(7);
     const Result before = random_result(random, same);
-    EXPECT_FALSE(regression(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).rows));
+    EXPECT_FALSE(
+        regression(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).rows));
 }
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
@@ -173,8 +173,7 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
     EXPECT_FALSE(regression(compared.rows));
     const std::string text = to_console(compared);
     EXPECT_EQ(text.find("no difference"), std::string::npos);
-    EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more runs would tell: --runs)\n"))
-        << text;
+    EXPECT_TRUE(text.ends_with("verdicts: 47 same within 2 %, 1 undecided (more runs would tell: --runs)\n")) << text;
 }
 
 std::vector<Verdict> verdicts(const std::vector<Difference>& differences, double within)

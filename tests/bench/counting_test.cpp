@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operation counts are compared with counts by hand, and with the work counts that a backend reports.
-#include "bench/counting.h"
+#include "bench/counting/counting.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "bench/views.h"
+#include "bench/study/views.h"
 #include "core/render/peak.h"
 #include "tests/scenes.h"
 #include "backends/all.h"

@@ -9,8 +9,8 @@
 #include <functional>
 #include <random>
 
-#include "bench/figures.h"
-#include "bench/portability.h"
+#include "bench/result/figures.h"
+#include "bench/judge/portability.h"
 #include "made.h"
 
 namespace mandelmarch::bench {
@@ -162,8 +162,7 @@ TEST_P(Coverage, OfPortability)
         std::vector<Result> results;
         for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
             Result result = made_result(
-                {study_row(random, "best", 0.1, quiet(), 8), study_row(random, "other", seconds, quiet(), 8)},
-                runs());
+                {study_row(random, "best", 0.1, quiet(), 8), study_row(random, "other", seconds, quiet(), 8)}, runs());
             for (Row& row : result.rows) row.platform = platform;
             results.push_back(std::move(result));
         }

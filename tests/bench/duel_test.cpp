@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verdicts on synthetic duels with known differences.
-#include "bench/duel.h"
+#include "bench/contest/duel.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <random>
 
-#include "bench/verdict.h"
+#include "bench/judge/verdict.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -19,7 +19,7 @@ constexpr int rows = 8;
 
 // Disturbances on a synthetic machine. The first three are standard deviations of logarithms of times.
 struct Noise {
-    double run = 0.01;   // of each program in each run, for example from its memory layout
+    double run = 0.01;      // of each program in each run, for example from its memory layout
     double moment = 0.20;   // of a pair, the same for both pictures
     double picture = 0.02;  // of a single picture
     double hit = 0.05;      // fraction of pictures that an interruption makes twice as long
@@ -164,9 +164,11 @@ TEST(Duel, OnlySlowerAndWrongAreRegressions)
     std::mt19937_64 random(4);
     EXPECT_FALSE(regression(judged(made_duel(random, same, quiet)).verdicts));
     EXPECT_FALSE(regression(judged(made_duel(
-        random, [](int) { return 0.9; }, quiet)).verdicts));
+                                       random, [](int) { return 0.9; }, quiet))
+                                .verdicts));
     EXPECT_TRUE(regression(judged(made_duel(
-        random, [](int i) { return i == 1 ? 1.1 : 1.0; }, quiet)).verdicts));
+                                      random, [](int i) { return i == 1 ? 1.1 : 1.0; }, quiet))
+                               .verdicts));
 }
 
 TEST(Duel, TheMarginIsWhatIsAskedFor)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/figures.h"
+#include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Output files of commands are checked before the work, and a failure to write one does not affect the others.
-#include "bench/outputs.h"
+#include "bench/command/outputs.h"
 
 #include <gtest/gtest.h>
 

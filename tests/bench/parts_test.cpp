@@ -2,8 +2,9 @@
 // Parts of the wall time. The fraction that they leave unaccounted for is computed, and is reported if it is large.
 #include <gtest/gtest.h>
 
-#include "bench/figures.h"
-#include "bench/report.h"
+#include "bench/result/figures.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
 #include "tests/bench/made.h"
 
 namespace mandelmarch::bench {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/session.h"
+#include "bench/harness/session.h"
 
 namespace mandelmarch {
 namespace {

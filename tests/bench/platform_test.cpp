@@ -7,10 +7,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "bench/compare.h"
-#include "bench/differences.h"
-#include "bench/platforms.h"
-#include "bench/portability.h"
+#include "bench/judge/compare.h"
+#include "bench/judge/differences.h"
+#include "bench/judge/platforms.h"
+#include "bench/judge/portability.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "made.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pennycook's metric of performance portability, on examples whose result is known.
-#include "bench/portability.h"
+#include "bench/judge/portability.h"
+#include "bench/print/printers.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "bench/figures.h"
+#include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
 namespace {

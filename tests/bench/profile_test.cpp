@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The profiler's picture equals openmp's; if it does not, the study fails with one line.
-#include "bench/profile.h"
+#include "bench/harness/profile.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -47,8 +47,10 @@ TEST_P(ProfiledPicture, IsTheBackendsOwn)
 {
     const auto [precision, mode] = GetParam();
     const Registry registry = all_backends();
-    const auto renderer = registry.find("openmp")->create(
-        {.precision = precision, .mode = mode, .counts = false, .techniques = {.trial = false, .shared_occlusion = false}});
+    const auto renderer = registry.find("openmp")->create({.precision = precision,
+                                                           .mode = mode,
+                                                           .counts = false,
+                                                           .techniques = {.trial = false, .shared_occlusion = false}});
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     for (const auto& [name, scene] : scenes()) {
         Image own(scene.width, scene.height, Image::Layers::bytes);

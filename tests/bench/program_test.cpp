@@ -11,7 +11,8 @@
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
-#include "bench/report.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
 #include "core/base/error.h"
 #include "tests/bench/broken_backend.h"
 
@@ -109,8 +110,8 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// `--without refinement` switches refinement off, so that the picture differs slightly: only its hits and that its values are
-// finite are verified.
+// `--without refinement` switches refinement off, so that the picture differs slightly: only its hits and that its
+// values are finite are verified.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -124,7 +125,8 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     const Ran sound = run(Defect::none, arguments);
     EXPECT_EQ(sound.code, exit_success) << sound.err;
     EXPECT_TRUE(without(sound, "refinement")["verification"]["passed"]);
-    EXPECT_GT(without(sound, "refinement")["verification"]["visibly_differing"], without(sound, "")["verification"]["visibly_differing"]);
+    EXPECT_GT(without(sound, "refinement")["verification"]["visibly_differing"],
+              without(sound, "")["verification"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "refinement")["figures"].is_null());
     // In float, `--without gradient` (normals from finite differences) is unavailable, as float is too imprecise.
     EXPECT_NE(without(sound, "gradient")["unavailable"], "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `bench random` renders the same random scenes as the tests, and detects pictures beyond fast mode's limits.
-#include "bench/random_scenes.h"
+#include "bench/scenes/random_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,9 @@
 #include <functional>
 #include <sstream>
 
-#include "bench/report.h"
-#include "bench/statistics.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
+#include "bench/base/statistics.h"
 #include "core/base/error.h"
 #include "made.h"
 
@@ -88,29 +89,30 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 // Each error is one line with the file, the place and the value.
 TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
 {
-    const std::vector<std::pair<std::string, std::string>> changes{{"/rows/0/setting/width", "-5"},
-                                                                   {"/rows/0/setting/height", "1e300"},
-                                                                   {"/rows/0/setting/frames", "0.5"},
-                                                                   {"/rows/0/samples/3/kernel", "\"0.1\""},
-                                                                   {"/rows/0/samples/3/kernel", "null"},
-                                                                   {"/rows/0/samples/3/wall", "1e300"},
-                                                                   {"/rows/0/samples/3/run", "-1"},
-                                                                   {"/rows/0/samples/3", "[]"},
-                                                                   {"/rows/0/samples", "{}"},
-                                                                   {"/rows/0/verification/passed", "1"},
-                                                                   {"/rows/0/verification/pixels", "18446744073709551615"},
-                                                                   {"/rows/0/work/steps", "-1"},
-                                                                   {"/rows/0/precision", "\"half\""},
-                                                                   {"/rows/0/mode", "7"},
-                                                                   {"/rows/0/backend", "null"},
-                                                                   {"/rows/0/operations", "-1"},
-                                                                   {"/runs", "99999999999"},
-                                                                   {"/runs", "true"},
-                                                                   {"/seed", "-1"},
-                                                                   {"/warnings", "[1]"},
-                                                                   {"/environment", "[]"},
-                                                                   {"/version", "\"1\""},
-                                                                   {"/rows", "\"none\""}};
+    const std::vector<std::pair<std::string, std::string>> changes{
+        {"/rows/0/setting/width", "-5"},
+        {"/rows/0/setting/height", "1e300"},
+        {"/rows/0/setting/frames", "0.5"},
+        {"/rows/0/samples/3/kernel", "\"0.1\""},
+        {"/rows/0/samples/3/kernel", "null"},
+        {"/rows/0/samples/3/wall", "1e300"},
+        {"/rows/0/samples/3/run", "-1"},
+        {"/rows/0/samples/3", "[]"},
+        {"/rows/0/samples", "{}"},
+        {"/rows/0/verification/passed", "1"},
+        {"/rows/0/verification/pixels", "18446744073709551615"},
+        {"/rows/0/work/steps", "-1"},
+        {"/rows/0/precision", "\"half\""},
+        {"/rows/0/mode", "7"},
+        {"/rows/0/backend", "null"},
+        {"/rows/0/operations", "-1"},
+        {"/runs", "99999999999"},
+        {"/runs", "true"},
+        {"/seed", "-1"},
+        {"/warnings", "[1]"},
+        {"/environment", "[]"},
+        {"/version", "\"1\""},
+        {"/rows", "\"none\""}};
     for (const auto& [place, value] : changes) {
         Json json = whole();
         json[Json::json_pointer(place)] = Json::parse(value);
@@ -152,8 +154,7 @@ Json with_counts()
     Counted counted;
     counted.fractal = "mandelbox";
     counted.setting.width = counted.setting.height = 100;
-    counted.lane_use = {
-        {16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
+    counted.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
     counted.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
     result.rows[0].operations = 1e9;
     result.rows[0].operations_error = 1e7;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Studies of several runs: the samples are merged, and runs may leave no result.
-#include "bench/runs.h"
+#include "bench/harness/runs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "bench/figures.h"
+#include "bench/result/figures.h"
 #include "core/base/error.h"
 #include "made.h"
 

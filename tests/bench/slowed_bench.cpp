@@ -10,6 +10,7 @@
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
 #include "bench/program.h"
+#include "bench/base/table.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics on values with known results.
-#include "bench/statistics.h"
+#include "bench/base/statistics.h"
 
 #include <gtest/gtest.h>
 

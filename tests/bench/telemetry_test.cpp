@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Telemetry of a simulated machine, and the reasons that are given for missing values.
-#include "bench/telemetry.h"
+#include "bench/machine/telemetry.h"
 
 #include <gtest/gtest.h>
 

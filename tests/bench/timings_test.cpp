@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "bench/views.h"
+#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/render/registry.h"
 

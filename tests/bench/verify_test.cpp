@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two configurations have the same expected picture only if their scenes are equal.
-#include "bench/verify.h"
+#include "bench/harness/verify.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,9 @@ TEST(ExpectedPictures, DifferForScenesThatLookDifferent)
         [](Scene& s) { s.limits.step_factor = 0.5; },
         [](Scene& s) { s.limits.root_share = 0.5; },
         [](Scene& s) { s.projection = Projection::equirectangular; },
-        [](Scene& s) { s.sun = {0, 1, 0}; },
+        [](Scene& s) {
+            s.sun = {0, 1, 0};
+        },
         [](Scene& s) { s.fractal = &fractal_named("bulb"); },
     };
     for (std::size_t i = 0; i < changes.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All timed scenes must give nearly the same picture with any stepping. If a picture is noise, its speed means nothing.
-#include "bench/views.h"
+#include "bench/study/views.h"
 
 #include <gtest/gtest.h>
 

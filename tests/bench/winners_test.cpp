@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The last lines of a study's output, which name the winners, for synthetic results with a known winner.
-#include "bench/winners.h"
+#include "bench/judge/winners.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "bench/report.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
 #include "made.h"
 
 namespace mandelmarch::bench {
@@ -22,10 +23,7 @@ Row raced(const std::string& backend, double seconds, double spread, int runs = 
     return made_row(backend, times, 6);
 }
 
-std::string last_lines(std::vector<Row> rows, int runs = 5)
-{
-    return winners(made_result(std::move(rows), runs));
-}
+std::string last_lines(std::vector<Row> rows, int runs = 5) { return winners(made_result(std::move(rows), runs)); }
 
 TEST(Winners, TheFastestWinsByItsRatioAndForCertain)
 {

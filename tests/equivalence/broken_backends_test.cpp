@@ -8,9 +8,10 @@
 #include "backends/all.h"
 #include "backends/openmp/openmp.h"
 #include "backends/skeleton/kernel.h"
-#include "bench/equivalence.h"
+#include "bench/scenes/equivalence.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
 #include "tests/equivalence/equivalence.h"
 
 namespace mandelmarch {
@@ -148,7 +149,8 @@ bool passes_random_scenes(Defect defect)
     std::vector<std::unique_ptr<Backend>> backends;
     backends.push_back(make_openmp_backend());
     backends.push_back(std::make_unique<BrokenBackend>(defect));
-    const bench::EquivalenceOptions options{.backend = "broken", .fractal = "box", .scenes = 10, .seed = 20};
+    const bench::EquivalenceOptions options{
+        .backends = {"broken"}, .fractals = {&fractal_named("box")}, .scenes = 10, .seed = 20};
     const auto result = bench::compare_backends(
         Registry(std::move(backends)), options, [](const bench::Discrepancy&) {}, [](double) {});
     EXPECT_EQ(result.subjects.size(), 2U);

@@ -26,7 +26,8 @@ std::string to_text(const EquivalenceRow& row)
 const Image& Expected::picture(const NamedScene& scene, Precision precision, Mode mode)
 {
     const bool has_oracle = registry_.find("reference")->draws(scene.scene);
-    RendererOptions options{.precision = mode == Mode::fast ? Precision::f64 : precision, .mode = mode, .simd_width = 1};
+    RendererOptions options{
+        .precision = mode == Mode::fast ? Precision::f64 : precision, .mode = mode, .simd_width = 1};
     const std::string key = fmt::format("{} {} {}", scene.name, name_of(options.precision), name_of(mode));
     const auto found = pictures_.find(key);
     if (found != pictures_.end()) return found->second;

@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/compare.h"
-#include "bench/launches.h"
-#include "bench/portability.h"
-#include "bench/report.h"
+#include "bench/judge/compare.h"
+#include "bench/judge/portability.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
+#include "bench/harness/runs.h"
 #include "core/base/error.h"
 
 namespace {
@@ -76,8 +77,8 @@ void use(const Result& result)
     }
     demand(!to_csv(found).empty() && !to_console(found).empty() && !text_of(json_of(found)).empty());
     const ComparedResults compared = compare_results(result, result);
-    for (const Compared& row : compared.rows) demand(share(row.p));
-    demand(!compared.regression() && !to_console(compared).empty());
+    for (const Judged& row : compared.rows) demand(share(row.p));
+    demand(!regression(compared.rows) && !to_console(compared).empty());
 }
 
 }  // namespace

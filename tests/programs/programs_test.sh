@@ -130,7 +130,7 @@ for options in "" "--precision float" "--mode fast"; do
     expect 0 "$bin/mandelbox" paramsBox.dat $small $options --pixel 20,15 --trace
     grep -q 'hit: DE is below the tolerance$' stdout || fail "the ray in the middle does not hit: $options"
 done
-grep -q '^a trial on openmp chose the stride$' stdout || fail "a fast trace says nothing of its stride"
+grep -q '^a trial on openmp chose the step factor$' stdout || fail "a fast trace says nothing of its step factor"
 for options in "--trace" "--pixel 3,4" "--pixel 40,3 --trace" "--pixel 3,30 --trace" "--pixel -1,3 --trace" \
     "--pixel 3 --trace" "--pixel 3,x --trace"; do
     expect 2 "$bin/mandelbulb" paramsBulb.dat $small $options

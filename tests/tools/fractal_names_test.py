@@ -17,7 +17,7 @@ ALLOWED = {
     "apps/mandelbox.cpp": "the program of that name",
     "apps/mandelbulb.cpp": "the program of that name",
     "backends/reference/reference.cpp": "which estimators it has",
-    "bench/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
+    "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/check.py": "odd parameters, which the viewer is tried at",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",

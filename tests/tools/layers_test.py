@@ -30,7 +30,16 @@ LAYERS = [
     ["flight/film"],
     ["apps/trace"],
     ["apps"],
-    ["apps/explore", "bench"],
+    ["apps/explore", "bench/base"],
+    ["bench/counting"],
+    ["bench/result"],
+    ["bench/judge"],
+    ["bench/files", "bench/machine"],
+    ["bench/print", "bench/study"],
+    ["bench/harness"],
+    ["bench/contest", "bench/scenes"],
+    ["bench/command"],
+    ["bench"],
 ]
 LEVELS = {folder: level for level, folders in enumerate(LAYERS) for folder in folders}
 

@@ -22,7 +22,8 @@ protected:
 
     Image draw(const Scene& scene, int threads, int simd_width, Mode mode = Mode::exact) const
     {
-        return render(openmp, scene, {.precision = GetParam(), .mode = mode, .threads = threads, .simd_width = simd_width});
+        return render(openmp, scene,
+                      {.precision = GetParam(), .mode = mode, .threads = threads, .simd_width = simd_width});
     }
 
     RenderStats draw_report() const
@@ -202,7 +203,9 @@ TEST_P(SameBits, WorkDoesNotDependOnThreadsOrPacks)
     const Scene scene = official_scene("bulb", 100, 70);
     const auto work = [&](int threads, int simd_width) {
         Image image(scene.width, scene.height, Image::Layers::bytes);
-        return openmp.create({.precision = GetParam(), .threads = threads, .simd_width = simd_width})->render(scene, image).work;
+        return openmp.create({.precision = GetParam(), .threads = threads, .simd_width = simd_width})
+            ->render(scene, image)
+            .work;
     };
     const Work one = work(1, 1);
     const Work many = work(5, 0);

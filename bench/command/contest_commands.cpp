@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands that compare programs, and pictures of random scenes.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/option_values.h"
+#include "bench/command/commands.h"
+#include "bench/command/display.h"
+#include "bench/contest/duel_run.h"
+#include "bench/scenes/equivalence.h"
+#include "bench/command/outputs.h"
+#include "bench/contest/race_run.h"
+#include "bench/scenes/random_scenes.h"
+#include "bench/files/result_file.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+template <class Options, class Found>
+struct State {
+    Options options;
+    Found found;
+    Outputs outputs;
+};
+
+// Shows the finished fraction of a phase.
+std::function<void(double)> shown(Display& display, const char* phase)
+{
+    return [&display, phase](double share) { display.show({phase, share}); };
+}
+
+CLI::Option* add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, const char* about)
+{
+    return app
+        .add_option_function<std::string>(
+            "--fractal", [&](const std::string& text) { fractals = parse_fractals(text, fractals); }, about)
+        ->default_str("all");
+}
+
+// Prints a discrepancy on stderr, with a parameter file that reproduces it, or the file's path in `folder`.
+void show(const Discrepancy& d, const std::string& folder)
+{
+    namespace fs = std::filesystem;
+    std::string parameters = d.parameters;
+    if (!folder.empty()) {
+        const std::string file = (fs::path(folder) / (d.scene + ".dat")).string();
+        fs::create_directories(folder);
+        write_file(file, d.parameters);
+        parameters = file + "\n";
+    }
+    say("bench: {}: {}: {}\n{}", d.scene, d.subject, d.what, parameters);
+}
+
+}  // namespace
+
+Run duel_command(CLI::App& app, const Registry& registry)
+{
+    const auto state = std::make_shared<State<DuelOptions, Duel>>();
+    DuelOptions& o = state->options;
+    app.add_option("OLD", o.old_program, "old build of bench, for example build/old/bin/bench")->required();
+    app.add_option("NEW", o.new_program, "new build of bench")->required();
+    add_selection(app, registry, o.rows);
+    app.add_option("--seed", o.rows.seed, "seed for the order of pictures")
+        ->check(whole(0, 1'000'000'000))
+        ->capture_default_str();
+    app.add_option("--runs", o.runs, "processes of each program")->check(whole(2, 1000))->capture_default_str();
+    app.add_option("--repetitions", o.rounds, "rounds in each run")->check(whole(1, 100'000))->capture_default_str();
+    app.add_option("--margin", o.margin, "ratios within this distance of 1 count as same")
+        ->check(real(0, 1))
+        ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--clock",
+           [&o](const std::string& text) { o.clock = text == "wall" ? DuelClock::wall : DuelClock::processor; },
+           "wall: kernel time; processor: time of all threads, for a shared machine")
+        ->check(CLI::IsMember({"wall", "processor"}))
+        ->default_str("wall");
+    state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
+                          [s = state.get()] { return text_of(json_of(s->found)); });
+    return [state] {
+        const DuelOptions& options = state->options;
+        return state->outputs.deliver({options.old_program, options.new_program}, [&]() -> Outputs::Done {
+            Display display;
+            state->found = judged(run_duel(options, shown(display, "duel")));
+            display.finish();
+            return {to_console(state->found), state->found.runs == options.runs && !regression(state->found.verdicts)};
+        });
+    };
+}
+
+Run race_command(CLI::App& app, const Registry& registry)
+{
+    const auto state = std::make_shared<State<RaceOptions, Race>>();
+    RaceOptions& o = state->options;
+    app.add_option("PROGRAM", o.programs, "executable files")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
+    app.add_option_function<std::string>(
+        "--fractal", [&o](const std::string& text) { o.fractal = &fractal_named(text); },
+        "fractal to render (default: mandelbulb)");
+    app.add_option("--scene", o.scene, "parameter file for --fractal (default: the official scene)");
+    app.add_option_function<std::string>(
+        "--size", [&o](const std::string& text) { o.size = size_option(text); },
+        "picture size, WxH in pixels (default: of --scene, or 540x540)");
+    app.add_option("--backend", o.backend, "backend of our renderer")->capture_default_str();
+    app.add_option("--limit", o.limit, "time limit per picture, in seconds")
+        ->check(real(0.01, 1e5))
+        ->capture_default_str();
+    app.add_option("--repetitions", o.rounds, "rounds")->check(whole(1, 100'000))->capture_default_str();
+    app.add_option("--seed", o.seed, "seed for the order in each round")
+        ->check(whole(0, 1'000'000'000))
+        ->capture_default_str();
+    app.footer("docs/race.md explains the table.");
+    state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
+                          [s = state.get()] { return text_of(json_of(s->found)); });
+    return [state, &registry] {
+        std::vector<std::string> read = state->options.programs;
+        if (!state->options.scene.empty()) read.push_back(state->options.scene);
+        return state->outputs.deliver(read, [&]() -> Outputs::Done {
+            Display display;
+            state->found = run_race(state->options, registry, shown(display, "race"));
+            display.finish();
+            return {to_console(state->found), state->found.passed()};
+        });
+    };
+}
+
+Run random_command(CLI::App& app, const Registry& registry)
+{
+    const auto state = std::make_shared<State<RandomOptions, RandomResult>>();
+    RandomOptions& o = state->options;
+    app.add_option("--backend", o.backend, "backend to test (default: openmp)");
+    add_fractal(app, o.fractals, "fractals of the scenes: all that bench studies by default, or one name");
+    app.add_option("--without", o.without,
+                   "optimisations to disable, separated by commas; same names as `render --without`");
+    app.add_option("--scenes", o.scenes, "scenes per fractal and set")->check(whole(1, 100'000))->capture_default_str();
+    app.add_option("--sets", o.sets, "seeds, one per set, separated by commas")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->capture_default_str();
+    state->outputs.option(app, "--json", "write the results of all scenes as JSON to this file (-: standard output)",
+                          [s = state.get()] { return text_of(json_of(s->found)); });
+    return [state, &registry] {
+        return state->outputs.deliver({}, [&]() -> Outputs::Done {
+            Display display;
+            state->found = measure_random(registry, state->options, shown(display, "canonical pictures"));
+            display.finish();
+            return {to_console(state->found), state->found.passed()};
+        });
+    };
+}
+
+Run equivalence_command(CLI::App& app, const Registry& registry)
+{
+    const auto state = std::make_shared<State<EquivalenceOptions, EquivalenceResult>>();
+    EquivalenceOptions& o = state->options;
+    const auto folder = std::make_shared<std::string>();
+    app.add_option_function<std::string>(
+           "--backend", [&](const std::string& text) { o.backends = parse_backends(registry, text); },
+           "backend to check: all, or a list such as openmp,opencl")
+        ->default_str("all");
+    add_fractal(app, o.fractals, "fractals of the scenes: all, or one name");
+    app.add_option("--scenes", o.scenes, "number of scenes in all")->check(whole(1, 10'000'000))->capture_default_str();
+    app.add_option("--seed", o.seed, "seed for the scenes")->check(whole(0, 1'000'000'000))->capture_default_str();
+    app.add_option("--folder", *folder, "folder for the parameter files of scenes whose pictures differ");
+    state->outputs.option(app, "--json", "write all results as JSON to this file (-: standard output)",
+                          [s = state.get()] { return text_of(json_of(s->found)); });
+    return [state, folder, &registry] {
+        return state->outputs.deliver({}, [&]() -> Outputs::Done {
+            Display display;
+            EquivalenceResult& found = state->found;
+            found = compare_backends(
+                registry, state->options, [&](const Discrepancy& d) { show(d, *folder); },
+                shown(display, "random scenes"));
+            display.finish();
+            return {to_console(found), found.failures.empty() && found.discrepancies.empty()};
+        });
+    };
+}
+
+}  // namespace mandelmarch::bench

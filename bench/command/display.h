@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Progress of bench on stderr: a bar on a terminal, else a line for each new phase.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "cli/progress_bar.h"
+#include "bench/harness/session.h"
+#include "core/base/console.h"
+#include "core/base/stopwatch.h"
+
+namespace mandelmarch::bench {
+
+class Display {
+public:
+    explicit Display(bool quiet = false) : quiet_(quiet) {}
+
+    // `since`: start of the phase, from which the remaining time is estimated.
+    void show(const Step& step, Clock::time_point since = Clock::now())
+    {
+        if (quiet_) return;
+        if (step.what != what_) {
+            what_ = step.what;
+            bar_.reset();
+            bar_ = std::make_unique<ProgressBar>(what_, since);
+            if (!bar_->on_terminal()) say("bench: {}\n", what_);
+        }
+        bar_->show(step.share, step.detail);
+    }
+
+    void finish() { bar_.reset(); }
+
+private:
+    bool quiet_;
+    std::string what_;
+    std::unique_ptr<ProgressBar> bar_;
+};
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/option_values.h"
+#include "bench/command/commands.h"
+#include "bench/command/display.h"
+#include "bench/contest/on_demand.h"
+#include "bench/command/outputs.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
+#include "bench/harness/runs.h"
+#include "bench/study/cases.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+struct Measurement {
+    Options options;
+    Result result;
+    Outputs outputs;
+    bool list = false, list_names = false, wide = false;
+    bool quiet = false;      // no table and no progress; set in further runs
+    bool on_demand = false;  // render for a duel
+    bool unproven = false;   // on_demand: skip verification; set in all runs of a duel but the first
+    std::string format;      // Google Benchmark's, for standard output
+    std::string out, out_format = "json";
+};
+
+void list(const Registry& registry, const Options& options, bool names_only)
+{
+    for (const Case& one : cases_of(registry, options)) {
+        if (one.backend != nullptr) {
+            print("{}\n", one.row.name());
+        } else if (!names_only) {
+            print("{}: unavailable: {}\n", one.row.backend, one.row.unavailable);
+        }
+    }
+    if (names_only) return;
+    print("\nstudies (--study NAME; with --list the rows of that one)\n");
+    for (const Study& study : studies()) {
+        print("  {:<12} {}{}\n", study.name, study.about, study.axis.empty() ? "" : fmt::format(" [{}]", study.axis));
+    }
+}
+
+// Google Benchmark's options that choose an output.
+void add_google_options(CLI::App& app, Measurement& m)
+{
+    const CLI::IsMember formats({"console", "json", "csv"});
+    app.add_option("--benchmark_format", m.format, "print in Google Benchmark's format: console, json or csv")
+        ->check(formats);
+    app.add_option("--benchmark_out", m.out, "write Google Benchmark's format to this file");
+    app.add_option("--benchmark_out_format", m.out_format, "format of that file")
+        ->check(formats)
+        ->capture_default_str();
+    app.add_flag("--benchmark_list_tests", m.list_names, "list the names of rows; measure nothing");
+}
+
+void add_options(CLI::App& app, const Registry& registry, Measurement& m)
+{
+    Options& o = m.options;
+    add_selection(app, registry, o);
+    app.add_option("--repetitions,--benchmark_repetitions", o.repetitions,
+                   "exact number of rounds (default: until intervals are narrow enough)")
+        ->check(whole(1, 100'000));
+    app.add_option("--runs", o.runs, "number of processes that repeat the study, one after the other")
+        ->check(whole(1, 1000))
+        ->capture_default_str();
+    app.add_option("--budget", o.budget,
+                   "seconds for the timed rounds, without --repetitions (default: about three minutes in all)")
+        ->check(real(0, 1e6));
+    app.add_option("--seed", o.seed, "seed for the order of configurations in each round")
+        ->check(whole(0, 1'000'000'000))
+        ->capture_default_str();
+    m.outputs.option(app, "--json", "write all results and samples as JSON to this file (-: standard output)",
+                     [&] { return text_of(json_of(m.result)); });
+    m.outputs.option(app, "--csv", "write one line per configuration to this file (-: standard output)",
+                     [&] { return to_csv(m.result); });
+    app.add_flag("--list", m.list, "list configurations and studies; measure nothing");
+    app.add_flag("--wide", m.wide, "print all columns, in long lines");
+    app.add_flag("--peaks,!--no-peaks", o.peaks, "measure (default) or skip the multiply-add peak of every device");
+    add_google_options(app, m);
+    app.add_option("--run", o.run)->check(whole(0, 1000))->group("");
+    app.add_flag("--quiet", m.quiet)->group("");
+    app.add_flag("--on-demand", m.on_demand)->group("");
+    app.add_flag("--unproven", m.unproven)->group("");
+}
+
+// Returns the arguments to pass on to further runs: all except those that write files, choose an output format or
+// start further runs.
+std::vector<std::string> inherited(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& word = arguments[i];
+        const auto is = [&](const std::string& name) { return word == name || word.starts_with(name + "="); };
+        if (is("--json") || is("--csv") || is("--runs") || is("--benchmark_format") || is("--benchmark_out") ||
+            is("--benchmark_out_format")) {
+            if (word.find('=') == std::string::npos) ++i;
+        } else if (word != "--wide") {
+            kept.push_back(word);
+        }
+    }
+    return kept;
+}
+
+Outputs::Done measured(Measurement& m, const Registry& registry, const std::vector<std::string>& arguments)
+{
+    const int runs = m.options.runs;
+    Display display(m.quiet);
+    const auto start = Clock::now();
+    m.result = measure(registry, m.options, [&](const Step& step) { display.show(step); });
+    if (runs > 1) {
+        m.result = with_further_runs(std::move(m.result), runs, [&](int run) {
+            display.show({"further runs", static_cast<double>(run) / runs, fmt::format("run {} of {}", run + 1, runs)},
+                         start);
+            return run_again(inherited(arguments), run);
+        });
+    }
+    display.finish();
+    for (const Row& row : m.result.rows) {
+        if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
+    }
+    // With --benchmark_format, only data in that format goes to standard output.
+    return {m.quiet || !m.format.empty() ? std::string() : to_console(m.result, m.wide),
+            !m.result.failed() && m.result.runs == runs};
+}
+
+}  // namespace
+
+Run measure_command(CLI::App& app, const Registry& registry, const std::vector<std::string>& arguments)
+{
+    const auto m = std::make_shared<Measurement>();
+    add_options(app, registry, *m);
+    return [m, &registry, arguments]() -> int {
+        if (m->on_demand) {
+            m->options.baselines = false;
+            draw_on_demand(registry, m->options, !m->unproven);
+            return exit_success;
+        }
+        if (m->list || m->list_names) {
+            list(registry, m->options, m->list_names);
+            return exit_success;
+        }
+        m->outputs.add("--benchmark_out", m->out, [m] { return to_google_benchmark(m->result, m->out_format); });
+        m->outputs.add("--benchmark_format", m->format.empty() ? "" : "-",
+                       [m] { return to_google_benchmark(m->result, m->format); });
+        return m->outputs.deliver({}, [&] { return measured(*m, registry, arguments); });
+    };
+}
+
+Run peak_command(CLI::App& app, const Registry& registry)
+{
+    const auto options = std::make_shared<Options>();
+    add_selection(app, registry, *options);
+    return [options, &registry]() -> int {
+        Display display;
+        const auto peaks = measure_peaks(registry, *options, [&](const Step& step) { display.show(step); });
+        display.finish();
+        print("{:<44} {:<8} {:>3} {:<9} {:>9}\n", "platform", "backend", "dev", "precision", "GFLOP/s");
+        for (const Peak& p : peaks) {
+            print("{:<44} {:<8} {:>3} {:<9} {:>9.1f}\n", p.platform, p.backend, p.device, name_of(p.precision),
+                  1e-9 * p.rate);
+        }
+        return exit_success;
+    };
+}
+
+}  // namespace mandelmarch::bench

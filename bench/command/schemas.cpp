@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/command/schemas.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "bench/contest/contest_fields.h"
+#include "bench/files/result_fields.h"
+#include "bench/scenes/scene_fields.h"
+#include "bench/files/schema.h"
+#include "core/base/error.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+struct Kind {
+    const char* name;
+    const char* schema;  // of the file
+    int version;
+    const char* title;
+    const char* about;
+    Json (*properties)(Json& definitions);  // returns the schema of the record
+};
+
+template <class Record>
+Json properties_of(Json& definitions)
+{
+    return record_schema<Record>(definitions);
+}
+
+// A portability file is a list of the same entries as `portability` in a result.
+Json result_properties(Json& definitions)
+{
+    Json schema = record_schema<Result>(definitions);
+    schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
+    schema["required"].push_back("portability");
+    return schema;
+}
+
+constexpr Kind kinds[] = {
+    {"result", result_schema, schema_version, "A result of bench",
+     "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
+     "square "
+     "root in one lane. docs/bench-output.md explains every quantity.",
+     result_properties},
+    {"duel", "mandelmarch-duel", 2, "A duel",
+     "Written by `bench duel --json`: times of pairs of pictures by two programs, and the verdicts. All times are in "
+     "seconds, by the clock that `clock` names.",
+     properties_of<Duel>},
+    {"race", "mandelmarch-race", 2, "A race",
+     "Written by `bench race --json`: programs that read a parameter file and write a picture, ours first. Times are "
+     "in "
+     "seconds, of whole processes; memory is in bytes.",
+     properties_of<Race>},
+    {"random", "mandelmarch-bench-random", 1, "Fast pictures of random scenes",
+     "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
+     "picture.",
+     properties_of<RandomResult>},
+    {"equivalence", "mandelmarch-bench-equivalence", 2, "An equivalence test", "Written by `bench equivalence --json`.",
+     properties_of<EquivalenceResult>},
+};
+
+Json schema_json(const Kind& kind)
+{
+    Json definitions = Json::object();
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"$id", fmt::format("https://mandelmarch.invalid/bench/schemas/{}.schema.json", kind.name)},
+                {"title", fmt::format("{}, version {}", kind.title, kind.version)},
+                {"description", kind.about}};
+    Json record = kind.properties(definitions);
+    Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
+    properties.update(record["properties"]);
+    schema.update(object_schema(std::move(properties)));
+    schema["$defs"] = std::move(definitions);
+    return schema;
+}
+
+Json portability_schema()
+{
+    Json definitions = Json::object();
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"$id", "https://mandelmarch.invalid/bench/schemas/portability.schema.json"},
+                {"title", "Performance portability"},
+                {"description", "Written by `bench portability --json`: the same list as `portability` in a result."}};
+    schema.update(schema_of<std::vector<Portability>>({}, definitions));
+    schema["$defs"] = std::move(definitions);
+    return schema;
+}
+
+// Formats JSON with one line for every value that fits in it.
+std::string compact(const Json& json, const std::string& indent)
+{
+    constexpr std::size_t columns = 160;
+    const std::string line = json.dump();
+    if (!json.is_structured() || indent.size() + line.size() <= columns) return line;
+    std::vector<std::string> members;
+    for (const auto& [key, value] : json.items()) {
+        const std::string text = compact(value, indent + " ");
+        members.push_back(indent + " " + (json.is_object() ? Json(key).dump() + ": " : "") + text);
+    }
+    return fmt::format("{}\n{}\n{}{}", json.is_object() ? "{" : "[", fmt::join(members, ",\n"), indent,
+                       json.is_object() ? "}" : "]");
+}
+
+}  // namespace
+
+std::vector<std::string> schema_kinds()
+{
+    std::vector<std::string> names{"portability"};
+    for (const Kind& kind : kinds) names.emplace_back(kind.name);
+    return names;
+}
+
+std::string schema_text(std::string_view name)
+{
+    if (name == "portability") return compact(portability_schema(), "") + "\n";
+    const auto* const kind = std::ranges::find(kinds, name, &Kind::name);
+    if (kind == std::end(kinds)) {
+        throw InputError(
+            fmt::format("bench schema: '{}' given, expected one of {}", name, fmt::join(schema_kinds(), ", ")));
+    }
+    return compact(schema_json(*kind), "") + "\n";
+}
+
+Json json_of(const Duel& duel) { return document("mandelmarch-duel", 2, duel); }
+
+Json json_of(const Race& race) { return document("mandelmarch-race", 2, race); }
+
+Json json_of(const RandomResult& result) { return document("mandelmarch-bench-random", 1, result); }
+
+Json json_of(const EquivalenceResult& result) { return document("mandelmarch-bench-equivalence", 2, result); }
+
+}  // namespace mandelmarch::bench

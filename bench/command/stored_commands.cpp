@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands on stored results.
+#include <memory>
+
+#include "bench/command/commands.h"
+#include "bench/judge/compare.h"
+#include "bench/command/outputs.h"
+#include "bench/judge/portability.h"
+#include "bench/files/result_file.h"
+#include "bench/print/printers.h"
+#include "bench/command/schemas.h"
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// Declares a command that prints a text about one stored result.
+Run with_file(CLI::App& app, std::string (*text)(const std::string& path))
+{
+    const auto path = std::make_shared<std::string>();
+    app.add_option("FILE", *path, "result file written by --json")->required();
+    return [path, text]() -> int {
+        print(std::string_view(text(*path)));
+        return exit_success;
+    };
+}
+
+std::vector<Result> results_in(const std::vector<std::string>& files)
+{
+    std::vector<Result> results;
+    for (const std::string& file : files) {
+        if (auto result = read_if_result(file)) {
+            results.push_back(std::move(*result));
+        } else {
+            say("bench: {}: no result of bench, left out\n", printable(file));
+        }
+    }
+    if (results.empty())
+        throw InputError("bench portability: no result of bench among the files, expected one at least");
+    return results;
+}
+
+}  // namespace
+
+Run csv_command(CLI::App& app, const Registry& /*registry*/)
+{
+    return with_file(app, [](const std::string& path) { return to_csv(read_result(path)); });
+}
+
+Run json_command(CLI::App& app, const Registry& /*registry*/)
+{
+    return with_file(app, [](const std::string& path) { return text_of(upgraded_json(path)); });
+}
+
+Run schema_command(CLI::App& app, const Registry& /*registry*/)
+{
+    const auto kind = std::make_shared<std::string>();
+    app.add_option("KIND", *kind, "kind of file")->required()->check(CLI::IsMember(schema_kinds()));
+    return [kind]() -> int {
+        print(std::string_view(schema_text(*kind)));
+        return exit_success;
+    };
+}
+
+Run compare_command(CLI::App& app, const Registry& /*registry*/)
+{
+    const auto files = std::make_shared<std::vector<std::string>>();
+    app.add_option("FILES", *files, "two result files written by --json")
+        ->expected(2)
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
+    return [files]() -> int {
+        const ComparedResults comparison = compare_results(read_result(files->at(0)), read_result(files->at(1)));
+        print(std::string_view(to_console(comparison)));
+        return regression(comparison.rows) ? exit_failure : exit_success;
+    };
+}
+
+Run portability_command(CLI::App& app, const Registry& /*registry*/)
+{
+    struct State {
+        std::vector<std::string> paths;
+        std::vector<Portability> found;
+        Outputs outputs;
+    };
+    const auto state = std::make_shared<State>();
+    app.add_option("FILES", state->paths, "result files written by --json, or folders of them")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->required();
+    state->outputs.option(app, "--json", "write the metric, with cascades, as JSON to this file (-: standard output)",
+                          [s = state.get()] { return text_of(json_of(s->found)); });
+    state->outputs.option(app, "--csv",
+                          "write pixels per second on each platform, for p3-analysis-library (-: standard output)",
+                          [s = state.get()] { return to_csv(s->found); });
+    return [state] {
+        const std::vector<std::string> files = result_files(state->paths);
+        return state->outputs.deliver(files, [&]() -> Outputs::Done {
+            state->found = portability(results_in(files));
+            return {to_console(state->found)};
+        });
+    };
+}
+
+}  // namespace mandelmarch::bench

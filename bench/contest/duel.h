@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// bench duel: compares two builds that were measured in alternation, picture by picture.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/base/statistics.h"
+#include "bench/judge/verdict.h"
+
+namespace mandelmarch::bench {
+
+// The clock by which a duel compares pictures.
+enum class DuelClock {
+    wall,      // wall time of the kernel, as in bench's tables
+    processor  // processor time of all threads of the program; load from other programs does not count
+};
+std::string_view name_of(DuelClock clock);
+
+// Times of two pictures of a configuration: each program renders one, directly after the other, in random order.
+struct DuelPair {
+    int run = 0, round = 0;
+    double old_seconds = 0, new_seconds = 0;
+};
+
+struct DuelRow {
+    std::string name;
+    std::vector<DuelPair> pairs{};
+    std::string old_failure{}, new_failure{};  // why a program has no speed; empty if it has one
+    bool same_picture = true;                  // the programs' pictures are equal byte for byte
+};
+
+struct DuelSide {
+    std::string program;
+    nlohmann::ordered_json environment = nlohmann::ordered_json::object();
+};
+
+struct Duel {
+    DuelSide old_side{}, new_side{};
+    DuelClock clock = DuelClock::wall;
+    double margin = 0.01;  // times with a ratio from 1 / (1 + margin) to 1 + margin count as the same
+    int runs = 0;          // complete runs of each program
+    int rounds = 0;        // pairs of pictures of each configuration in a run
+    std::vector<std::string> warnings{};
+    std::vector<DuelRow> rows{};
+    std::vector<Judged> verdicts{};  // set by judged()
+};
+
+inline constexpr std::string_view all_rows = "all rows";
+
+// Sets the verdicts: of each configuration and, if several were tested, also of the geometric mean of their ratios,
+// which comes last; see bench/verdict.h. From each run the median of the pairs' ratios is taken. Student's t on the
+// logarithms of these medians tests whether the true ratio lies beyond the margin.
+Duel judged(Duel duel);
+
+std::string to_console(const Duel& duel);
+
+// Returns JSON that follows bench/schemas/duel.schema.json.
+nlohmann::ordered_json json_of(const Duel& duel);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/contest/duel_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+
+#include "bench/contest/contender.h"
+#include "bench/machine/steadiness.h"
+#include "core/base/console.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+void check_program(const std::string& program)
+{
+    if (!std::filesystem::is_regular_file(program) || access(program.c_str(), X_OK) != 0) {
+        throw InputError(fmt::format("bench duel: {}: no program, expected the file of a bench", program));
+    }
+}
+
+// Returns the arguments of both programs, besides those that bench::words_of() returns.
+std::vector<std::string> arguments_of(const DuelOptions& options, bool first)
+{
+    std::vector<std::string> words = words_of(options.rows);
+    words.emplace_back("--quiet");
+    if (!first) words.emplace_back("--unproven");
+    return words;
+}
+
+class RunningDuel {
+public:
+    RunningDuel(const DuelOptions& options, const std::function<void(double)>& progress)
+        : options_(options), progress_(progress), random_(options.rows.seed)
+    {
+        duel_.old_side.program = options.old_program;
+        duel_.new_side.program = options.new_program;
+        duel_.clock = options.clock;
+        duel_.margin = options.margin;
+        duel_.rounds = options.rounds;
+    }
+
+    Duel run()
+    {
+        const Steadiness steadiness;
+        for (int number = 0; number < options_.runs; ++number) {
+            try {
+                run(number);
+                ++duel_.runs;
+            } catch (const Error& error) {
+                duel_.warnings.push_back(fmt::format("run {}: {}", number, error.what()));
+                say("bench: {}, the other runs are kept\n", printable(duel_.warnings.back()));
+            }
+        }
+        if (duel_.runs == 0) throw Error("bench duel: " + duel_.warnings.back());
+        for (std::string& warning : steadiness.warnings({})) duel_.warnings.push_back(std::move(warning));
+        return std::move(duel_);
+    }
+
+private:
+    // Returns work(). If it throws an Error, the side ("old" or "new") is added to the message.
+    template <class Work>
+    static auto of(const char* side, const Work& work)
+    {
+        try {
+            return work();
+        } catch (const Error& error) {
+            throw Error(fmt::format("the {} program {}", side, error.what()));
+        }
+    }
+
+    void run(int number)
+    {
+        const std::vector<std::string> arguments = arguments_of(options_, duel_.runs == 0);
+        DuelProcess old_one(options_.old_program, arguments, options_.clock);
+        DuelProcess new_one(options_.new_program, arguments, options_.clock);
+        of("old", [&] { old_one.wait(); });
+        of("new", [&] { new_one.wait(); });
+        if (duel_.runs == 0) {
+            duel_.old_side.environment = old_one.environment();
+            duel_.new_side.environment = new_one.environment();
+            first_ = {old_one.rows(), new_one.rows()};
+            duel_.rows.clear();
+            for (const auto& [name, row] : old_one.rows()) duel_.rows.push_back({.name = name});
+            for (const auto& [name, row] : new_one.rows()) {
+                if (!old_one.rows().contains(name)) duel_.rows.push_back({.name = name});
+            }
+            if (duel_.rows.empty()) throw Error("has no row that can be measured here (bench --list shows the rows)");
+        }
+        for (DuelRow& row : duel_.rows) look(row, old_one, new_one);
+        std::vector<std::vector<DuelPair>> pairs(duel_.rows.size());
+        for (int round = 0; round < options_.rounds; ++round) {
+            std::vector<std::size_t> order;
+            for (std::size_t i = 0; i < duel_.rows.size(); ++i) order.push_back(i);
+            std::ranges::shuffle(order, random_);
+            for (const std::size_t i : order)
+                draw(duel_.rows[i], pairs[i], {.run = number, .round = round}, old_one, new_one);
+            progress_((number + (round + 1.0) / options_.rounds) / options_.runs);
+        }
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            duel_.rows[i].pairs.insert(duel_.rows[i].pairs.end(), pairs[i].begin(), pairs[i].end());
+        }
+    }
+
+    // Returns why a program has no valid picture of a configuration in this run; empty if it has one. `first`: the
+    // configurations of the same program in the first run.
+    std::string failure_of(const std::string& name, const DuelProcess& now,
+                           const std::map<std::string, DuelProcess::Ready>& first) const
+    {
+        const auto found = now.rows().find(name);
+        if (found == now.rows().end()) return "there is no such row";
+        if (!found->second.failure.empty()) return found->second.failure;
+        if (options_.clock == DuelClock::processor && !found->second.in_process) {
+            return "a driver draws it, whose processor time is not known";
+        }
+        const auto before = first.find(name);
+        const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
+        return same ? std::string() : "the picture is not the one that was verified in the first run";
+    }
+
+    void look(DuelRow& row, const DuelProcess& old_one, const DuelProcess& new_one)
+    {
+        if (row.old_failure.empty()) row.old_failure = failure_of(row.name, old_one, first_.first);
+        if (row.new_failure.empty()) row.new_failure = failure_of(row.name, new_one, first_.second);
+        if (!row.old_failure.empty() || !row.new_failure.empty()) return;
+        row.same_picture = old_one.rows().at(row.name).fingerprint == new_one.rows().at(row.name).fingerprint;
+    }
+
+    void draw(DuelRow& row, std::vector<DuelPair>& pairs, DuelPair pair, DuelProcess& old_one, DuelProcess& new_one)
+    {
+        if (!row.old_failure.empty() || !row.new_failure.empty()) return;
+        DuelProcess::Drawn by_old;
+        DuelProcess::Drawn by_new;
+        const auto old_draws = [&] { by_old = of("old", [&] { return old_one.draw(row.name); }); };
+        const auto new_draws = [&] { by_new = of("new", [&] { return new_one.draw(row.name); }); };
+        const bool old_first = random_() % 2 == 0;
+        if (old_first) old_draws();
+        new_draws();
+        if (!old_first) old_draws();
+        row.old_failure = by_old.failure;
+        row.new_failure = by_new.failure;
+        if (!by_old.seconds || !by_new.seconds) return;
+        pair.old_seconds = *by_old.seconds;
+        pair.new_seconds = *by_new.seconds;
+        pairs.push_back(pair);
+    }
+
+    const DuelOptions& options_;
+    const std::function<void(double)>& progress_;
+    std::mt19937_64 random_;
+    Duel duel_;
+    std::pair<std::map<std::string, DuelProcess::Ready>, std::map<std::string, DuelProcess::Ready>> first_;
+};
+
+}  // namespace
+
+Duel run_duel(const DuelOptions& options, const std::function<void(double)>& progress)
+{
+    check_program(options.old_program);
+    check_program(options.new_program);
+    return RunningDuel(options, progress).run();
+}
+
+}  // namespace mandelmarch::bench

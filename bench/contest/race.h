@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// bench race: compares the times of other programs, which read a parameter file and write a picture, with ours.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/base/statistics.h"
+
+namespace mandelmarch::bench {
+
+enum class RaceVerdict {
+    same,        // all bytes of the picture are as expected
+    close,       // at most 2 % of the pixels differ visibly
+    wrong,       // more pixels differ visibly
+    wrong_size,  // the picture has another size
+    no_picture,  // exit code 0, but no picture
+    no_image,    // the output file is not a picture
+    unsteady,    // a later picture was wrong
+    failed,      // exit code other than 0
+    crashed,     // ended by a signal
+    hung,        // killed at the time limit
+    no_start     // the system cannot run it
+};
+std::string_view name_of(RaceVerdict verdict);
+
+// Returns true for a correct picture, for which the program's speed counts.
+constexpr bool is_right(RaceVerdict verdict) { return verdict == RaceVerdict::same || verdict == RaceVerdict::close; }
+
+// Comparison of a program's picture with that of our scalar kernel, in exact mode and double.
+struct RacePicture {
+    int width = 0, height = 0;
+    std::uint64_t differing = 0;          // pixels with any byte different
+    std::uint64_t visibly_differing = 0;  // pixels with a byte off by more than 2 of 255
+    int first_x = -1, first_y = -1;       // first differing pixel, from the bottom left; -1: none
+    double psnr = 0;                      // dB; +infinity for identical bytes
+};
+
+struct RaceSample {
+    int round = 0;
+    double seconds = 0, processor = 0;  // of the whole process: wall time, and processor time of all threads
+};
+
+struct RacedProgram {
+    std::string name;
+    bool ours = false;
+    RaceVerdict verdict = RaceVerdict::no_start;
+    std::string why{};  // why there is no speed, in words
+    std::optional<int> exit_code{}, signal{};
+    std::optional<RacePicture> picture{};  // if it has the right size
+    std::uint64_t memory = 0;              // peak resident bytes of its largest process
+    std::vector<RaceSample> samples{};     // of programs with a correct picture
+    // Set by timed().
+    std::optional<Summary> wall{};         // seconds
+    std::optional<Quotient> times_ours{};  // this program's wall time / that of our first program
+};
+
+struct Race {
+    nlohmann::ordered_json environment = nlohmann::ordered_json::object();
+    std::string fractal;
+    int width = 0, height = 0;
+    std::string parameters;  // contents of the parameter file
+    double limit = 0;        // seconds
+    int rounds = 0;
+    std::vector<std::string> warnings{};
+    std::vector<RacedProgram> racers{};  // ours first
+
+    // Returns true if every program's picture is correct.
+    bool passed() const;
+};
+
+// Summarises the times of each program with a correct picture, and compares them with ours.
+Race timed(Race race);
+
+std::string to_console(const Race& race);
+
+// Returns JSON that follows bench/schemas/race.schema.json.
+nlohmann::ordered_json json_of(const Race& race);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts the arithmetic operations of a picture. A copy of the kernel, compiled with a number type that counts its
+// operations (core/kernel/prelude/counting.h), renders the pixels. The timed kernels do not count.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bench/counting/lanes.h"
+#include "bench/counting/sample.h"
+#include "core/render/backend.h"
+
+namespace mandelmarch::bench {
+
+struct Operations {
+    std::uint64_t additions = 0, multiplications = 0, divisions = 0, square_roots = 0;
+
+    std::uint64_t total() const { return additions + multiplications + divisions + square_roots; }
+};
+
+Operations operator+(Operations a, Operations b);
+Operations operator-(Operations a, Operations b);
+
+// Stages of rendering a pixel, in the kernel's order. `shade` does not include the computation of the normal.
+enum class Stage { begin, march, refine, normal, shade };
+inline constexpr int stage_count = 5;
+std::string_view name_of(Stage stage);  // "begin" ...
+
+// Standard errors of two ratios if they are computed from a sample of the pixels; 0 if every pixel was counted.
+struct CountErrors {
+    double per_iteration = 0;  // of Count::per_iteration()
+    double per_estimate = 0;   // of Count::march_iterations / Count::march_estimates
+};
+
+struct Count {
+    std::array<Operations, stage_count> stages;
+    Work work;                 // of the counted pixels, from the kernel's own counters
+    std::uint64_t pixels = 0;  // number of counted pixels
+    std::uint64_t hits = 0;    // number of counted pixels that hit
+    // Lane utilisation of the march, for vectors and warps that render neighbouring pixels: squares, or rectangles with
+    // twice as many columns as rows.
+    std::vector<LaneUse> lane_use;
+    std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
+    std::optional<CountErrors> errors;                        // unknown in results of older builds
+
+    Operations all() const;
+    double per_iteration() const;  // all operations / all DE iterations; 0 without iterations
+};
+
+struct CountOptions {
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    Techniques techniques = {};
+    std::vector<int> lanes = {16, 32};  // lengths of the vectors or warps for which lane utilisation is computed
+    // Of a larger picture, about this many pixels are counted: single pixels for operations, patches of neighbouring
+    // pixels for lane utilisation.
+    std::int64_t most_pixels = 40'000;
+};
+
+// Counts the operations of a picture, or of a sample of its pixels. Throws Unavailable if the fractal has no kernel.
+Count count_operations(const Scene& scene, const CountOptions& options);
+
+// Counts only the given patches. Patches that are neighbours in the list must lie close together in the picture.
+// `every_pixel`: the patches cover the whole picture, so that standard errors are 0.
+Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks,
+                       bool every_pixel);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+// Describes a record once, as a list of its fields; the writer and reader of JSON, the columns of the CSV and the
+// published JSON Schema follow from the list. To describe a record, specialise Fields (bench/files/result_fields.h).
+//
+// A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, or a
+// std::optional, std::vector or std::array of these; written, but not read, also a std::map of them by name.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "bench/base/statistics.h"
+#include "core/base/text.h"
+
+namespace mandelmarch::bench {
+
+using Json = nlohmann::ordered_json;
+
+// The value that is stored as null.
+enum class Null { none, empty, zero, infinite };
+
+// JSON's numbers are exact integers up to here.
+inline constexpr double max_integer = 0x1p53;
+
+struct Rule {
+    double min = 0, max = max_integer;  // of a number
+    Null null = Null::none;
+    bool timed = false;      // its cells are empty for a configuration without a speed
+    const char* about = "";  // description in the schema
+};
+
+// `stored`: false for a derived value, which is written but not read.
+template <class Member, bool stored>
+struct Field {
+    const char* key;
+    Member member;       // pointer to the member, or a function of the record
+    const char* column;  // name in the CSV; empty: no column
+    Rule rule;
+};
+template <class Member>
+constexpr Field<Member, true> field(const char* key, Member member, const char* column = "", Rule rule = {})
+{
+    return {key, member, column, rule};
+}
+template <class Member>
+constexpr Field<Member, false> derived_field(const char* key, Member member, const char* column = "", Rule rule = {})
+{
+    return {key, member, column, rule};
+}
+
+// Fields<Record>::name is the record's name in the schema, Fields<Record>::list a std::tuple of its fields.
+template <class Record>
+struct Fields;
+template <class T>
+concept Described = requires
+{
+    Fields<T>::list;
+};
+
+// Names<Enum>::values lists an enumeration's values; name_of() returns their texts.
+template <class Enum>
+struct Names;
+template <class T>
+concept Named = requires
+{
+    Names<T>::values;
+};
+
+// Keys<Array>::list has the keys of an array that is stored as an object.
+template <class Array>
+struct Keys;
+template <class T>
+concept Keyed = requires
+{
+    Keys<T>::list;
+};
+
+template <class T>
+struct Element;  // ::type of an optional, a vector or an array
+template <class T>
+struct Element<std::optional<T>> {
+    using type = T;
+};
+template <class T>
+struct Element<std::vector<T>> {
+    using type = T;
+};
+template <class T>
+concept Map = requires
+{
+    typename T::mapped_type;
+};
+template <class T>
+concept Optional = requires(const T& value)
+{
+    value.has_value();
+};
+template <class T>
+concept List = std::is_same_v<T, std::vector<typename Element<T>::type>>;
+
+// Calls each(field) for the fields of a record, in their order.
+template <class Record, class Each>
+void each_field(const Each& each)
+{
+    std::apply([&](const auto&... fields) { (each(fields), ...); }, Fields<Record>::list);
+}
+
+template <class Record, class Member>
+using Value = std::remove_cvref_t<std::invoke_result_t<Member, const Record&>>;
+
+// Returns the value as JSON.
+template <class T>
+Json to_json(const T& value, const Rule& rule = {});
+
+// A std::optional<Quotient> is stored as two members: KEY with the ratio, and KEY_interval.
+inline Json interval_of(const std::optional<Quotient>& quotient)
+{
+    return quotient ? to_json(quotient->interval) : Json();
+}
+
+template <class Record>
+Json record_to_json(const Record& record)
+{
+    Json json = Json::object();
+    each_field<Record>([&](const auto& field) {
+        const auto& value = std::invoke(field.member, record);
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::optional<Quotient>>) {
+            json[field.key] = value ? Json(value->ratio) : Json();
+            json[std::string(field.key) + "_interval"] = interval_of(value);
+        } else {
+            json[field.key] = to_json(value, field.rule);
+        }
+    });
+    return json;
+}
+
+template <class T>
+Json to_json(const T& value, const Rule& rule)
+{
+    if constexpr (Described<T>) {
+        return record_to_json(value);
+    } else if constexpr (Named<T>) {
+        return Json(name_of(value));
+    } else if constexpr (std::is_same_v<T, Interval>) {
+        return Json{value.low, value.high};
+    } else if constexpr (std::is_same_v<T, Json>) {
+        return value;
+    } else if constexpr (Optional<T>) {
+        return value ? to_json(*value, rule) : Json();
+    } else if constexpr (Map<T>) {
+        Json json = Json::object();
+        for (const auto& [key, element] : value) json[key] = to_json(element, rule);
+        return json;
+    } else if constexpr (Keyed<T>) {
+        Json json = Json::object();
+        for (std::size_t i = 0; i < value.size(); ++i) json[Keys<T>::list[i]] = to_json(value[i], rule);
+        return json;
+    } else if constexpr (List<T>) {
+        Json list = Json::array();
+        for (const auto& element : value) list.push_back(to_json(element, rule));
+        return list;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        return rule.null == Null::empty && value.empty() ? Json() : Json(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        const bool null =
+            (rule.null == Null::zero && value == 0) || (rule.null == Null::infinite && !std::isfinite(value));
+        return null ? Json() : Json(value);
+    } else {
+        return Json(value);
+    }
+}
+
+// Returns a file with a record: the name and version of its format, then the record's fields.
+template <class Record>
+Json document(const char* schema, int version, const Record& record)
+{
+    Json json{{"schema", schema}, {"version", version}};
+    json.update(to_json(record));
+    return json;
+}
+
+// Why a value cannot be read, and its place: "rows[3].setting.width".
+struct Refusal {
+    std::string place, why;
+};
+
+[[noreturn]] inline void refuse(const Json& json, const std::string& expected)
+{
+    throw Refusal{"", fmt::format("{} given, expected {}", printable(json.dump(), 80), expected)};
+}
+
+// Reads a value as to_json() wrote it. Throws Refusal.
+template <class T>
+void from_json(const Json& json, T& value, const Rule& rule = {});
+
+// Calls read(), and adds the place to a Refusal that it throws.
+template <class Read>
+void at_place(const std::string& place, const Read& read)
+{
+    try {
+        read();
+    } catch (Refusal& refusal) {
+        const bool inner = !refusal.place.empty() && refusal.place.front() != '[';
+        refusal.place = place + (inner ? "." : "") + refusal.place;
+        throw;
+    }
+}
+
+template <class T>
+void member_from_json(const Json& json, const char* key, T& value, const Rule& rule)
+{
+    if (!json.is_object()) throw Refusal{"", fmt::format("{} in the place of an object", json.type_name())};
+    const auto found = json.find(key);
+    if (found == json.end()) throw Refusal{"", fmt::format("'{}' is missing", key)};
+    at_place(key, [&] { from_json(*found, value, rule); });
+}
+
+template <class Record>
+void record_from_json(const Json& json, Record& record)
+{
+    each_field<Record>([&]<class Member, bool stored>(const Field<Member, stored>& field) {
+        if constexpr (stored) member_from_json(json, field.key, record.*field.member, field.rule);
+    });
+}
+
+template <Named Enum>
+void name_from_json(const Json& json, Enum& value)
+{
+    std::string names;
+    for (const Enum one : Names<Enum>::values) {
+        if (json.is_string() && json.get_ref<const std::string&>() == name_of(one)) {
+            value = one;
+            return;
+        }
+        names += fmt::format("{}{}", names.empty() ? "" : " or ", name_of(one));
+    }
+    refuse(json, names);
+}
+
+template <class Number>
+void number_from_json(const Json& json, Number& value, const Rule& rule)
+{
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (!json.is_number() || !(json.get<double>() >= rule.min && json.get<double>() <= rule.max)) {
+            refuse(json, fmt::format("a number from {} to {}", rule.min, rule.max));
+        }
+    } else {
+        const double max = std::min(rule.max, static_cast<double>(std::numeric_limits<Number>::max()));
+        const bool held = json.is_number_integer() && json.get<double>() >= rule.min && json.get<double>() <= max;
+        if (!held) refuse(json, fmt::format("a whole number from {:.0f} to {:.0f}", rule.min, max));
+    }
+    value = json.get<Number>();
+}
+
+template <class T>
+void from_json(const Json& json, T& value, const Rule& rule)
+{
+    if constexpr (Described<T>) {
+        record_from_json(json, value);
+    } else if constexpr (Named<T>) {
+        name_from_json(json, value);
+    } else if constexpr (std::is_same_v<T, Json>) {
+        if (!json.is_object()) refuse(json, "an object");
+        value = json;
+    } else if constexpr (Optional<T>) {
+        if (!json.is_null()) from_json(json, value.emplace(), rule);
+    } else if constexpr (Keyed<T>) {
+        for (std::size_t i = 0; i < value.size(); ++i) member_from_json(json, Keys<T>::list[i], value[i], rule);
+    } else if constexpr (List<T>) {
+        if (!json.is_array()) refuse(json, "a list");
+        for (std::size_t i = 0; i < json.size(); ++i) {
+            at_place(fmt::format("[{}]", i), [&] { from_json(json[i], value.emplace_back(), rule); });
+        }
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        if (rule.null == Null::empty && json.is_null()) return;
+        if (!json.is_string()) refuse(json, "a text");
+        value = json.get<std::string>();
+    } else if constexpr (std::is_same_v<T, bool>) {
+        if (!json.is_boolean()) refuse(json, "true or false");
+        value = json.get<bool>();
+    } else if (rule.null == Null::none || !json.is_null()) {
+        number_from_json(json, value, rule);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        value = rule.null == Null::infinite ? std::numeric_limits<T>::infinity() : 0;
+    }
+}
+
+}  // namespace mandelmarch::bench

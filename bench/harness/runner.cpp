@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/harness/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <random>
+
+#include "bench/result/figures.h"
+#include "bench/harness/verify.h"
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// Returns the processor seconds used by all threads of this process.
+double processor_seconds()
+{
+    timespec used{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+// Seconds. If a picture takes less, it is rendered once without timing before it is timed. This restores threads,
+// caches and clock frequency after the previous configuration.
+constexpr double warmed_below = 0.1;
+
+bool narrow_enough(const Row& row, double half_width)
+{
+    const auto reached = summary(kernel_times(row)).half_width();
+    return reached && *reached < half_width;
+}
+
+class Rounds {
+public:
+    Rounds(std::vector<TimedCase>& rows, const Rules& rules)
+        : rows_(rows), rules_(rules), random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
+    {
+    }
+
+    void run(const RoundProgress& progress)
+    {
+        for (int round = 0; round < most(); ++round) {
+            std::vector<TimedCase*> order = unfinished();
+            if (order.empty()) break;
+            std::shuffle(order.begin(), order.end(), random_);
+            draw(order, round, progress);
+            for (TimedCase* row : order) row->done = row->done || finished(*row);
+        }
+    }
+
+private:
+    std::vector<TimedCase*> unfinished()
+    {
+        std::vector<TimedCase*> order;
+        for (TimedCase& row : rows_) {
+            if (!row.done) order.push_back(&row);
+        }
+        return order;
+    }
+
+    int most() const { return rules_.repetitions.value_or(rules_.most); }
+
+    void draw(const std::vector<TimedCase*>& order, int round, const RoundProgress& progress)
+    {
+        const std::string text =
+            fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
+            const double of_round = static_cast<double>(i + 1) / static_cast<double>(order.size());
+            progress(share((round + of_round) / most()), text);
+        }
+    }
+
+    void draw(TimedCase& live, int round)
+    {
+        Row& row = live.one->row;
+        try {
+            Sample sample = draw_sample(live, image_for(live));
+            sample.run = rules_.run;
+            sample.round = round;
+            live.spent += sample.wall;
+            row.samples.push_back(sample);
+        } catch (const std::exception& error) {
+            row.failure = error.what();
+            row.samples.clear();
+            live.done = true;
+        }
+    }
+
+    bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
+
+    bool finished(const TimedCase& live) const
+    {
+        if (rules_.repetitions) return false;
+        const Row& row = live.one->row;
+        if (out_of_time() || live.spent > rules_.row_budget) return true;
+        return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
+    }
+
+    // Returns the completed fraction of the work. If the number of rounds is fixed, this is the fraction of the rounds;
+    // else it is the largest of three fractions: of the rounds, of the configurations, and of the time budget.
+    double share(double of_rounds) const
+    {
+        if (rules_.repetitions) return of_rounds;
+        const auto done = std::ranges::count_if(rows_, &TimedCase::done);
+        const double of_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
+        return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / rules_.budget}));
+    }
+
+    Image& image_for(const TimedCase& live)
+    {
+        const Scene& scene = live.one->scene;
+        if (image_.width() != scene.width || image_.height() != scene.height) {
+            image_ = Image(scene.width, scene.height, Image::Layers::bytes);
+        }
+        return image_;
+    }
+
+    std::vector<TimedCase>& rows_;
+    const Rules& rules_;
+    std::mt19937_64 random_;
+    Clock::time_point start_ = Clock::now();
+    Image image_;
+};
+
+}  // namespace
+
+Sample draw_sample(TimedCase& row, Image& image)
+{
+    const Case& one = *row.one;
+    const int frames = one.row.setting.frames;
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    // Overwrite the image, so that the previous configuration's picture cannot be taken for this one's if a backend
+    // does not write its pixels.
+    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
+    Sample sample;
+    const double processor = processor_seconds();
+    const auto add = [&](const Timings& t) {
+        sample.kernel += t.kernel;
+        sample.host += t.host;
+        sample.wall += t.wall;
+        sample.upload += t.upload;
+        sample.readback += t.readback;
+    };
+    if (frames == 0) {
+        add(row.renderer->render(one.scene, image).timings);
+    } else {
+        const auto start = Clock::now();
+        const auto renderer = one.backend->create(one.options);
+        for (int frame = 0; frame < frames; ++frame) add(renderer->render(one.scene, image).timings);
+        sample.wall = seconds_since(start);
+        for (double Sample::*part :
+             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+            sample.*part /= frames;
+        }
+    }
+    sample.processor = (processor_seconds() - processor) / std::max(1, frames);
+    if (fingerprint(image) != row.fingerprint) {
+        throw Error("the timed picture is not the one that was proven");
+    }
+    return sample;
+}
+
+void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
+{
+    for (TimedCase& live : rows) {
+        if (live.expected <= rules.long_picture) continue;
+        const Timings& t = live.first.timings;
+        live.one->row.samples.push_back({.run = rules.run,
+                                         .round = 0,
+                                         .kernel = t.kernel,
+                                         .wall = t.wall,
+                                         .upload = t.upload,
+                                         .readback = t.readback,
+                                         .host = t.host});
+        live.done = true;
+    }
+}
+
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress)
+{
+    Rounds(rows, rules).run(progress);
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Timed rounds.
+//
+// A round renders every configuration that still needs samples, in a new random order each time, so that a lasting
+// disturbance slows all alike and configurations can be compared round by round. A configuration is done when the 95 %
+// interval of its median is narrower than 2 % to either side, or when its limit of time or of rounds is reached.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/study/cases.h"
+#include "core/image/image.h"
+
+namespace mandelmarch::bench {
+
+// A verified configuration, ready to be timed.
+struct TimedCase {
+    Case* one = nullptr;
+    std::unique_ptr<Renderer> renderer;
+    RenderStats first = {};         // stats of the verified picture
+    std::uint64_t fingerprint = 0;  // of the verified picture; every timed picture must have the same
+    double expected = 0;            // expected kernel time of a picture, seconds
+    double spent = 0;               // seconds so far in the timed rounds
+    bool done = false;
+};
+
+struct Rules {
+    std::optional<int> repetitions;  // exact number of rounds
+    double budget = 75;              // seconds for all rounds
+    double row_budget = 8;           // seconds per configuration
+    double long_picture = 4;         // seconds: a picture that takes longer is rendered only once, for verification
+    int least = 6;                   // rounds; fewer give no 95 % interval of a median
+    int most = 40;
+    double half_width = 0.02;  // of an interval that is narrow enough, relative to the median
+    std::uint64_t seed = 1;
+    int run = 0;
+};
+
+// Marks each configuration as done whose picture takes longer than rules.long_picture, with the verified picture as its
+// only sample.
+void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
+
+// Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the
+// verified one, its configuration fails and loses its samples. `progress` receives the completed fraction, 0 to 1, and
+// the round, "round 3 of 40".
+using RoundProgress = std::function<void(double share, const std::string& round)>;
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress);
+
+// Takes one sample: one picture, or setting.frames pictures from a fresh renderer. Throws what the backend throws, and
+// Error if the picture is not the verified one.
+Sample draw_sample(TimedCase& row, Image& image);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repeats a study in several runs, each a fresh process of bench, and merges their samples.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/result/result.h"
+
+namespace mandelmarch::bench {
+
+// Executes the run with this number and returns its result. Throws Error if the run leaves no result.
+using RunProcess = std::function<Result(int run)>;
+
+// Merges the results of several runs: keeps the samples, stage times and warnings of all runs and the highest peaks,
+// and takes everything else from the first run. A configuration that fails in any run fails in the merged result.
+Result merged(std::vector<Result> results);
+
+// Executes runs 1 to count - 1 and merges their results with `first`, the result of run 0. For a run without a result,
+// adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
+Result with_further_runs(Result first, int count, const RunProcess& run);
+
+// Starts this program with the given arguments and `--run N --json - --quiet`, and parses its output. Throws Error
+// if the process leaves no result.
+Result run_again(const std::vector<std::string>& arguments, int run);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/harness/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/render/agreement.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr std::size_t most_reference_pixels = 1 << 20;
+
+}  // namespace
+
+ExpectedPictures::Source ExpectedPictures::source_for(const Case& one) const
+{
+    const auto pixels = static_cast<std::size_t>(one.scene.width) * static_cast<std::size_t>(one.scene.height);
+    const Backend* reference = registry_.find(Role::reference);
+    const bool by_reference = reference != nullptr && reference->draws(one.scene) && pixels <= most_reference_pixels;
+    if (one.options.mode == Mode::fast && by_reference) {
+        return {reference, {.mode = Mode::fast}, fmt::format("{}, double, fast", reference->name())};
+    }
+    const Precision precision = one.options.mode == Mode::fast ? Precision::f64 : one.options.precision;
+    const Backend& host = registry_.with(Role::host);
+    return {&host,
+            {.precision = precision, .mode = one.options.mode, .simd_width = 1},
+            fmt::format("{} --simd-width 1, {}, {}", host.name(), name_of(precision), name_of(one.options.mode))};
+}
+
+bool ExpectedPictures::renders_expected(const Case& one) const
+{
+    const Source source = source_for(one);
+    return one.backend == source.backend && one.options.mode == Mode::fast &&
+           one.options.precision == source.options.precision && one.options.simd_width == source.options.simd_width;
+}
+
+bool ExpectedPictures::same(const Case& a, const Case& b) const
+{
+    const Source one = source_for(a);
+    const Source other = source_for(b);
+    return a.scene == b.scene && one.backend == other.backend && one.options.precision == other.options.precision &&
+           one.options.mode == other.options.mode;
+}
+
+std::vector<Case*> ExpectedPictures::grouped(std::vector<Case>& cases) const
+{
+    std::vector<Case*> order;
+    for (Case& one : cases) {
+        if (one.backend == nullptr) continue;
+        const auto last =
+            std::ranges::find_if(order.rbegin(), order.rend(), [&](const Case* c) { return same(*c, one); });
+        order.insert(last == order.rend() ? order.end() : last.base(), &one);
+    }
+    return order;
+}
+
+const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
+{
+    ExpectedPicture& kept = one.options.mode == Mode::exact ? exact_ : fast_;
+    if (kept.of && same(*kept.of, one)) return kept;
+    const Source source = source_for(one);
+    if (source.backend->unavailable()) {
+        throw Unavailable(fmt::format("nothing to compare with: backend {} is not here", source.backend->name()));
+    }
+    kept = {};
+    Image image(one.scene.width, one.scene.height, Image::Layers::all);
+    RenderStats stats = source.backend->create(source.options)->render(one.scene, image);
+    kept = {one, source.name, std::move(image), std::move(stats)};
+    return kept;
+}
+
+void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected)
+{
+    const Agreement found = agreement(expected.image, image, row.precision);
+    // The reference is a separate implementation: its exact picture is close to the kernel's, not identical.
+    const Level required = role == Role::reference ? Level::perceptual : level_required(row.mode);
+    Verification& verification = row.verification;
+    verification.drawn = true;
+    verification.passed = found.level <= required;
+    // With `--without refinement` hits are not refined: the same rays hit, but at slightly different points. Then only
+    // the hits are compared: at most one pixel in a thousand may hit instead of miss, or miss instead of hit.
+    if (!techniques_without(row.setting.without).refinement) {
+        verification.passed = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
+    }
+    verification.level = name_of(found.level);
+    verification.text = summary(found);
+    verification.against = expected.name;
+    verification.pixels = found.comparison.pixels;
+    verification.differing = found.comparison.differing;
+    verification.visibly_differing = found.comparison.visibly_differing;
+    verification.max_ulps = found.largest_ulps;
+    verification.psnr = found.comparison.psnr;
+    if (!verification.passed) {
+        row.failure =
+            fmt::format("the picture is wrong: {} of {} pixels differ from {}, {} of them visibly, {} required",
+                        found.comparison.differing, found.comparison.pixels, expected.name,
+                        found.comparison.visibly_differing, name_of(required));
+        if (found.comparison.first >= 0) {
+            row.failure += "; " + describe_pixel(expected.image, image, found.comparison.first);
+        }
+    }
+}
+
+std::uint64_t fingerprint(const Image& image)
+{
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const std::uint8_t byte : image.bytes()) hash = (hash ^ byte) * 0x100000001b3;
+    return hash;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/judge/portability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "bench/result/figures.h"
+#include "bench/judge/platforms.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int draws = 1000;
+
+struct Entry {
+    const Result* result;
+    const Row* row;
+    std::vector<double> times;         // kernel times of all runs
+    std::vector<double> logarithms{};  // logarithms of the runs' medians; empty if there is only one run
+};
+
+struct Problem {
+    std::string fractal;
+    Precision precision;
+    Mode mode;
+    int width, height;
+    bool operator<(const Problem& other) const
+    {
+        return std::tie(fractal, precision, mode, width, height) <
+               std::tie(other.fractal, other.precision, other.mode, other.width, other.height);
+    }
+};
+
+struct Efficiencies {
+    double application = 0, architecture = 0;
+};
+
+// Returns a random value of the time that the configuration may really have.
+// With several runs: its logarithm is the mean of the runs' logarithms plus Student's t times the mean's standard
+// error, so that 95 % of the values lie within run_interval(). This is Weerahandi's generalized interval (JASA 88,
+// 1993), which also holds for quantities computed from several configurations. With one run: it is the median of the
+// run's times resampled with replacement, which shows only the scatter within that run.
+double drawn(const Entry& entry, std::mt19937_64& random)
+{
+    const std::vector<double>& x = entry.logarithms;
+    if (x.empty()) {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < entry.times.size(); ++i)
+            times.push_back(entry.times[random() % entry.times.size()]);
+        return median(std::move(times));
+    }
+    const auto n = static_cast<double>(x.size());
+    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+    double squares = 0;
+    for (const double value : x) squares += (value - mean) * (value - mean);
+    std::student_t_distribution<double> t(n - 1);
+    return std::exp(mean + t(random) * std::sqrt(squares / (n - 1) / n));
+}
+
+// Times of all backends on all platforms for one problem, and the efficiencies derived from them.
+class PlatformTimes {
+public:
+    void add(const Result& result, const Row& row)
+    {
+        platforms_.insert(row.platform);
+        applications_.insert(row.backend);
+        platforms_of_[&result].insert(row.platform);
+        applications_of_[&result].insert(row.backend);
+        const std::vector<double> times = kernel_times(row);
+        if (!row.timed() || !std::ranges::all_of(times, [](double s) { return s > 0; })) return;
+        Entry& entry = entries_[{row.backend, row.platform}];
+        if (entry.row != nullptr && median(times) >= median(entry.times)) return;
+        entry = {&result, &row, times};
+        const std::vector<double> medians = run_medians(row);
+        if (medians.size() < 2) return;
+        for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
+    }
+
+    // Records that the result contains this backend without a device: the backend then supports none of the result's
+    // platforms.
+    void add_unavailable(const Result& result, const std::string& application)
+    {
+        if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
+    }
+
+    const std::set<std::string>& platforms() const { return platforms_; }
+
+    // Returns true if there is a result that contains both the platform and the application, even if not together.
+    bool is_measured(const std::string& application, const std::string& platform) const
+    {
+        return std::ranges::any_of(platforms_of_, [&](const auto& of) {
+            return of.second.contains(platform) && applications_of_.at(of.first).contains(application);
+        });
+    }
+
+    // Returns the platforms on which the application was measured.
+    std::vector<std::string> measured(const std::string& application) const
+    {
+        std::vector<std::string> found;
+        for (const std::string& platform : platforms_) {
+            if (is_measured(application, platform)) found.push_back(platform);
+        }
+        return found;
+    }
+
+    // Returns the kernel time of each application on each platform: the median, or, if `random` is given, a random
+    // value (drawn()).
+    std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
+    {
+        std::map<std::pair<std::string, std::string>, double> found;
+        for (const auto& [key, entry] : entries_) {
+            found[key] = random != nullptr ? drawn(entry, *random) : median(entry.times);
+        }
+        return found;
+    }
+
+    Efficiencies efficiencies(const std::map<std::pair<std::string, std::string>, double>& seconds,
+                              const std::string& application, const std::string& platform) const
+    {
+        const auto mine = seconds.find({application, platform});
+        if (mine == seconds.end() || !(mine->second > 0)) return {};
+        double best = mine->second;
+        for (const std::string& other : applications_) {
+            const auto theirs = seconds.find({other, platform});
+            if (theirs != seconds.end()) best = std::min(best, theirs->second);
+        }
+        const Entry& entry = entries_.at({application, platform});
+        const Peak* peak = peak_of(*entry.result, platform, entry.row->precision);
+        const double rate = entry.row->operations / mine->second;
+        return {best / mine->second, peak != nullptr && peak->rate > 0 ? rate / peak->rate : 0};
+    }
+
+private:
+    std::set<std::string> platforms_, applications_;
+    std::map<const Result*, std::set<std::string>> platforms_of_, applications_of_;  // in each result with the problem
+    std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
+};
+
+Efficiencies means(const PlatformTimes& field, const std::string& application,
+                   const std::map<std::pair<std::string, std::string>, double>& seconds)
+{
+    std::vector<double> by_application;
+    std::vector<double> by_architecture;
+    for (const std::string& platform : field.measured(application)) {
+        const Efficiencies e = field.efficiencies(seconds, application, platform);
+        by_application.push_back(e.application);
+        by_architecture.push_back(e.architecture);
+    }
+    return {performance_portability(by_application), performance_portability(by_architecture)};
+}
+
+// Returns the middle 95 % of the values, widened to contain `value`.
+Interval middle_of(std::vector<double> values, double value)
+{
+    std::ranges::sort(values);
+    const auto tail = static_cast<std::size_t>((1 - confidence) / 2 * static_cast<double>(values.size()));
+    return {std::min(values[tail], value), std::max(values[values.size() - 1 - tail], value)};
+}
+
+std::vector<CascadeStep> cascade_of(std::vector<OnPlatform> platforms)
+{
+    std::ranges::stable_sort(platforms, std::ranges::greater(), &OnPlatform::application);
+    std::vector<CascadeStep> steps;
+    std::vector<double> so_far;
+    for (const OnPlatform& platform : platforms) {
+        so_far.push_back(platform.application);
+        steps.push_back({platform.platform, platform.application, performance_portability(so_far)});
+    }
+    return steps;
+}
+
+Portability of(const Problem& problem, const PlatformTimes& field, const std::string& application)
+{
+    Portability p;
+    p.problem = fmt::format("{} {}x{}", problem.fractal, problem.width, problem.height);
+    p.fractal = problem.fractal;
+    p.precision = problem.precision;
+    p.mode = problem.mode;
+    p.width = problem.width;
+    p.height = problem.height;
+    p.application = application;
+    const auto seconds = field.seconds(nullptr);
+    for (const std::string& platform : field.platforms()) {
+        if (!field.is_measured(application, platform)) {
+            p.not_measured.push_back(platform);
+            continue;
+        }
+        const Efficiencies e = field.efficiencies(seconds, application, platform);
+        const auto mine = seconds.find({application, platform});
+        p.platforms.push_back({platform, mine == seconds.end() ? 0 : mine->second, e.application, e.architecture});
+    }
+    const Efficiencies mean = means(field, application, seconds);
+    p.application_portability = mean.application;
+    p.architecture_portability = mean.architecture;
+    // The intervals are percentiles of the metric, computed many times from random values of all times.
+    std::mt19937_64 random(1);
+    std::vector<double> by_application;
+    std::vector<double> by_architecture;
+    for (int i = 0; i < draws; ++i) {
+        const Efficiencies again = means(field, application, field.seconds(&random));
+        by_application.push_back(again.application);
+        by_architecture.push_back(again.architecture);
+    }
+    p.application_interval = middle_of(std::move(by_application), p.application_portability);
+    p.architecture_interval = middle_of(std::move(by_architecture), p.architecture_portability);
+    p.cascade = cascade_of(p.platforms);
+    return p;
+}
+
+}  // namespace
+
+double performance_portability(std::span<const double> efficiencies)
+{
+    double sum = 0;
+    for (const double e : efficiencies) {
+        if (!(e > 0)) return 0;
+        sum += 1 / e;
+    }
+    return efficiencies.empty() ? 0 : static_cast<double>(efficiencies.size()) / sum;
+}
+
+std::vector<Portability> portability(std::span<const Result> given)
+{
+    const std::vector<Result> results = disambiguated(given);
+    std::map<Problem, PlatformTimes> fields;
+    std::set<std::string> applications;
+    for (const Result& result : results) {
+        const std::string reference = result.reference();
+        for (const Row& row : result.rows) {
+            if (!row.sweep_value.empty() || row.backend == reference) continue;
+            applications.insert(row.backend);
+            if (row.platform.empty()) continue;  // a backend without a device
+            fields[{row.fractal, row.precision, row.mode, row.setting.width, row.setting.height}].add(result, row);
+        }
+    }
+    for (const Result& result : results) {
+        for (const Row& row : result.rows) {
+            if (!row.platform.empty()) continue;
+            for (auto& [problem, field] : fields) field.add_unavailable(result, row.backend);
+        }
+    }
+    std::vector<Portability> found;
+    for (const auto& [problem, field] : fields) {
+        for (const std::string& application : applications) found.push_back(of(problem, field, application));
+    }
+    return found;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Performance portability: the metric of Pennycook, Sewall and Lee ("A Metric for Performance Portability", PMBS 2016;
+// "Implications of a metric for performance portability", Future Generation Computer Systems 92, 2019).
+//
+// Here an application is a backend, a platform is a device, and a problem is a fractal at one size, in one precision
+// and mode. An application with the efficiencies e_i on the platforms of a set H has the performance portability
+//   PP = |H| / sum of 1 / e_i   if every platform of H is supported, else 0.
+// An application's H holds the platforms of all results, except those on which it was not measured.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/result/result.h"
+#include "bench/base/statistics.h"
+
+namespace mandelmarch::bench {
+
+// Returns the harmonic mean of the efficiencies; 0 if one is 0 (unsupported) or there are none.
+double performance_portability(std::span<const double> efficiencies);
+
+// An application on one platform. Both efficiencies are 0 if the application is not supported there or its picture is
+// wrong.
+struct OnPlatform {
+    std::string platform;
+    double seconds = 0;       // median kernel time
+    double application = 0;   // application efficiency: best time of any backend on the platform / this time
+    double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
+};
+
+// A step of a cascade, which adds one platform after the other, in the order of falling application efficiency:
+// `portability` is computed over this platform and those before it (Sewall, Pennycook and others, "Interpreting and
+// visualizing performance portability metrics", P3HPC 2020).
+struct CascadeStep {
+    std::string platform;
+    double efficiency = 0;
+    double portability = 0;
+};
+
+struct Portability {
+    std::string problem;  // "mandelbulb 540x540"
+    std::string fractal;
+    int width = 0, height = 0;  // pixels
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    std::string application;            // backend
+    std::vector<OnPlatform> platforms;  // H
+    // Platforms that occur only in results without this application; not in H.
+    std::vector<std::string> not_measured;
+    double application_portability = 0, architecture_portability = 0;
+    Interval application_interval, architecture_interval;  // 95 %, from resampled times
+    std::vector<CascadeStep> cascade;
+};
+
+// Computes the metric for each problem and application, over the platforms of all results, after disambiguated().
+// Configurations of sweeps, of the scalar kernel and of the reference, which is not an application, are left out. If a
+// backend has several devices on one platform, the fastest counts.
+//
+// An application counts as unsupported on a platform if a result contains both, but no correct picture of the
+// application on the platform: the application is unavailable there, its picture is wrong, or it ran only on other
+// platforms of the result. An application that was not measured on any platform for a problem has an empty H.
+std::vector<Portability> portability(std::span<const Result> given);
+
+// Returns the entries whose H is not empty.
+nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities);
+
+// Returns the columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
+// read by p3-analysis-library, and h, the application's H, separated by "; ". There is one line for each application
+// and each platform it runs on. The library takes a missing line to mean that the platform is unsupported, even if h
+// does not contain it.
+std::string to_csv(const std::vector<Portability>& portabilities);
+
+// Returns the table of `bench portability`.
+std::string to_console(const std::vector<Portability>& portabilities);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one judge of measured ratios, for compare, duel and the summary of a study.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/base/statistics.h"
+#include "bench/base/table.h"
+
+namespace mandelmarch::bench {
+
+inline constexpr double margin = 0.02;        // ratios from 1 / (1 + margin) to 1 + margin are never called different
+inline constexpr double significance = 0.05;  // probability of any false alarm among all ratios judged together
+
+enum class Verdict {
+    faster,        // by more than the margin
+    slower,        // by more than the margin
+    same,          // within the margin
+    undecided,     // the interval allows both; more runs would decide
+    wrong,         // the old one has a speed, the new one a wrong picture or a failure
+    missing,       // comparable in the old result, but not in the new one
+    only_new,      // only the new result has a speed
+    not_compared,  // neither result has a comparable speed
+    no_speed       // the old program of a duel has no speed
+};
+std::string_view name_of(Verdict verdict);
+
+// A configuration whose times were compared.
+struct Judged {
+    std::string name;
+    Verdict verdict = Verdict::not_compared;
+    std::string why{};        // why nothing was tested; empty if it was
+    Difference difference{};  // of times, new / old
+    double p = 1;             // after Holm's correction
+    // Numbers of compared medians: one for each run, or one for each group of samples if there is one run only.
+    int old_units = 0, new_units = 0;
+    bool same_picture = true;  // in a duel: the programs' pictures are equal byte for byte
+};
+
+// Judges the configurations whose verdict is `undecided`, all together. Their differences must come from tests with the
+// margin `within`. A ratio is
+//   - faster or slower, if the test for a ratio beyond the margin is significant after Holm's correction over all
+//     ratios, so that at most 5 in 100 studies of equal programs report a difference;
+//   - the same, if its own 95 % interval lies within the margin;
+//   - else undecided.
+void judge(std::vector<Judged>& rows, double within);
+
+// Returns true if a configuration is slower, wrong or missing in the new result.
+bool regression(const std::vector<Judged>& rows);
+
+// Returns a table of the verdicts, with the ratios to `decimals` digits after the point, in lines of at most 120
+// characters.
+std::string table_of(const std::vector<Judged>& rows, int decimals);
+
+// Returns a line with the number of configurations with each verdict: "verdicts: 1 faster, 2 same within 2 %, 4
+// undecided (more runs would tell: --runs)". Empty if there are no verdicts.
+std::string summary_of(const std::vector<Judged>& rows, double within);
+
+}  // namespace mandelmarch::bench

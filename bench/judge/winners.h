@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Winners of a standard study, for its summary.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result/figures.h"
+#include "bench/judge/verdict.h"
+
+namespace mandelmarch::bench {
+
+// A configuration that is slower than the fastest one, or whose difference from it is not significant.
+struct Rival {
+    const Row* row = nullptr;
+    // Kernel times, this configuration's / the fastest's: slower, same or undecided; no_speed, with the ratio only,
+    // unless both have two runs in common, or six rounds of a single run.
+    Judged judged{};
+};
+
+// The timed configurations of one fractal in one precision and mode.
+struct Contest {
+    const Row* fastest = nullptr;  // by the median kernel time
+    std::vector<Rival> rivals;     // all other configurations, fastest first
+};
+
+// Returns the contests among a standard study's timed configurations, without the reference, which is not an
+// application. Two configurations are compared by the ratios of their kernel times in the same run and round. If there
+// are several runs, the test uses the median of each run; else it uses the medians of groups of three rounds. The
+// p-values are corrected over all rivals of all contests.
+std::vector<Contest> contests_of(const Result& result);
+
+// Returns a line for each contest with the winner's lead and its certainty, and a last line with the number of
+// processors that were free.
+std::string winners(const Result& result);
+
+}  // namespace mandelmarch::bench

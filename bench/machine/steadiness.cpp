@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/machine/steadiness.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "bench/machine/family_time.h"
+#include "bench/result/figures.h"
+#include "core/base/cores.h"
+#include "core/base/files.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// Thresholds of warnings.
+constexpr double much_load = 0.3;     // running threads per core, before the start
+constexpr double much_stolen = 0.01;  // fraction of the processors' time
+constexpr double much_other = 0.05;   // fraction of the processors' time, used by other processes
+constexpr double much_drift = 0.05;   // of the clock frequency
+constexpr double much_spread = 0.05;  // median absolute deviation / median
+
+double fastest_clock()
+{
+    std::ifstream file("/proc/cpuinfo");
+    double fastest = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("cpu MHz")) continue;
+        std::istringstream value(line.substr(line.find(':') + 1));
+        double megahertz = 0;
+        if (value >> megahertz) fastest = std::max(fastest, megahertz);
+    }
+    return fastest;
+}
+
+// Returns the numbers of threads of those CPU backends that used their default, "openmp 1, opencl 2"; empty if all are
+// equal.
+std::string unlike_threads(const Result& result)
+{
+    std::vector<std::pair<std::string, int>> known;
+    bool unlike = false;
+    for (const Row& row : result.rows) {
+        if (!row.timed() || row.is_gpu || row.setting.threads > 0 || row.verification.is_expected) continue;
+        const std::pair<std::string, int> here{row.backend, row.threads};
+        if (std::ranges::find(known, here) != known.end()) continue;
+        unlike = unlike || (!known.empty() && known.front().second != row.threads);
+        known.push_back(here);
+    }
+    std::string text;
+    for (const auto& [backend, threads] : known) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", backend, threads);
+    }
+    return unlike ? text : std::string();
+}
+
+}  // namespace
+
+Steadiness::Steadiness() : start_(look()) {}
+
+Steadiness::Snapshot Steadiness::look()
+{
+    Snapshot now;
+    std::istringstream(first_line("/proc/loadavg")) >> now.load;
+    now.frequency = fastest_clock();
+    // Fields: cpu user nice system idle iowait irq softirq steal, in ticks since boot.
+    std::istringstream line(first_line("/proc/stat"));
+    std::string name;
+    double ticks[8] = {};
+    line >> name;
+    for (double& value : ticks) line >> value;
+    const auto per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
+    for (const double value : ticks) now.processors += value / per_second;
+    now.stolen = ticks[7] / per_second;
+    now.throttling = throttling();
+    now.others = (ticks[0] + ticks[1] + ticks[2]) / per_second - process_tree_seconds();
+    return now;
+}
+
+nlohmann::ordered_json Steadiness::during() const
+{
+    const Snapshot end = look();
+    const double processors = std::max(1e-9, end.processors - start_.processors);
+    return {{"load_at_start", start_.load},
+            {"load_at_end", end.load},
+            {"megahertz_at_start", start_.frequency},
+            {"megahertz_at_end", end.frequency},
+            {"stolen_share", (end.stolen - start_.stolen) / processors},
+            {"others_share", std::max(0.0, (end.others - start_.others) / processors)},
+            {"quota_periods", end.throttling.periods - std::min(end.throttling.periods, start_.throttling.periods)},
+            {"throttled_periods",
+             end.throttling.throttled - std::min(end.throttling.throttled, start_.throttling.throttled)}};
+}
+
+std::vector<std::string> Steadiness::warnings(const Result& result) const
+{
+    std::vector<std::string> found;
+    const nlohmann::ordered_json now = during();
+    const Cores mine = mandelmarch::cores();
+    const double cores = mine.machine;  // all of them, as the load is that of the whole machine
+    if (start_.load > much_load * cores) {
+        found.push_back(
+            fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
+    }
+    if (const double others = now["others_share"]; others > much_other) {
+        found.push_back(fmt::format("load: other processes took {:.0f} % of the processors meanwhile", 100 * others));
+    }
+    if (const double stolen = now["stolen_share"]; stolen > much_stolen) {
+        found.push_back(fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
+    }
+    if (const std::uint64_t throttled = now["throttled_periods"]; throttled > 0) {
+        found.push_back(fmt::format("quota: the program was stopped in {} of {} periods", throttled,
+                                    now["quota_periods"].get<std::uint64_t>()));
+    } else if (mine.quota && *mine.quota < mine.given) {
+        found.push_back(fmt::format("quota: {:.2g} cores' time for {} cores", *mine.quota, mine.given));
+    }
+    if (const std::string bound = binding(); !bound.empty()) {
+        found.push_back(fmt::format(
+            "binding: {} keeps OpenMP's threads on their cores, those of other backends run on all {} given", bound,
+            mine.given));
+    }
+    if (const std::string unlike = unlike_threads(result); !unlike.empty()) {
+        found.push_back(fmt::format("threads: the CPU's rows were drawn by unlike numbers of them: {}", unlike));
+    }
+    const double before = start_.frequency;
+    const double after = now["megahertz_at_end"];
+    if (before > 0 && std::abs(after - before) > much_drift * before) {
+        found.push_back(fmt::format("frequency: the clock went from {:.0f} to {:.0f} MHz", before, after));
+    }
+    const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    if (!governor.empty() && governor != "performance") {
+        found.push_back(fmt::format("frequency: the governor is {}, not performance", governor));
+    }
+    int spread = 0;
+    const Row* worst = nullptr;
+    double most = much_spread;
+    for (const Row& row : result.rows) {
+        if (!row.timed() || row.samples.size() < 3) continue;
+        const Summary s = summary(kernel_times(row));
+        if (s.mad <= much_spread * s.median) continue;
+        ++spread;
+        if (s.mad > most * s.median) {
+            most = s.mad / s.median;
+            worst = &row;
+        }
+    }
+    if (worst != nullptr) {
+        found.push_back(
+            fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %", spread,
+                        result.rows.size(), 100 * much_spread, worst->name(), 100 * most));
+    }
+    return found;
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/machine/telemetry.h"
+
+#include <fmt/format.h>
+#include <linux/perf_event.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "bench/machine/nvml.h"
+#include "core/base/files.h"
+#include "core/base/stopwatch.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<const char*, std::uint64_t>, 5> events{
+    {{"cycles", PERF_COUNT_HW_CPU_CYCLES},
+     {"instructions", PERF_COUNT_HW_INSTRUCTIONS},
+     {"cache_references", PERF_COUNT_HW_CACHE_REFERENCES},
+     {"cache_misses", PERF_COUNT_HW_CACHE_MISSES},
+     {"branch_misses", PERF_COUNT_HW_BRANCH_MISSES}}};
+
+double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+std::optional<double> number_in(const fs::path& path)
+{
+    std::ifstream file(path);
+    double value = 0;
+    return file >> value ? std::optional(value) : std::nullopt;
+}
+
+Json missing(const std::string& why) { return {{"missing", why}}; }
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+// Opens a counter of this event for a thread, in user space, which includes threads and processes that the thread
+// starts from now on. Returns its descriptor, or a value below 0 on failure.
+int open_counter(std::uint64_t event, int thread)
+{
+    perf_event_attr attributes{};
+    attributes.type = PERF_TYPE_HARDWARE;
+    attributes.size = sizeof(attributes);
+    attributes.config = event;
+    attributes.inherit = 1;
+    attributes.exclude_kernel = 1;
+    attributes.exclude_hv = 1;
+    attributes.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
+    return static_cast<int>(syscall(SYS_perf_event_open, &attributes, thread, -1, -1, PERF_FLAG_FD_CLOEXEC));
+}
+
+}  // namespace
+
+Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), start_(now())
+{
+    look_for_domains();
+    open_counters();
+    for (const GpuState& gpu : gpu_states(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules.value_or(-1));
+}
+
+// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Names with one
+// colon are whole packages (or, on some Intel processors, the whole platform), others are parts of them.
+void Telemetry::look_for_domains()
+{
+    std::error_code error;
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(sources_.powercap, error)) {
+        if (fs::exists(entry.path() / "energy_uj", error)) folders.push_back(entry.path());
+    }
+    std::ranges::sort(folders);
+    for (const fs::path& folder : folders) {
+        const auto start = number_in(folder / "energy_uj");
+        if (!start) {
+            no_energy_ =
+                fmt::format("{} cannot be read, which Linux allows root only", (folder / "energy_uj").string());
+            continue;
+        }
+        domains_.push_back({.name = fmt::format("{} {}", folder.filename().string(), first_line(folder / "name")),
+                            .file = folder / "energy_uj",
+                            .start = *start,
+                            .range = number_in(folder / "max_energy_range_uj").value_or(0)});
+    }
+    if (folders.empty()) no_energy_ = fmt::format("{} has no domain of RAPL", sources_.powercap.string());
+}
+
+void Telemetry::open_counters()
+{
+    for (const auto& [name, event] : events) {
+        Counter counter{.name = name, .descriptors = {}, .missing = {}};
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator("/proc/self/task", error)) {
+            Descriptor descriptor(open_counter(event, std::atoi(entry.path().filename().c_str())));
+            if (descriptor.number() >= 0) {
+                counter.descriptors.push_back(std::move(descriptor));
+            } else {
+                counter.missing = std::strerror(errno);
+            }
+        }
+        counters_.push_back(std::move(counter));
+    }
+}
+
+Json Telemetry::energy() const
+{
+    Json domains = Json::array();
+    for (const Domain& domain : domains_) {
+        const auto end = number_in(domain.file);
+        if (!end) continue;
+        const double used = *end - domain.start;
+        domains.push_back({{"name", domain.name}, {"joules", 1e-6 * (used < 0 ? used + domain.range : used)}});
+    }
+    if (domains.empty()) return missing(no_energy_);
+    return {{"seconds", now() - start_}, {"domains", domains}};
+}
+
+Json Telemetry::counters() const
+{
+    Json found = Json::object();
+    bool any = false;
+    std::string why;
+    for (const Counter& counter : counters_) {
+        found[counter.name] = Json();
+        if (!counter.missing.empty()) {
+            why = fmt::format("perf_event_open: {}", counter.missing);
+            continue;
+        }
+        double sum = 0;
+        bool counted = false;
+        for (const Descriptor& descriptor : counter.descriptors) {
+            struct {
+                std::uint64_t value, enabled, running;
+            } told{};
+            if (read(descriptor.number(), &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
+            // With more events than counters, each event counts only a fraction of the time.
+            sum +=
+                static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
+            counted = true;
+        }
+        if (counted) found[counter.name] = sum;
+        if (!counted) why = "perf counted nothing";
+        any = any || counted;
+    }
+    return any ? found : missing(why);
+}
+
+Json Telemetry::since_start() const
+{
+    const GpuStates states = gpu_states(sources_.nvml);
+    Json gpus = Json::array();
+    for (std::size_t i = 0; i < states.gpus.size(); ++i) {
+        const GpuState& gpu = states.gpus[i];
+        const bool known = i < gpu_joules_.size() && gpu_joules_[i] >= 0 && gpu.joules;
+        gpus.push_back({{"name", gpu.name},
+                        {"joules", known ? Json(*gpu.joules - gpu_joules_[i]) : Json()},
+                        {"watts", or_null(gpu.watts)},
+                        {"celsius", or_null(gpu.celsius)},
+                        {"sm_megahertz", or_null(gpu.sm)},
+                        {"most_sm_megahertz", or_null(gpu.most_sm)},
+                        {"memory_megahertz", or_null(gpu.memory)},
+                        {"throttled", gpu.throttled ? Json(*gpu.throttled) : Json()}});
+    }
+    return {{"energy", energy()},
+            {"counters", counters()},
+            {"gpus", states.missing.empty() ? gpus : missing(states.missing)}};
+}
+
+}  // namespace mandelmarch::bench

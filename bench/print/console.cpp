@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bench/print/study_tables.h"
+#include "bench/base/table.h"
+#include "bench/result/figures.h"
+#include "bench/judge/winners.h"
+#include "core/scene/fractal.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+std::string short_name(const std::string& fractal)
+{
+    return fractal == "all" ? fractal : std::string(fractal_named(fractal).short_name);
+}
+
+// Returns the interval, "[12.30, 12.45]", or the number of values, "n = 3", if there is no interval.
+std::string interval(const Summary& s, double unit)
+{
+    if (!s.interval) return fmt::format("n = {}", s.count);
+    return fmt::format("[{}, {}]", digits(unit * s.interval->low), digits(unit * s.interval->high));
+}
+
+std::string percent(const std::optional<double>& share)
+{
+    return share ? fmt::format("{:.1f}%", 100 * *share) : std::string("-");
+}
+
+std::optional<double> ratio_of(const std::optional<Quotient>& quotient)
+{
+    return quotient ? std::optional(quotient->ratio) : std::nullopt;
+}
+
+std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
+
+std::string head(const Row& row)
+{
+    return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", short_name(row.fractal), name_of(row.precision),
+                       name_of(row.mode), row.application, row.device);
+}
+
+// Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
+// the speed-up.
+std::string main_table(const Result& result, bool sweep)
+{
+    const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
+                          const std::string& end) {
+        const std::string whole = sweep ? fmt::format("{}{:<15} {}", start, point, rest) : start + rest + end;
+        return fmt::format("{}\n", clipped(whole, console_columns));
+    };
+    std::string text =
+        line(fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", "scene", "precision", "mode", "backend", "dev"), "point",
+             fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", "verification", "kernel", "95 % interval", "wall ms",
+                         "Mpixel/s", "GFLOP/s"),
+             fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
+    for (const Row& row : result.rows) {
+        if (row.device_name.empty()) {
+            text += line(fmt::format("{:<5} {:<9} {:<5} {:<13}   - ", "all", "all", "all", row.backend), "",
+                         row.failure.empty() ? fmt::format("unavailable: {}", row.unavailable)
+                                             : fmt::format("FAILED: {}", row.failure),
+                         "");
+        } else if (!row.unavailable.empty()) {
+            text += line(head(row), row.sweep_value, fmt::format("unavailable: {}", row.unavailable), "");
+        } else if (!row.timed()) {
+            const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
+            text += line(head(row), row.sweep_value, fmt::format("FAILED: {}", why), "");
+        } else {
+            const Figures& f = *row.figures;
+            text +=
+                line(head(row), row.sweep_value,
+                     fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.verification.text,
+                                 digits(1e3 * f.kernel.median), interval(f.kernel, 1e3), digits(1e3 * f.wall.median),
+                                 digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9)),
+                     fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
+        }
+    }
+    return text;
+}
+
+// Returns a table with all columns, one line per configuration.
+std::string wide_table(const Result& result)
+{
+    std::string text = fmt::format(
+        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
+        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
+        "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build",
+        "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms",
+        "speed-up", "thr", "SIMD", "set");
+    for (const Row& row : result.rows) {
+        if (!row.timed()) {
+            text += fmt::format("{:<46} {}\n", row.name(),
+                                row.unavailable.empty() ? fmt::format("FAILED: {}", row.failure)
+                                                        : fmt::format("unavailable: {}", row.unavailable));
+            continue;
+        }
+        const Figures& f = *row.figures;
+        text += fmt::format(
+            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
+            "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
+            row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median),
+            interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context),
+            digits(1e3 * row.build), digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
+            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
+            row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
+            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.simd_width,
+            row.instruction_set);
+    }
+    return text;
+}
+
+std::string devices(const Result& result)
+{
+    std::set<std::string> told;
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (row.device_name.empty() || !told.insert(fmt::format("{} {}", row.backend, row.device)).second) continue;
+        text += clipped(fmt::format("{} {}: {} ({})", row.backend, row.device, row.device_name, row.driver),
+                        console_columns) +
+                "\n";
+    }
+    for (const Peak& peak : result.peaks) {
+        const Peak* best = peak_of(result, peak.platform, peak.precision);
+        text +=
+            clipped(fmt::format("peak, {}, {} {}: {} GFLOP/s of multiply-adds{}", name_of(peak.precision), peak.backend,
+                                peak.device, digits(1e-9 * peak.rate), &peak == best ? ", the device's peak" : ""),
+                    console_columns) +
+            "\n";
+    }
+    return text;
+}
+
+// Returns a line for each configuration whose upload, host and readback leave more than 5 % of the wall time
+// unaccounted for.
+std::string incomplete_parts(const Result& result)
+{
+    constexpr double little = 0.05;
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (!row.timed()) continue;
+        const auto share = row.figures->unaccounted;
+        if (share && *share > little) text += fmt::format("{}{} {}\n", head(row), row.sweep_value, percent(share));
+    }
+    if (text.empty()) return {};
+    return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}", percent(little),
+                       text);
+}
+
+// Returns the sweep value for the end of a line; empty outside sweeps.
+std::string point_of(const Result& result, const Row& row)
+{
+    return row.sweep_value.empty() || result.study == standard_study ? "" : " " + row.sweep_value;
+}
+
+// Returns a ratio and its interval in 28 columns.
+std::string cells(const std::optional<Quotient>& quotient)
+{
+    if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
+    const auto& i = quotient->interval;
+    return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
+                       i                        ? fmt::format("[{}, {}]", digits(i->low), digits(i->high))
+                       : quotient->ratio == 1.0 ? "beside itself"
+                                                : "too few samples");
+}
+
+// Returns the table of speed-ups over both baselines.
+std::string speed_ups(const Result& result)
+{
+    std::string text;
+    for (const Row& row : result.rows) {
+        if (!row.timed()) continue;
+        const Figures& f = *row.figures;
+        if (f.speed_up || f.over_scalar) {
+            text +=
+                fmt::format("{} {} {}{}\n", head(row), cells(f.speed_up), cells(f.over_scalar), point_of(result, row));
+        }
+    }
+    if (text.empty()) return {};
+    return fmt::format(
+        "\nSpeed-up of wall time: over reference (serial, double, exact), and over the same text as scalar C++ on the "
+        "host's\nthreads, in the row's precision and mode; each interval by itself\n{:<40} {:>8} {:<19} {:>8} "
+        "{:<19}\n{}",
+        "", "serial", "95 % interval", "scalar", "95 % interval", text);
+}
+
+std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
+{
+    if (ratios.empty()) return {};
+    constexpr const char* line = "{:<9} {:<5} {:<13} {:>3} {:>7} {:<18} {:>5}{}\n";
+    std::string text = fmt::format("\n{}; each interval by itself\n", title);
+    text += fmt::format(fmt::runtime(line), fractal ? "scene" : "precision", "mode", "backend", "dev", "ratio",
+                        "95 % interval", "pairs", "");
+    for (const Ratio& ratio : ratios) {
+        const Row& row = result.row(ratio.denominator);
+        text += fmt::format(fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision),
+                            name_of(row.mode), row.application, row.device,
+                            ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-", interval(ratio.ratio, 1),
+                            ratio.ratio.count, point_of(result, row));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string to_console(const Result& result, bool wide)
+{
+    const Row* any = nullptr;
+    for (const Row& row : result.rows) {
+        if (any == nullptr && row.timed()) any = &row;
+    }
+    const bool sweep = result.study != standard_study &&
+                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.sweep_value.empty(); });
+    std::string text = wide ? wide_table(result) : main_table(result, sweep);
+    text += fmt::format("\n{}", devices(result));
+    if (any != nullptr && result.study == standard_study) {
+        text += fmt::format(
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference; {}-scalar: the text "
+            "as scalar C++\n",
+            any->setting.width, any->setting.height, result.host());
+    }
+    text += incomplete_parts(result);
+    text += speed_ups(result);
+    text += ratio_table(result, result.questions.box_to_bulb,
+                        "Mandelbox against Mandelbulb: kernel time of the one over the other's", false);
+    text += ratio_table(result, result.questions.double_to_float,
+                        "Double against float: kernel time of the one over the other's", true);
+    text += study_tables(result);
+    for (const std::string& warning : result.warnings)
+        text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), console_columns));
+    if (!result.warnings.empty()) text += "\n";
+    return text + winners(result);
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/print/study_tables.h"
+#include "bench/base/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/result/figures.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
+
+// Returns a timed configuration that does the same work as the counting kernel, but on all pixels; nullptr if there is
+// none. In fast mode the host's packs are excluded, as they take other steps.
+const Row* whole_picture(const Result& result, const Counted& counted)
+{
+    const std::string host = result.host();
+    for (const Row& row : result.rows) {
+        const bool same_steps = counted.mode == Mode::exact || row.backend != host || is_scalar(result, row);
+        if (row.timed() && is_counted_for(counted, row) && same_steps) return &row;
+    }
+    return nullptr;
+}
+
+// Returns a line with the largest standard errors of the sampled counts; empty if every pixel was counted or no errors
+// are known.
+std::string errors_of(const Result& result)
+{
+    double of_operations = 0;
+    double of_iterations = 0;
+    double of_lanes = 0;
+    for (const Counted& c : result.counts) {
+        const Count& n = c;
+        if (!n.errors || n.per_iteration() == 0 || n.march_iterations == 0) continue;
+        of_operations = std::max(of_operations, n.errors->per_iteration / n.per_iteration());
+        of_iterations = std::max(of_iterations, n.errors->per_estimate / ratio(n.march_iterations, n.march_estimates));
+        for (const LaneUse& use : n.lane_use) {
+            for (const auto& error : {use.together_error, use.refilled_error}) {
+                if (error) of_lanes = std::max({of_lanes, error->in_steps, error->in_iterations});
+            }
+        }
+    }
+    if (of_operations == 0) return {};
+    return fmt::format(
+        "calls a pixel: of all pixels; the rest: of a sample, with standard errors up to {:.1f} % (iterations a call), "
+        "{:.1f} %\n(operations an iteration) and {:.1f} points (lanes)\n",
+        100 * of_iterations, 100 * of_operations, 100 * of_lanes);
+}
+
+// Returns a table of the counted work, which explains why one fractal is slower than the other.
+std::string counts_table(const Result& result)
+{
+    std::string text = fmt::format(
+        "\nWork of the text, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
+        "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
+    text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
+                        "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
+    for (const Counted& c : result.counts) {
+        const Count& n = c;
+        const Operations all = n.all();
+        const Row* whole = whole_picture(result, c);
+        const double pixels = whole != nullptr ? static_cast<double>(whole->setting.width) * whole->setting.height
+                                               : static_cast<double>(n.pixels);
+        const Work& work = whole != nullptr ? whole->work : n.work;
+        text +=
+            fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
+                        c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
+                        static_cast<double>(work.de_calls) / pixels, ratio(n.march_iterations, n.march_estimates),
+                        n.per_iteration(), ratio(all.divisions + all.square_roots, n.work.iterations),
+                        n.per_iteration() * static_cast<double>(work.iterations) / pixels,
+                        100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
+    }
+    return text + fmt::format(
+                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
+                      "roots; active: lanes\nthat do something, in packs of {} pixels\n",
+                      result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
+}
+
+// Returns a table of lane utilisation without and with refill, and of the gain. With refill each lane takes the next
+// pixel as soon as its ray has ended.
+std::string lanes_table(const Result& result)
+{
+    constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
+    std::string text = "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n";
+    text += fmt::format(fmt::runtime(line), "fractal", "precision", "mode", "scene", "lanes", "together", "",
+                        "refilled", "", "gain");
+    for (const Counted& c : result.counts) {
+        for (const LaneUse& use : c.lane_use) {
+            if (!use.refilled) continue;
+            const auto share = [](double active) { return fmt::format("{:.0f}%", 100 * active); };
+            text += fmt::format(fmt::runtime(line), c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
+                                use.lanes, share(use.together.in_steps), share(use.together.in_iterations),
+                                share(use.refilled->in_steps), share(use.refilled->in_iterations),
+                                fmt::format("{:.2f}", use.refilled->in_iterations / use.together.in_iterations));
+        }
+    }
+    return text +
+           "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended "
+           "takes the next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without "
+           "what refilling costs\n";
+}
+
+std::string stages_table(const Result& result)
+{
+    std::string text = fmt::format(
+        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<9} {:<5} {:<7} "
+        "{:>9} {:>7} {:>11}\n",
+        "fractal", "precision", "mode", "stage", "ms", "time", "operations");
+    for (const StageTime& s : result.stages) {
+        double all = 0;
+        for (const StageTime& other : result.stages) {
+            const bool same = other.fractal == s.fractal && other.precision == s.precision && other.mode == s.mode;
+            if (same && other.stage != in_one_go) all += median(other.seconds);
+        }
+        std::string operations = "-";
+        for (const Counted& c : result.counts) {
+            if (c.fractal != s.fractal || c.precision != s.precision || c.mode != s.mode) continue;
+            for (int i = 0; i < stage_count; ++i) {
+                if (name_of(static_cast<Stage>(i)) != s.stage) continue;
+                operations = fmt::format(
+                    "{:.1f}%", 100 * ratio(c.stages.at(static_cast<std::size_t>(i)).total(), c.all().total()));
+            }
+        }
+        text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
+                            name_of(s.mode), s.stage, digits(1e3 * median(s.seconds)),
+                            all > 0 ? 100 * median(s.seconds) / all : 0, operations);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string study_tables(const Result& result)
+{
+    std::string text;
+    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result) + errors_of(result);
+    if (!result.stages.empty()) text += stages_table(result);
+    return text;
+}
+
+}  // namespace mandelmarch::bench

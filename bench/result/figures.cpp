@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/result/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace mandelmarch::bench {
+namespace {
+
+template <class Member>
+std::vector<double> times(const Row& row, Member member)
+{
+    std::vector<double> values;
+    for (const Sample& sample : row.samples) values.push_back(sample.*member);
+    return values;
+}
+
+template <class Member>
+ValuesByRun times_by_run(const Row& row, Member member)
+{
+    ValuesByRun runs;
+    for (const Sample& sample : row.samples) runs[sample.run].push_back(sample.*member);
+    return runs;
+}
+
+// Returns true if both configurations run the same kernel on the same scene, with the same number of threads.
+bool same_text(const Row& a, const Row& b)
+{
+    return a.setting.picture() == b.setting.picture() && a.fractal == b.fractal && a.precision == b.precision &&
+           a.mode == b.mode && a.setting.threads == b.setting.threads && a.setting.frames == b.setting.frames &&
+           a.setting.without == b.setting.without;
+}
+
+bool same_device(const Row& a, const Row& b) { return a.backend == b.backend && a.device == b.device; }
+
+Ratio ratio_of(const Row& numerator, const Row& denominator)
+{
+    return {numerator.name(), denominator.name(), summary(ratios_by_run(numerator, denominator))};
+}
+
+// Returns the ratios of all pairs of timed configurations with the same mode and sweep value for which
+// other_of(numerator, denominator) is true.
+template <class Same>
+std::vector<Ratio> ratios(const Result& result, Same other_of)
+{
+    std::vector<Ratio> found;
+    for (const Row& denominator : result.rows) {
+        if (!denominator.timed()) continue;
+        for (const Row& numerator : result.rows) {
+            if (!numerator.timed() || !other_of(numerator, denominator)) continue;
+            if (numerator.mode != denominator.mode || numerator.sweep_value != denominator.sweep_value) continue;
+            found.push_back(ratio_of(numerator, denominator));
+        }
+    }
+    return found;
+}
+
+std::string_view swept(const Row& row)
+{
+    return std::string_view(row.sweep_value).substr(0, row.sweep_value.find('='));
+}
+
+bool same_sweep(const Row& a, const Row& b)
+{
+    return same_device(a, b) && a.fractal == b.fractal && a.precision == b.precision && a.mode == b.mode &&
+           !a.sweep_value.empty() && swept(a) == swept(b);
+}
+
+bool same_shape(const Row& a, const Row& b)
+{
+    return std::int64_t{a.setting.width} * b.setting.height == std::int64_t{b.setting.width} * a.setting.height;
+}
+
+std::vector<double> unaccounted_shares(const Row& row)
+{
+    std::vector<double> shares;
+    for (const Sample& s : row.samples) shares.push_back(1 - (s.upload + s.host + s.readback) / s.wall);
+    return shares;
+}
+
+}  // namespace
+
+bool is_counted_for(const Counted& counted, const Row& row)
+{
+    return counted.fractal == row.fractal && counted.precision == row.precision && counted.mode == row.mode &&
+           counted.setting.picture() == row.setting.picture() && counted.setting.without == row.setting.without;
+}
+
+bool is_scalar(const Result& result, const Row& row)
+{
+    return row.setting.simd_width == 1 && row.backend == result.host();
+}
+
+std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
+
+std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }
+
+ValuesByRun kernel_runs(const Row& row) { return times_by_run(row, &Sample::kernel); }
+
+ValuesByRun wall_runs(const Row& row) { return times_by_run(row, &Sample::wall); }
+
+std::vector<double> run_medians(const Row& row) { return medians_of(kernel_runs(row)); }
+
+const Peak* peak_of(const Result& result, const std::string& platform, Precision precision)
+{
+    const Peak* best = nullptr;
+    for (const Peak& peak : result.peaks) {
+        if (peak.platform != platform || peak.precision != precision) continue;
+        if (best == nullptr || peak.rate > best->rate) best = &peak;
+    }
+    return best;
+}
+
+ValuesByRun ratios_by_run(const Row& numerator, const Row& denominator)
+{
+    std::map<std::pair<int, int>, double> by_round;
+    for (const Sample& s : denominator.samples) by_round[{s.run, s.round}] = s.kernel;
+    ValuesByRun pairs;
+    for (const Sample& s : numerator.samples) {
+        const auto pair = by_round.find({s.run, s.round});
+        if (pair != by_round.end() && pair->second > 0) pairs[s.run].push_back(s.kernel / pair->second);
+    }
+    return pairs;
+}
+
+namespace {
+
+Figures figures_of(const Result& result, const Row& row)
+{
+    Figures f;
+    f.kernel = summary(kernel_runs(row));
+    f.wall = summary(wall_runs(row));
+    f.upload = median(times(row, &Sample::upload));
+    f.readback = median(times(row, &Sample::readback));
+    f.host = median(times(row, &Sample::host));
+    if (row.setting.frames == 0 && f.wall.median > 0) f.unaccounted = median(unaccounted_shares(row));
+    const double seconds = f.kernel.median;
+    if (seconds > 0) {
+        f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
+        f.estimate_rate = static_cast<double>(row.work.de_calls) / seconds;
+        f.iteration_rate = static_cast<double>(row.work.iterations) / seconds;
+        if (row.operations > 0) f.operation_rate = row.operations / seconds;
+    }
+    if (const Peak* peak = peak_of(result, row.platform, row.precision); peak != nullptr && peak->rate > 0) {
+        f.peak = peak->rate;
+        if (row.operations > 0) f.bound = row.operations / peak->rate;
+        if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
+        if (f.share && row.operations_error) f.share_error = *row.operations_error / row.operations * *f.share;
+    }
+    const std::string reference = result.reference();
+    for (const Row& other : result.rows) {
+        if (&other != &row && other.timed() && same_text(other, row) && is_scalar(result, other) && f.wall.median > 0) {
+            f.over_scalar = quotient(wall_runs(other), wall_runs(row));
+        }
+        if (other.setting.picture() == row.setting.picture() && other.fractal == row.fractal &&
+            other.backend == reference && other.mode == Mode::exact && other.timed() && f.wall.median > 0) {
+            // The reference's speed-up over itself is exactly 1.
+            f.speed_up = &other == &row ? Quotient{} : quotient(wall_runs(other), wall_runs(row));
+        }
+    }
+    return f;
+}
+
+std::vector<Ratio> box_to_bulb(const Result& result)
+{
+    return ratios(result, [](const Row& a, const Row& b) {
+        return same_device(a, b) && a.fractal == box && b.fractal == bulb && a.precision == b.precision;
+    });
+}
+
+std::vector<Ratio> double_to_float(const Result& result)
+{
+    return ratios(result, [](const Row& in_double, const Row& in_float) {
+        return same_device(in_double, in_float) && in_double.fractal == in_float.fractal &&
+               in_double.precision == Precision::f64 && in_float.precision == Precision::f32;
+    });
+}
+
+std::vector<Ratio> others_to_host(const Result& result)
+{
+    const std::string host = result.host(), reference = result.reference();
+    return ratios(result, [&](const Row& other, const Row& own) {
+        return own.backend == host && other.backend != host && other.backend != reference &&
+               other.fractal == own.fractal && other.precision == own.precision;
+    });
+}
+
+std::vector<Ratio> to_first_value(const Result& result)
+{
+    std::vector<Ratio> found;
+    for (const Row& row : result.rows) {
+        const Row& first =
+            *std::ranges::find_if(result.rows, [&](const Row& r) { return &r == &row || same_sweep(r, row); });
+        if (&first != &row && first.timed() && row.timed()) found.push_back(ratio_of(row, first));
+    }
+    return found;
+}
+
+std::vector<Ratio> to_previous_value(const Result& result)
+{
+    std::vector<Ratio> found;
+    for (const Row& row : result.rows) {
+        const Row* previous = nullptr;
+        for (const Row& other : result.rows) {
+            if (&other == &row) break;
+            if (other.timed() && same_sweep(other, row) && same_shape(other, row)) previous = &other;
+        }
+        if (previous != nullptr && row.timed()) found.push_back(ratio_of(row, *previous));
+    }
+    return found;
+}
+
+}  // namespace
+
+Result derived(Result result)
+{
+    for (Row& row : result.rows) {
+        const bool scalar = result.study == standard_study && is_scalar(result, row);
+        row.application = row.backend + (scalar ? "-scalar" : "");
+        row.figures = row.timed() ? std::optional(figures_of(result, row)) : std::nullopt;
+    }
+    result.questions = {.box_to_bulb = box_to_bulb(result),
+                        .double_to_float = double_to_float(result),
+                        .others_to_host = others_to_host(result),
+                        .to_first_value = to_first_value(result),
+                        .to_previous_value = to_previous_value(result)};
+    return result;
+}
+
+}  // namespace mandelmarch::bench

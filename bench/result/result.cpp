@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/result/result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mandelmarch::bench {
+namespace {
+
+// Returns the name of the backend with this role; `otherwise` for older results, which have no roles.
+std::string backend_with(const nlohmann::ordered_json& environment, Role role, const char* otherwise)
+{
+    const auto backends = environment.find("backends");
+    if (backends != environment.end() && backends->is_array()) {
+        for (const auto& backend : *backends) {
+            if (backend.is_object() && backend.value("role", "") == name_of(role)) return backend.value("name", "");
+        }
+    }
+    return otherwise;
+}
+
+}  // namespace
+
+std::string Row::name() const
+{
+    if (fractal == "all") return backend;
+    return fmt::format("{}/{}/{}/{}/{}{}{}", fractal, name_of(precision), name_of(mode), backend, device,
+                       sweep_value.empty() ? "" : "/", sweep_value);
+}
+
+bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
+
+std::string Result::reference() const { return backend_with(environment, Role::reference, "reference"); }
+
+std::string Result::host() const { return backend_with(environment, Role::host, "openmp"); }
+
+const Row& Result::row(std::string_view name) const
+{
+    return *std::ranges::find_if(rows, [&](const Row& row) { return row.name() == name; });
+}
+
+void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
+{
+    for (const Peak& peak : from) {
+        const auto same = std::ranges::find_if(to, [&](const Peak& p) {
+            return p.platform == peak.platform && p.backend == peak.backend && p.device == peak.device &&
+                   p.precision == peak.precision;
+        });
+        if (same == to.end()) {
+            to.push_back(peak);
+        } else {
+            same->rate = std::max(same->rate, peak.rate);
+        }
+    }
+}
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Result of a study: plain data, as passed to the output formats and stored in JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/counting/counting.h"
+#include "bench/base/statistics.h"
+#include "core/render/backend.h"
+
+namespace mandelmarch::bench {
+
+inline constexpr const char* result_schema = "mandelmarch-bench";
+inline constexpr int schema_version = 2;
+// The study that compares backends and includes the baselines.
+inline constexpr std::string_view standard_study = "standard";
+
+// Times of one picture in the timed rounds, in seconds.
+struct Sample {
+    int run = 0;                                            // index of the run
+    int round = 0;                                          // index within that run
+    double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
+    double host = 0;
+    double processor = 0;  // of all threads of the rendering process; for duels, not stored
+};
+
+// The scene of a picture, and its size.
+struct Picture {
+    int width = 0, height = 0;      // pixels
+    int iterations = 0;             // maximum of DE iterations, n
+    double detail = 0;              // detail level, D
+    double power = 0;               // third value of the parameter file's line 7
+    std::string view = "official";  // name of the scene
+    bool operator==(const Picture&) const = default;
+};
+
+// Parameters of a configuration besides fractal, precision, mode, backend and device.
+struct Setting : Picture {
+    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0;  // as in RendererOptions; 0: automatic
+    std::string without;  // disabled optimisations, as in `render --without`
+    int frames = 0;       // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
+    bool operator==(const Setting&) const = default;
+
+    const Picture& picture() const { return *this; }
+};
+
+// Comparison of the configuration's picture with the expected one.
+struct Verification {
+    bool drawn = false;  // a picture was rendered
+    bool passed = false;
+    bool is_expected = false;  // the configuration renders the expected picture itself
+    std::string level;         // name_of(Level); "expected picture" for the expected picture itself
+    std::string text;          // for the table: "same bits", "3 ULP", "0.193 % off"
+    std::string against;       // name of the expected picture
+    std::uint64_t pixels = 0, differing = 0, visibly_differing = 0;
+    double max_ulps = 0;  // infinite if a value is not a number
+    double psnr = 0;      // dB
+};
+
+// Quantities shown in the tables, computed from the samples by derived() (bench/result/figures.h).
+struct Figures {
+    Summary kernel, wall;                       // seconds
+    double upload = 0, readback = 0, host = 0;  // seconds, medians
+    // Fraction of the wall time that upload, host and readback leave unaccounted for; median over the samples. Absent
+    // if a sample consists of several pictures from a fresh renderer, as its wall time then has further parts.
+    std::optional<double> unaccounted;
+    double pixel_rate = 0;                         // pixels per second of kernel time
+    double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
+    std::optional<double> operation_rate;          // operations per second, from the counted work
+    std::optional<double> peak;                    // operations per second, of the platform in this precision
+    std::optional<double> share;                   // operation_rate / peak
+    std::optional<double> share_error;             // standard error of `share` that the sampled operation count causes
+    std::optional<double> bound;                   // seconds that the counted operations take at the peak
+    // Wall time of the reference, in double and exact mode, for the same picture / this configuration's wall time. For
+    // the reference itself: 1, without an interval.
+    std::optional<Quotient> speed_up;
+    // Wall time of the scalar kernel on the host's threads, in the same setting, precision and mode / this
+    // configuration's wall time. Absent for the scalar kernel itself.
+    std::optional<Quotient> over_scalar;
+};
+
+struct Row {
+    std::string fractal;  // name; "all" in the one row of a backend without a device
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    std::string backend;
+    int device = 0;           // index
+    std::string sweep_value;  // "threads=2"; empty in the standard study
+    Setting setting;
+
+    std::string unavailable;  // why it cannot be measured; else empty
+    std::string failure;      // what went wrong; else empty
+    std::string device_name, vendor, driver, instruction_set;
+    std::string platform;  // the GPU's name, or Cpu::platform() for every device that runs on the CPU
+    bool is_gpu = false;
+    int threads = 0, simd_width = 0;  // actually used
+    Verification verification;
+    double context = 0, build = 0;  // seconds, of the first picture
+    // Results of the trial before the verified picture (see RenderStats); both 0 if there was no trial.
+    double step_factor = 0, unsettled = 0;
+    Work work;              // of one picture
+    double operations = 0;  // of one picture, from the counting kernel; 0: unknown
+    // Standard error of `operations`, which are counted on a sample of the pixels; unknown in results of older builds.
+    std::optional<double> operations_error;
+    std::vector<Sample> samples;
+    // Set by derived(). The name under which a configuration is compared is the name of its backend. The standard
+    // study contains both the packs of openmp and its scalar kernel; there the scalar kernel is called "openmp-scalar".
+    std::string application;
+    std::optional<Figures> figures;  // nullopt without a speed
+
+    // Returns "mandelbulb/double/exact/openmp/0", followed by "/threads=2" in a sweep; "vulkan" for a backend without a
+    // device.
+    std::string name() const;
+    // Returns true if the picture was verified and timed, so that there is a speed to show.
+    bool timed() const { return unavailable.empty() && failure.empty() && verification.passed && !samples.empty(); }
+    bool failed() const
+    {
+        return unavailable.empty() && (!failure.empty() || (verification.drawn && !verification.passed));
+    }
+};
+
+struct Peak {
+    std::string platform;
+    std::string backend;
+    int device = 0;
+    Precision precision = Precision::f64;
+    double rate = 0;  // operations per second
+};
+
+// Merges `from` into `to`: adds the peaks that `to` does not have, and raises the others to the higher rate.
+void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from);
+
+// Operation counts of the kernel, for one fractal, precision, mode and setting.
+struct Counted : Count {
+    std::string fractal;
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    Setting setting;
+};
+
+// Name of the entry for a picture that is rendered without interruption between the stages.
+inline constexpr const char* in_one_go = "one go";
+
+// Time of one stage of a picture, in the study profile.
+struct StageTime {
+    std::string fractal;
+    Precision precision = Precision::f64;
+    Mode mode = Mode::exact;
+    std::string stage;
+    std::vector<double> seconds;  // one per repetition
+};
+
+// Ratio of two configurations' kernel times, paired by run and round to cancel disturbances of a whole round.
+struct Ratio {
+    std::string numerator, denominator;  // names of the configurations
+    Summary ratio;                       // of the pairs' ratios, by run; count 0 without a common round
+};
+
+// The ratios that answer the questions of a study, of all pairs of configurations that were timed.
+struct Questions {
+    std::vector<Ratio> box_to_bulb;        // Mandelbox / Mandelbulb, on the same device
+    std::vector<Ratio> double_to_float;    // on the same device
+    std::vector<Ratio> others_to_host;     // each other backend / the host's; the reference is left out
+    std::vector<Ratio> to_first_value;     // sweeps: each later value / the first value
+    std::vector<Ratio> to_previous_value;  // sweeps: each later value / the last one before it with its aspect ratio
+};
+
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see
+struct Result {
+    std::string study;
+    std::uint64_t seed = 0;
+    int runs = 1;  // number of runs that left samples
+    nlohmann::ordered_json environment;
+    std::vector<std::string> warnings;
+    std::vector<Peak> peaks;
+    std::vector<Counted> counts;
+    std::vector<StageTime> stages;
+    std::vector<Row> rows;
+    Questions questions;  // set by derived()
+
+    bool failed() const;
+    // Returns the name of the backend with the role of the reference.
+    std::string reference() const;
+    // Returns the name of the backend with the role of the host.
+    std::string host() const;
+    // Returns the configuration with this name, which must exist.
+    const Row& row(std::string_view name) const;
+};
+
+}  // namespace mandelmarch::bench

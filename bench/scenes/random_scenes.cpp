@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/scenes/random_scenes.h"
+#include "bench/base/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <random>
+#include <thread>
+
+#include "bench/machine/environment.h"
+#include "bench/study/cases.h"
+#include "bench/study/views.h"
+#include "core/base/cores.h"
+#include "core/base/error.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+#include "core/scene/random_scene.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+constexpr int picture_width = 61;  // pixels
+constexpr int picture_height = 45;
+constexpr Precision tested_precisions[] = {Precision::f64, Precision::f32};
+
+struct DrawnScene {
+    unsigned set;
+    int number;
+    Scene scene;
+    Image canonical{picture_width, picture_height, Image::Layers::all};
+};
+
+// Generates the same scenes as tests/scenes.cpp: in each set, one random number generator serves all fractals, one
+// fractal after the other.
+std::vector<DrawnScene> scenes_of(const RandomOptions& options)
+{
+    std::vector<DrawnScene> scenes;
+    for (const unsigned set : options.sets) {
+        std::mt19937 random(set);
+        for (const Fractal* fractal : options.fractals) {
+            const Scene like = official_scene(*fractal, picture_width, picture_height);
+            for (int i = 0; i < options.scenes; ++i) scenes.push_back({set, i, random_scene(like, i, random)});
+        }
+    }
+    std::ranges::stable_sort(scenes, {}, [](const DrawnScene& one) { return one.scene.fractal->list_order; });
+    return scenes;
+}
+
+// Creates the renderer of canonical pictures: the reference, or the scalar kernel with all optimisations disabled.
+std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
+{
+    const Backend& reference = registry.with(Role::reference);
+    if (reference.draws(scene)) return reference.create({.mode = Mode::fast});
+    return registry.with(Role::host)
+        .create({.mode = Mode::fast,
+                 .threads = 1,
+                 .simd_width = 1,
+                 .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
+}
+
+// Renders the canonical pictures: as many scenes at the same time as there are cores, each on one thread.
+void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
+                    const std::function<void(double)>& progress)
+{
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::exception_ptr failure;
+    std::atomic_flag failed;
+    const auto work = [&](bool shows) {
+        try {
+            std::unique_ptr<Renderer> renderer;
+            const Fractal* fractal = nullptr;
+            for (std::size_t i = next++; i < scenes.size(); i = next++) {
+                const Scene& scene = scenes[i].scene;
+                if (scene.fractal != fractal) renderer = canonical_renderer(registry, scene);
+                fractal = scene.fractal;
+                renderer->render(scene, scenes[i].canonical);
+                ++done;
+                if (shows) progress(static_cast<double>(done) / static_cast<double>(scenes.size()));
+            }
+        } catch (...) {
+            if (!failed.test_and_set()) failure = std::current_exception();
+            next = scenes.size();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (int i = 1; i < usable_threads(); ++i) others.emplace_back(work, false);
+        work(true);
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+double share(std::uint64_t part, std::uint64_t whole)
+{
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows)
+{
+    std::vector<RandomSums> all;
+    for (const RandomRow& row : rows) {
+        const std::string_view fractal = row.scene.fractal->short_name;
+        const auto same = [&](const RandomSums& one) {
+            return one.fractal == fractal && one.precision == row.precision;
+        };
+        auto found = std::ranges::find_if(all, same);
+        if (found == all.end()) {
+            all.push_back({.fractal = std::string(fractal), .precision = row.precision, .all = {}, .sets = {}});
+            found = all.end() - 1;
+        }
+        found->all.add(row);
+        found->sets[std::to_string(row.set)].add(row);
+    }
+    std::ranges::stable_sort(all, {}, [](const RandomSums& one) { return fractal_named(one.fractal).list_order; });
+    return all;
+}
+
+}  // namespace
+
+void RandomSum::add(const RandomRow& row)
+{
+    const Comparison& off = row.off;
+    pixels += off.pixels;
+    visibly_differing += off.visibly_differing;
+    hit_or_miss += off.hit_or_miss;
+    const double part = share(off.visibly_differing, off.pixels);
+    worst = std::max(worst, part);
+    if (part > most_off) {
+        ++far_off;
+        if (row.exact_off > most_off) ++short_of_digits;
+    }
+    ++scenes;
+}
+
+double RandomSum::off() const { return share(visibly_differing, pixels); }
+double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
+
+bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= most_wrong_hits; }
+
+bool RandomResult::passed() const
+{
+    return std::ranges::all_of(sums, [](const RandomSums& one) {
+        return std::ranges::all_of(one.sets, [](const auto& set) { return set.second.passed(); });
+    });
+}
+
+RandomResult measure_random(const Registry& registry, const RandomOptions& options,
+                            const std::function<void(double)>& progress)
+{
+    const Backend* backend = options.backend.empty() ? &registry.with(Role::host) : registry.find(options.backend);
+    if (backend == nullptr) {
+        throw InputError(fmt::format("--backend: '{}' given, expected the name of a backend", options.backend));
+    }
+    if (const auto why = backend->unavailable()) {
+        throw Unavailable(fmt::format("backend {}: {}", backend->name(), *why));
+    }
+    const Techniques techniques = techniques_without(options.without);
+    RandomResult result{.options = options,
+                        .width = picture_width,
+                        .height = picture_height,
+                        .environment = environment(registry),
+                        .sums = {},
+                        .rows = {}};
+    result.options.backend = backend->name();
+    std::vector<DrawnScene> scenes = scenes_of(options);
+    draw_canonical(registry, scenes, progress);
+    std::unique_ptr<Renderer> renderers[2][2];
+    for (const Precision precision : tested_precisions) {
+        for (const Mode mode : {Mode::exact, Mode::fast}) {
+            renderers[precision == Precision::f32][mode == Mode::fast] =
+                backend->create({.precision = precision, .mode = mode, .techniques = techniques});
+        }
+    }
+    const auto drawn = [&](const Scene& scene, Precision precision, Mode mode) {
+        Image image(picture_width, picture_height, Image::Layers::all);
+        renderers[precision == Precision::f32][mode == Mode::fast]->render(scene, image);
+        return image;
+    };
+    for (const Precision precision : tested_precisions) {
+        for (const DrawnScene& one : scenes) {
+            const Comparison off = compare(one.canonical, drawn(one.scene, precision, Mode::fast));
+            double exact_off = 0;
+            if (precision == Precision::f32 && share(off.visibly_differing, off.pixels) > most_off) {
+                const Comparison exact = compare(drawn(one.scene, Precision::f64, Mode::exact),
+                                                 drawn(one.scene, Precision::f32, Mode::exact));
+                exact_off = share(exact.visibly_differing, exact.pixels);
+            }
+            result.rows.push_back({one.set, one.number, one.scene, precision, off, exact_off});
+        }
+    }
+    result.sums = sums_of(result.rows);
+    return result;
+}
+
+std::string to_console(const RandomResult& result)
+{
+    const RandomOptions& options = result.options;
+    std::string text = fmt::format(
+        "Fast mode by {}{} against canonical pictures: {} random scenes a fractal in each of {} sets, "
+        "{} x {} pixels\n",
+        options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
+        options.sets.size(), picture_width, picture_height);
+    text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "precision",
+                        "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
+                        "short of digits", "worst");
+    for (const RandomSums& sums : result.sums) {
+        const auto range = [&](double (RandomSum::*share)() const, int digits) {
+            std::vector<double> values;
+            for (const auto& [seed, set] : sums.sets) values.push_back(100 * (set.*share)());
+            const auto [min, max] = std::ranges::minmax(values);
+            return fmt::format("{:.{}f} to {:.{}f} %", min, digits, max, digits);
+        };
+        text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>5.1f}%\n", sums.fractal,
+                            name_of(sums.precision), range(&RandomSum::off, 2), range(&RandomSum::wrong_hits, 3),
+                            fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
+                            100 * sums.all.worst);
+    }
+    return text +
+           fmt::format(
+               "off: by more than 2 of 255; short of digits: scenes over {0:.0f} % of which exact mode's picture "
+               "in float is\nover {0:.0f} % off that in double, too; every set is held to {0:.0f} % and {1:.2f} "
+               "%: {2}\n",
+               100 * most_off, 100 * most_wrong_hits, result.passed() ? "held" : "NOT HELD");
+}
+
+}  // namespace mandelmarch::bench

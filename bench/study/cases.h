@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configurations to measure.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bench/study/options.h"
+#include "bench/study/studies.h"
+#include "core/render/registry.h"
+#include "core/scene/scene.h"
+
+namespace mandelmarch::bench {
+
+// A configuration to measure, with the scene and options to render it.
+struct Case {
+    Row row;
+    Scene scene;
+    RendererOptions options;
+    const Backend* backend = nullptr;  // nullptr if the backend has no device
+};
+
+// Returns all configurations of the study that the options select. A backend without a device is one configuration,
+// which holds the reason. Throws InputError for an invalid filter.
+std::vector<Case> cases_of(const Registry& registry, const Options& options);
+
+// Returns the name of the device's platform: the GPU's name, or Cpu::platform() for any device that runs on the CPU.
+std::string platform_of(const Device& device);
+
+}  // namespace mandelmarch::bench

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user asks bench to measure. Values are parsed once, by the options that add_selection() declares.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/study/studies.h"
+#include "core/render/registry.h"
+
+namespace mandelmarch::bench {
+
+// Returns the fractals that are studied by default.
+std::vector<const Fractal*> default_fractals();
+
+struct Options {
+    const Study* study = &studies().front();
+    std::vector<std::string> backends;  // names; empty: all
+    std::vector<const Fractal*> fractals = default_fractals();
+    std::vector<Precision> precisions{Precision::f64, Precision::f32};
+    std::vector<Mode> modes;                  // empty: those of the study
+    std::optional<std::pair<int, int>> size;  // pixels; nullopt: that of the study
+    std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
+
+    std::optional<int> repetitions;  // exact number of rounds; nullopt: the stop rule decides
+    int runs = 1;                    // number of runs
+    int run = 0;                     // index of this run, from 0
+    std::uint64_t seed = 1;          // for the order of configurations in each round
+    std::optional<double> budget;    // seconds for the timed rounds
+    bool peaks = true;               // measure peaks before and after the rounds; needed for the share of peak
+    bool baselines = true;           // include the baselines of the standard study
+
+    bool selects(std::string_view backend) const;
+    const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
+    std::pair<int, int> picture_size() const { return size.value_or(std::pair(study->width, study->height)); }
+};
+
+// Parses a list of backends, separated by commas; `all`: an empty list. Throws InputError for an unknown name.
+std::vector<std::string> parse_backends(const Registry& registry, std::string_view text);
+
+// Parses a fractal's name, or `all`, which gives `all`.
+std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
+
+// Declares --backend, --fractal, --precision, --mode, --size, --study and --filter.
+void add_selection(CLI::App& app, const Registry& registry, Options& options);
+
+// Returns the arguments with which another build of bench selects the same configurations.
+std::vector<std::string> words_of(const Options& options);
+
+}  // namespace mandelmarch::bench
