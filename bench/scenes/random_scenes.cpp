@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/scenes/random_scenes.h"
-#include "bench/base/table.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include <random>
 #include <thread>
 
+#include "bench/base/table.h"
 #include "bench/machine/environment.h"
 #include "bench/study/cases.h"
 #include "bench/study/views.h"

@@ -178,13 +178,13 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 
 std::vector<Verdict> verdicts(const std::vector<Difference>& differences, double within)
 {
-    std::vector<Judged> rows;
+    std::vector<Judged> judged;
     for (const Difference& difference : differences) {
-        rows.push_back({.name = "row", .verdict = Verdict::undecided, .difference = difference});
+        judged.push_back({.name = "row", .verdict = Verdict::undecided, .difference = difference});
     }
-    judge(rows, within);
+    judge(judged, within);
     std::vector<Verdict> found;
-    for (const Judged& row : rows) found.push_back(row.verdict);
+    for (const Judged& row : judged) found.push_back(row.verdict);
     return found;
 }
 

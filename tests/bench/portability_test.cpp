@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pennycook's metric of performance portability, on examples whose result is known.
 #include "bench/judge/portability.h"
-#include "bench/print/printers.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "bench/print/printers.h"
 #include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
