@@ -89,19 +89,17 @@ Json portability_schema()
     return schema;
 }
 
-// Formats JSON with one line for every value that fits in it.
-std::string compact(const Json& json, const std::string& indent)
+// Formats a schema with one line for each property.
+std::string compact(const Json& json, const std::string& key = "", const std::string& indent = "")
 {
-    constexpr std::size_t columns = 160;
     const std::string line = json.dump();
-    if (!json.is_structured() || indent.size() + line.size() <= columns) return line;
-    std::vector<std::string> members;
-    for (const auto& [key, value] : json.items()) {
-        const std::string text = compact(value, indent + " ");
-        members.push_back(indent + " " + (json.is_object() ? Json(key).dump() + ": " : "") + text);
+    const bool members = key == "properties" || key == "$defs" || line.find("\"properties\":") != std::string::npos;
+    if (!json.is_object() || !members) return line;
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : json.items()) {
+        lines.push_back(fmt::format("{} {}: {}", indent, Json(name).dump(), compact(value, name, indent + " ")));
     }
-    return fmt::format("{}\n{}\n{}{}", json.is_object() ? "{" : "[", fmt::join(members, ",\n"), indent,
-                       json.is_object() ? "}" : "]");
+    return fmt::format("{{\n{}\n{}}}", fmt::join(lines, ",\n"), indent);
 }
 
 }  // namespace
@@ -115,13 +113,13 @@ std::vector<std::string> schema_kinds()
 
 std::string schema_text(std::string_view name)
 {
-    if (name == "portability") return compact(portability_schema(), "") + "\n";
+    if (name == "portability") return compact(portability_schema()) + "\n";
     const auto* const kind = std::ranges::find(kinds, name, &Kind::name);
     if (kind == std::end(kinds)) {
         throw InputError(
             fmt::format("bench schema: '{}' given, expected one of {}", name, fmt::join(schema_kinds(), ", ")));
     }
-    return compact(schema_json(*kind), "") + "\n";
+    return compact(schema_json(*kind)) + "\n";
 }
 
 Json json_of(const Duel& duel) { return document("mandelmarch-duel", 2, duel); }

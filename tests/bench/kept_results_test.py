@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""kept_results_test.py BIN SOURCE: bench reads every stored result and derives the same figures from its samples, to the
+last digit."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+BIN, SOURCE = map(pathlib.Path, sys.argv[1:3])
+
+
+def derived(path):
+    return json.loads(subprocess.run([BIN / "bench", "json", path], capture_output=True, text=True, check=True).stdout)
+
+
+checked = 0
+for path in sorted((SOURCE / "report" / "results").rglob("*.json")):
+    stored = json.loads(path.read_text())
+    if isinstance(stored, dict) and stored.get("schema") == "mandelmarch-bench":
+        assert derived(path) == stored, f"{path}: bench json gives other values"
+        checked += 1
+assert checked > 20, checked
+
+# Negative control: if a sample differs, so do the figures.
+changed = json.loads((SOURCE / "report" / "results" / "bench.json").read_text())
+row = next(row for row in changed["rows"] if row["figures"])
+for sample in row["samples"]:
+    sample["kernel"] *= 2
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder, "changed.json")
+    path.write_text(json.dumps(changed))
+    assert derived(path) != changed, "figures are copied, not derived"
+print(f"{checked} results")
