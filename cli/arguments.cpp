@@ -8,21 +8,40 @@
 namespace mandelmarch {
 namespace {
 
-struct OldName {
+// Names of version 1, which stay valid for one release.
+struct OldOption {
     std::string_view old_name, new_name;
 };
+constexpr OldOption options[] = {{"--launch", "--run"}, {"--launches", "--runs"}, {"--pack", "--simd-width"}};
 
-// Names of version 1, which stay valid for one release.
-constexpr OldName options[] = {{"--launch", "--run"}, {"--launches", "--runs"}, {"--pack", "--simd-width"}};
-constexpr OldName values[] = {{"--estimate=counted", "--estimate=original"},
-                              {"--study=blocks", "--study=block-sizes"},
-                              {"--study=packs", "--study=simd-widths"}};
+struct OldValue {
+    std::string_view option, old_name, new_name;
+};
+constexpr OldValue values[] = {
+    {"--estimate", "counted", "original"}, {"--study", "blocks", "block-sizes"},
+    {"--study", "packs", "simd-widths"},   {"--without", "normal", "gradient"},
+    {"--without", "root", "refinement"},   {"--without", "surroundings", "shared-occlusion"}};
 
-std::string with_new_option(const std::string& word)
+std::string with_new_option(const std::string& name)
 {
-    const auto equals = std::min(word.find('='), word.size());
-    const auto* const found = std::ranges::find(options, std::string_view(word).substr(0, equals), &OldName::old_name);
-    return found == std::end(options) ? word : std::string(found->new_name) + word.substr(equals);
+    const auto* const found = std::ranges::find(options, name, &OldOption::old_name);
+    return found == std::end(options) ? name : std::string(found->new_name);
+}
+
+// `value`: one name, or several with commas between them.
+std::string with_new_values(const std::string& option, const std::string& value)
+{
+    std::string made;
+    for (std::size_t at = 0; at <= value.size();) {
+        const auto comma = std::min(value.find(',', at), value.size());
+        std::string name = value.substr(at, comma - at);
+        for (const OldValue& old : values) {
+            if (option == old.option && name == old.old_name) name = old.new_name;
+        }
+        made += (at == 0 ? "" : ",") + name;
+        at = comma + 1;
+    }
+    return made;
 }
 
 // Returns the arguments with today's names.
@@ -30,15 +49,15 @@ std::vector<std::string> with_new_names(int argc, char** argv)
 {
     std::vector<std::string> words;
     for (int i = 1; i < argc; ++i) {
-        std::string word = with_new_option(argv[i]);
-        for (const OldName& value : values) {
-            const auto equals = value.old_name.find('=');
-            const bool after_option = !words.empty() && words.back() == value.old_name.substr(0, equals) &&
-                                      word == value.old_name.substr(equals + 1);
-            if (after_option) word = value.new_name.substr(equals + 1);
-            if (word == value.old_name) word = value.new_name;
+        const std::string word = argv[i];
+        const auto equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+        if (equals != std::string::npos) {
+            const std::string option = with_new_option(word.substr(0, equals));
+            words.push_back(option + "=" + with_new_values(option, word.substr(equals + 1)));
+        } else {
+            words.push_back(words.empty() ? with_new_option(word)
+                                          : with_new_values(words.back(), with_new_option(word)));
         }
-        words.push_back(std::move(word));
     }
     return words;
 }

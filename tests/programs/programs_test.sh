@@ -139,6 +139,11 @@ says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom lef
 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --projection fish
 says 'projection: fish not in \{perspective,equirectangular\}'
 
+# Names of version 1 still work.
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --mode fast --pack 1 --estimate counted --without=root,surroundings --output old.png
+expect 0 "$bin/mandelbulb" paramsBulb.dat $small --mode fast --simd-width 1 --estimate original \
+    --without refinement,shared-occlusion --output new.png
+cmp old.png new.png || fail "old names of options and values"
 expect 0 "$bin/mandelbulb" paramsBulb.dat $small --precision float --mode fast --threads 3 --simd-width 1 --stats stats.json --output a.png
 for text in '"backend": "openmp"' '"precision": "float"' '"mode": "fast"' '"threads": 3' '"simd_width": 1' '"de_calls": [1-9]' \
     '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
