@@ -55,10 +55,16 @@ class Entry:
         return code
 
 
+STOPS = {signal.SIGINT, signal.SIGTERM}
+
+
 def code_of(command, output, variables):
     """Runs a command. If this program is stopped, stops the command and all its descendants, too."""
-    with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True) as process:
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)  # until the process is known, so that it can be stopped
+    with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True,
+                          preexec_fn=lambda: signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)) as process:
         try:
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
             return process.wait()
         except KeyboardInterrupt:
             os.killpg(process.pid, signal.SIGTERM)
