@@ -76,7 +76,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(ValuesByRun, Coverage, testing::Values(3, 5, 10));
+INSTANTIATE_TEST_SUITE_P(Runs, Coverage, testing::Values(3, 5, 10));
 
 TEST_P(Coverage, OfATime)
 {

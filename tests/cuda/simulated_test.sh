@@ -60,11 +60,11 @@ grep -q '"kernel": 3.0,' a.json || fail "kernel is not the GPU's time: $(grep '"
 # Blocks of every size give the same picture.
 SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study block-sizes --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1 ||
     fail "blocks: $(cat blocks)"
-[ "$(grep -c '^b.*block=.* % off' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
+[ "$(grep -c '^b.*block-size=.* % off' blocks)" = 10 ] || fail "blocks of five sizes of two fractals: $(cat blocks)"
 
 # A block size that the kernel's registers do not allow is left out; the other sizes are rendered.
 SIMULATED_BLOCKS=1 SIMULATED_REGISTERS=144 "$bin/bench" --backend cuda --study block-sizes --size 60x40 --precision float --mode fast --repetitions 1 --no-peaks >blocks 2>&1
-[ "$(grep -c '^b.*block=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
+[ "$(grep -c '^b.*block-size=.* % off' blocks)" = 8 ] || fail "blocks of four sizes of two fractals, and two that do not fit: $(cat blocks)"
 grep -q '512 threads a block given' blocks || fail "blocks that do not fit: $(cat blocks)"
 
 export SIMULATED_GPUS=3

@@ -65,7 +65,7 @@ TEST_P(EveryFractal, DrawsScenesInItsRanges)
 TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
-    EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "normal")), most_off);
+    EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "gradient")), most_off);
 }
 
 // Negative control: the comparison detects slightly different light.
@@ -74,7 +74,7 @@ TEST_P(EveryFractal, OtherLightIsFoundOut)
     const Scene scene = official_scene(fractal(), 96, 72);
     Scene other = scene;
     other.brightness *= 1.1;
-    EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "normal")), most_off);
+    EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "gradient")), most_off);
 }
 
 // The hull does not cut off any surface: exact pictures with and without it are the same.

@@ -284,7 +284,7 @@ class ReportTest(unittest.TestCase):
             folder = made.write(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
             return [bench.machine.rpartition(", ")[2] for bench in read_results(folder).benches]
 
-        header = (ROOT / "bench" / "platforms.h").read_text(encoding="utf-8")
+        header = (ROOT / "bench" / "judge" / "platforms.h").read_text(encoding="utf-8")
         self.assertIn(f"same_peak = {SAME_PEAK};", header)
         self.assertEqual(machines(of(1, "a"), of(2, "b"), of(1.1, "c")), ["machine 1", "machine 2", "machine 1"])
         self.assertEqual(len(set(machines(of(1, "a"), of(2, "a"), of(1.1, "a")))), 1, "one boot is one machine")
