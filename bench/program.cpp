@@ -39,7 +39,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
         "Exit codes: 0 success, 1 wrong picture, regression or failure, 2 wrong arguments, 77 the only selected "
         "backend is not available. docs/bench-output.md explains every figure.");
     add_isolation_option(app);
-    // Of an option that is given twice, the last value counts.
+    // The last value counts if an option is given twice.
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     const Run measure = measure_command(app, registry, {argv + 1, argv + argc});
     std::vector<std::pair<const CLI::App*, Run>> runs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user asks bench to measure. Values are parsed once, by the options that add_selection() declares.
+// The options that choose what bench measures. Values are parsed once, by the options that add_selection() declares.
 #pragma once
 
 #include <CLI/CLI.hpp>

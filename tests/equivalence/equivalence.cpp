@@ -31,8 +31,8 @@ const Image& Expected::picture(const NamedScene& scene, Precision precision, Mod
     const std::string key = fmt::format("{} {} {}", scene.name, name_of(options.precision), name_of(mode));
     const auto found = pictures_.find(key);
     if (found != pictures_.end()) return found->second;
-    const Backend& yardstick = *registry_.find(mode == Mode::fast && has_oracle ? "reference" : "openmp");
-    return pictures_.emplace(key, render(yardstick, scene.scene, options)).first->second;
+    const Backend& baseline = *registry_.find(mode == Mode::fast && has_oracle ? "reference" : "openmp");
+    return pictures_.emplace(key, render(baseline, scene.scene, options)).first->second;
 }
 
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,

@@ -75,9 +75,9 @@ class ReadmeTest(unittest.TestCase):
                 self.assertEqual(run(command.replace("make", "make -n", 1), SOURCE)[0], 0)
 
     def test_a_command_that_fails_is_found(self):
-        twin = readme().replace("--simd-width 1 --output scalar.png", "--simd-width 1 --size 40x30 --output scalar.png")
-        twin = "".join(f"```sh\n{command}\n```\n" for command in commands(twin)[:6])  # up to the comparison
-        found = failing(twin, self.folder)
+        mutant = readme().replace("--simd-width 1 --output scalar.png", "--simd-width 1 --size 40x30 --output scalar.png")
+        mutant = "".join(f"```sh\n{command}\n```\n" for command in commands(mutant)[:6])  # up to the comparison
+        found = failing(mutant, self.folder)
         self.assertEqual(len(found), 1, found)
         self.assertRegex(found[0], "^bin/imgdiff imageBulb.bmp scalar.png: exit code 1: ")
 

@@ -31,11 +31,11 @@ protected:
 
 TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
 {
-    const auto yardstick = openmp.create({.precision = GetParam(), .simd_width = 1});
+    const auto baseline = openmp.create({.precision = GetParam(), .simd_width = 1});
     for (const int simd_width : {0, 1, 4}) {  // 0: the longest vector that suits the device
         const auto renderer = opencl.create({.precision = GetParam(), .simd_width = simd_width});
         for (const auto& [name, scene] : scenes) {
-            expect_same_picture(*yardstick, *renderer, scene, name + ", SIMD width " + std::to_string(simd_width));
+            expect_same_picture(*baseline, *renderer, scene, name + ", SIMD width " + std::to_string(simd_width));
         }
     }
 }

@@ -47,8 +47,8 @@ protected:
 TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
 {
     const auto renderer = vulkan.create({.precision = GetParam()});
-    const auto yardstick = openmp.create({.precision = GetParam(), .simd_width = 1});
-    for (const auto& [name, scene] : scenes) expect_same_picture(*yardstick, *renderer, scene, name);
+    const auto baseline = openmp.create({.precision = GetParam(), .simd_width = 1});
+    for (const auto& [name, scene] : scenes) expect_same_picture(*baseline, *renderer, scene, name);
 }
 
 // Negative control: the bits of fast mode differ from those of exact mode. The fast picture is close to the expected
