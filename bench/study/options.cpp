@@ -2,11 +2,9 @@
 #include "bench/study/options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 
 #include "cli/option_values.h"
 #include "core/base/error.h"
@@ -15,14 +13,17 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns the names of a list's elements, separated by commas; `otherwise` for a list of all.
+// Returns the names of a list's elements, with `between` between them.
 template <class List, class Name>
-std::string names_of(const List& list, const Name& name, bool all, const char* otherwise = "all")
+std::string joined(const List& list, const Name& name, const char* between)
 {
     std::string text;
-    for (const auto& element : list) text += fmt::format("{}{}", text.empty() ? "" : ",", name(element));
-    return all ? otherwise : text;
+    for (const auto& element : list)
+        text += fmt::format("{}{}", text.empty() ? "" : between, std::invoke(name, element));
+    return text;
 }
+
+std::string_view name_of_fractal(const Fractal* fractal) { return fractal->short_name; }
 
 }  // namespace
 
@@ -44,8 +45,11 @@ std::vector<std::string> parse_backends(const Registry& registry, std::string_vi
 {
     std::vector<std::string> names;
     if (text == "all") return names;
-    for (const auto part : std::views::split(text, ',')) names.emplace_back(part.begin(), part.end());
-    if (names.empty()) names.emplace_back();
+    for (std::size_t at = 0; at <= text.size();) {
+        const auto comma = std::min(text.find(',', at), text.size());
+        names.emplace_back(text.substr(at, comma - at));
+        at = comma + 1;
+    }
     for (const std::string& name : names) {
         if (registry.find(name) != nullptr) continue;
         throw InputError(
@@ -67,10 +71,8 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
         ->default_str("all");
     app.add_option_function<std::string>(
            "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
-           fmt::format(
-               "fractal to measure: all ({}), or one name",
-               fmt::join(default_fractals() | std::views::transform([](const Fractal* f) { return f->short_name; }),
-                         " and ")))
+           fmt::format("fractal to measure: all ({}), or one name",
+                       joined(default_fractals(), name_of_fractal, " and ")))
         ->default_str("all");
     app.add_option_function<std::string>(
            "--precision",
@@ -93,7 +95,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
         "picture size, WxH in pixels (default 540x540)");
     app.add_option_function<std::string>(
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
-           fmt::format("what to vary: {}", fmt::join(studies() | std::views::transform(&Study::name), ", ")))
+           "what to vary: " + joined(studies(), &Study::name, ", "))
         ->default_str(std::string(options.study->name));
     app.add_option("--filter,--benchmark_filter", options.filter,
                    "regular expression: measure only rows whose name contains it; with - in front, all others");
@@ -102,22 +104,15 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
 // Programs of older builds must understand these words.
 std::vector<std::string> words_of(const Options& o)
 {
+    const auto all_or = [](bool all, const std::string& names) { return all ? "all" : names; };
     std::vector<std::string> words{
-        "--backend",
-        names_of(o.backends, std::identity(), o.backends.empty()),
-        "--fractal",
-        names_of(
-            o.fractals, [](const Fractal* f) { return f->short_name; }, o.fractals == default_fractals()),
-        "--precision",
-        names_of(
-            o.precisions, [](Precision p) { return name_of(p); }, o.precisions.size() > 1),
-        "--study",
-        std::string(o.study->name),
-        "--seed",
-        std::to_string(o.seed)};
+        "--backend",   all_or(o.backends.empty(), joined(o.backends, std::identity(), ",")),
+        "--fractal",   all_or(o.fractals == default_fractals(), joined(o.fractals, name_of_fractal, ",")),
+        "--precision", all_or(o.precisions.size() > 1, std::string(name_of(o.precisions.front()))),
+        "--study",     std::string(o.study->name),
+        "--seed",      std::to_string(o.seed)};
     if (!o.modes.empty()) {
-        words.insert(words.end(), {"--mode", names_of(
-                                                 o.modes, [](Mode m) { return name_of(m); }, o.modes.size() > 1)});
+        words.insert(words.end(), {"--mode", all_or(o.modes.size() > 1, std::string(name_of(o.modes.front())))});
     }
     if (o.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", o.size->first, o.size->second)});
     if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "bench/study/views.h"
 #include "core/base/cores.h"
@@ -30,12 +31,10 @@ auto each(Member member, std::vector<Value> values)
 Points sizes(const Fractal& /*fractal*/)
 {
     Points points;
-    for (const auto& [columns, rows] :
+    for (const std::pair<int, int>& size :
          {std::pair(270, 270), {540, 540}, {1080, 1080}, {1920, 1080}, {2160, 2160}, {4096, 2160}}) {
-        points.push_back({fmt::format("{}x{}", columns, rows), [=](Setting& setting) {
-                              setting.width = columns;
-                              setting.height = rows;
-                          }});
+        points.push_back({fmt::format("{}x{}", size.first, size.second),
+                          [size](Setting& setting) { std::tie(setting.width, setting.height) = size; }});
     }
     return points;
 }
