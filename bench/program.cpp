@@ -4,6 +4,7 @@
 #include "cli/arguments.h"
 #include "cli/backend_option.h"
 #include "bench/command/commands.h"
+#include "core/base/error.h"
 #include "core/base/version.h"
 
 namespace mandelmarch::bench {
@@ -27,6 +28,15 @@ constexpr Command commands[] = {
     {"random", "measure fast mode's error on random scenes", random_command},
     {"equivalence", "check exact mode bit for bit on random scenes, with every backend", equivalence_command}};
 
+// Throws InputError if an option of measuring was given, which a command does not heed.
+void refuse_options(const CLI::App& app, const std::string& command)
+{
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() == 0 || option->get_name() == "--no-isolation") continue;
+        throw InputError("bench: " + option->get_name() + " before " + command + " given, expected after it");
+    }
+}
+
 }  // namespace
 
 int bench_program(const Registry& registry, int argc, char** argv)
@@ -49,7 +59,9 @@ int bench_program(const Registry& registry, int argc, char** argv)
     }
     if (const auto done = parse_arguments(app, "bench", argc, argv)) return *done;
     for (const auto& [sub, run] : runs) {
-        if (sub->parsed()) return run();
+        if (!sub->parsed()) continue;
+        refuse_options(app, sub->get_name());
+        return run();
     }
     return measure();
 }

@@ -149,6 +149,9 @@ grep -q angles out || fail "no trigonometric Mandelbulb"
 expect 0 random --scenes 3 --sets 1001,77 --json random.json
 grep -q ' of 6 ' out || fail "random has no line of six scenes"
 python3 -c 'import json; assert len(json.load(open("random.json"))["scenes"]) == 24' || fail "random --json"
+# An option before a command is not ignored.
+expect 2 --backend openmp peak
+grep -q '^bench: --backend before peak given' err || fail "$(cat err)"
 expect 2 random --backend nosuch
 expect 2 random --scenes 0
 expect 2 random --sets one
