@@ -28,7 +28,8 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
 
 void Outputs::add(std::string option, std::string path, std::function<std::string()> text)
 {
-    if (!path.empty()) outputs_.push_back({std::move(option), std::move(path), std::move(text)});
+    if (path.empty()) return;
+    outputs_.push_back({std::move(option), std::make_shared<std::string>(std::move(path)), std::move(text)});
 }
 
 bool Outputs::on_stdout() const { return std::ranges::any_of(outputs_, &Output::is_stdout); }
@@ -39,9 +40,9 @@ void Outputs::check(const std::vector<std::string>& read) const
     const Output* first = nullptr;
     for (const Output& output : outputs_) {
         if (!output.is_stdout()) {
-            OutputFile::check(output.path);
-            refuse_kept_result(output.path, MANDELMARCH_RESULTS, sources_changed());
-            written.push_back({output.option, output.path});
+            OutputFile::check(*output.path);
+            refuse_kept_result(*output.path, MANDELMARCH_RESULTS, sources_changed());
+            written.push_back({output.option, *output.path});
             continue;
         }
         if (first != nullptr) {
@@ -62,7 +63,7 @@ bool Outputs::write_files() const
     for (const Output& output : outputs_) {
         if (output.is_stdout()) continue;
         try {
-            write_file(output.path, output.text());
+            write_file(*output.path, output.text());
         } catch (const std::exception& error) {
             say("bench: {}: {}\n", output.option, printable(error.what()));
             all = false;
@@ -81,13 +82,13 @@ void Outputs::write_stdout() const
 void Outputs::option(CLI::App& app, const std::string& name, const std::string& about,
                      std::function<std::string()> text)
 {
-    options_.push_back({name, std::make_shared<std::string>(), std::move(text)});
-    app.add_option(name, *options_.back().path, about);
+    outputs_.push_back({name, std::make_shared<std::string>(), std::move(text)});
+    app.add_option(name, *outputs_.back().path, about);
 }
 
 int Outputs::deliver(const std::vector<std::string>& read, const std::function<Done()>& work)
 {
-    for (Option& option : options_) add(option.name, *option.path, option.text);
+    std::erase_if(outputs_, [](const Output& output) { return output.path->empty(); });
     check(read);
     const Done done = work();
     const bool written = write_files();

@@ -2,10 +2,10 @@
 // Output files of a command.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mandelmarch::bench {
@@ -45,17 +45,11 @@ public:
     int deliver(const std::vector<std::string>& read, const std::function<Done()>& work);
 
 private:
-    // Files that options name.
-    struct Option {
-        std::string name;
-        std::shared_ptr<std::string> path;
-        std::function<std::string()> text;
-    };
-    std::vector<Option> options_;
     struct Output {
-        std::string option, path;
+        std::string option;
+        std::shared_ptr<std::string> path;  // empty if its option is not given
         std::function<std::string()> text;
-        bool is_stdout() const { return path == "-"; }
+        bool is_stdout() const { return *path == "-"; }
     };
     std::vector<Output> outputs_;
 };

@@ -17,7 +17,7 @@ namespace {
 
 struct Kind {
     const char* name;
-    const char* schema;  // of the file
+    const char* schema;  // the value of "schema" in a file of this kind
     int version;
     const char* title;
     const char* about;

@@ -15,7 +15,7 @@ struct DuelOptions {
     Options rows;                          // which configurations take part
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
-    int runs = 10;    // of each program
+    int runs = 10;    // processes of each program
     int rounds = 20;  // pictures of each configuration by each program in a run
 };
 

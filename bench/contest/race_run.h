@@ -17,7 +17,7 @@ struct RaceOptions {
     const Fractal* fractal = nullptr;         // nullptr: the first
     std::string scene;                        // a parameter file; empty: the fractal's official scene
     std::optional<std::pair<int, int>> size;  // pixels; nullopt: that of the parameter file, or 540 x 540
-    std::string backend = "openmp";           // of our renderer
+    std::string backend = "openmp";           // the backend that our renderer uses
     std::uint64_t seed = 1;                   // for the order in each round
     double limit = 60;                        // seconds per picture
     int rounds = 7;

@@ -34,7 +34,7 @@ enum class Null { none, empty, zero, infinite };
 inline constexpr double max_integer = 0x1p53;
 
 struct Rule {
-    double min = 0, max = max_integer;  // of a number
+    double min = 0, max = max_integer;  // limits of a number
     Null null = Null::none;
     bool timed = false;      // its cells are empty for a configuration without a speed
     const char* about = "";  // description in the schema

@@ -14,8 +14,8 @@ namespace mandelmarch::bench {
 // Returns JSON that follows bench/schemas/result.schema.json, with raw samples and derived figures.
 nlohmann::ordered_json json_of(const Result& result);
 
-// Parse a result written by json_of(). Derived quantities are not read, as they follow from the samples. `name`: name
-// of the file in messages. Throw InputError if the JSON is not a result, has another version, or has impossible values.
+// Parse a result written by json_of(). Derived quantities are not read, as they follow from the samples. `name`: the
+// file's name in messages. Throw InputError if the JSON is not a result, has another version, or has impossible values.
 Result result_from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);

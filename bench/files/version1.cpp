@@ -11,7 +11,7 @@ namespace mandelmarch::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Names = std::pair<std::string_view, std::string_view>;  // of version 1 and of version 2
+using Names = std::pair<std::string_view, std::string_view>;  // the name in version 1, the name in version 2
 
 constexpr Names keys[] = {{"block", "block_size"},      {"fine", "passed"},
                           {"largest_ulps", "max_ulps"}, {"launch", "run"},

@@ -32,7 +32,7 @@ struct Judged {
     std::string name;
     Verdict verdict = Verdict::not_compared;
     std::string why{};        // why nothing was tested; empty if it was
-    Difference difference{};  // of times, new / old
+    Difference difference{};  // the test of the times' ratio, new / old
     double p = 1;             // after Holm's correction
     // Numbers of compared medians: one for each run, or one for each group of samples if there is one run only.
     int old_units = 0, new_units = 0;

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import unittest.mock
 import warnings
 from pathlib import Path
 from types import SimpleNamespace
@@ -140,7 +139,7 @@ class ReportTest(unittest.TestCase):
 
     def test_a_device_that_fails_is_named_and_all_others_are_there(self) -> None:
         made_programs.programs(self.folder / "bin")
-        with unittest.mock.patch.dict(os.environ, MADE_FAILURE="vulkan"):
+        with mock.patch.dict(os.environ, MADE_FAILURE="vulkan"):
             run = self.make(made.everything(), "bin")
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn("report: mandelbulb, vulkan, double, exact: render: backend vulkan: device 0: it crashed", run.stderr)
