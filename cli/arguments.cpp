@@ -12,20 +12,20 @@ namespace {
 struct OldOption {
     std::string_view old_name, new_name;
 };
-constexpr OldOption options[] = {{"--launch", "--run"}, {"--launches", "--runs"}, {"--pack", "--simd-width"}};
+constexpr OldOption old_options[] = {{"--launch", "--run"}, {"--launches", "--runs"}, {"--pack", "--simd-width"}};
 
 struct OldValue {
     std::string_view option, old_name, new_name;
 };
-constexpr OldValue values[] = {
+constexpr OldValue old_values[] = {
     {"--estimate", "counted", "original"}, {"--study", "blocks", "block-sizes"},
     {"--study", "packs", "simd-widths"},   {"--without", "normal", "gradient"},
     {"--without", "root", "refinement"},   {"--without", "surroundings", "shared-occlusion"}};
 
 std::string with_new_option(const std::string& name)
 {
-    const auto* const found = std::ranges::find(options, name, &OldOption::old_name);
-    return found == std::end(options) ? name : std::string(found->new_name);
+    const auto* const found = std::ranges::find(old_options, name, &OldOption::old_name);
+    return found == std::end(old_options) ? name : std::string(found->new_name);
 }
 
 // `value`: one name, or several with commas between them.
@@ -35,7 +35,7 @@ std::string with_new_values(const std::string& option, const std::string& value)
     for (std::size_t at = 0; at <= value.size();) {
         const auto comma = std::min(value.find(',', at), value.size());
         std::string name = value.substr(at, comma - at);
-        for (const OldValue& old : values) {
+        for (const OldValue& old : old_values) {
             if (option == old.option && name == old.old_name) name = old.new_name;
         }
         made += (at == 0 ? "" : ",") + name;
