@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Warnings for this project's targets.
 add_library(mandelmarch_warnings INTERFACE)
-target_compile_options(mandelmarch_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+target_compile_options(mandelmarch_warnings INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor
     -Woverloaded-virtual -Wcast-align -Wunused
+    # In a unity build a source would shadow the private names of its neighbours.
+    $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
     # The kernel passes its scene by value, but all such calls are inlined, so the ABI does not matter.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
     # Highway's per-target regions may contain only templates.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "bench/files/fields.h"
 #include "bench/files/result_file.h"
 #include "bench/files/version1.h"
 #include "core/base/error.h"
@@ -13,8 +14,6 @@
 
 namespace mandelmarch::bench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string text_of_file(const std::string& path)
 {
