@@ -41,17 +41,24 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 	@$(put) build/$(HERE)/bin/mandelbulb build/$(HERE)/bin/mandelbox .
 	@tools/demo bin demo/index.html
 
-test: ## all tests, including builds with clang and sanitizers and a minute of fuzzing (25 min from nothing)
+# The build that is tested: the one for this machine alone, unless PRESET is given.
+TESTED := $(if $(filter file,$(origin PRESET)),native,$(PRESET))
+test: ## all tests of a build for this machine (12 min with set-up and build)
+	@tools/setup tests
+	@tools/build $(TESTED) all
+	@tools/python_packages
+	MANDELMARCH_NEED_PYTHON=1 ctest --preset $(TESTED)
+
+check: ## the quick tests of that build (2 min)
+	@tools/build $(TESTED) all
+	ctest --preset $(TESTED) -L quick
+
+test-all: ## tests of all instruction sets, models, simulated GPUs and bundles; builds with clang and sanitizers; fuzzing (30 min)
 	@tools/setup
-	@tools/build $(PRESET) all
-	@$(take_all)
+	@tools/build release all
 	@tools/python_packages
 	@tools/python_packages gpu_packages
-	MANDELMARCH_NEED_PYTHON=1 ctest --preset $(PRESET)
-
-check: ## the quick tests (2 min)
-	@tools/build $(PRESET) all
-	ctest --preset $(PRESET) -L quick
+	ctest --preset release -L wide
 
 # DRIVERS=OFF leaves out drivers for CPUs; FFMPEG=FILE bundles a static ffmpeg. See docs/bundle.md.
 DRIVERS ?= ON
@@ -137,8 +144,11 @@ fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
-lint: ## clang-format and clang-tidy on every source (over 10 min)
+lint: ## check the format of sources, licence lines, links and figures of pages (10 s)
 	@tools/lint
+
+tidy: ## clang-tidy on every source (over 10 min)
+	@tools/lint tidy
 
 k40: build python ## registers of the OpenACC kernels, and expected frame times, on the Tesla K40 and the H100 (3 min)
 	@tools/python_packages gpu_packages

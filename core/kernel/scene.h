@@ -13,10 +13,10 @@ struct Scene {
     int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: the last sample of the original stepping
     int differences;  // source of normals: 0 analytic gradient, 1 central differences, 2 differences over a tetrahedron
 
-    scalar tolerance;  // 10^D of the parameter file: a sample is a hit if DE < tolerance * t
-    scalar step_factor;     // length of a step as a multiple of the estimate
-    scalar end;        // max t of a sample
-    scalar miss;       // depth of a pixel without a hit: +infinity
+    scalar tolerance;    // 10^D of the parameter file: a sample is a hit if DE < tolerance * t
+    scalar step_factor;  // length of a step as a multiple of the estimate
+    scalar end;          // max t of a sample
+    scalar miss;         // depth of a pixel without a hit: +infinity
     scalar brightness;
     scalar difference_step;  // half distance of the points of central differences, as a multiple of max(|p|, 1)
     scalar hull;             // size of the hull (hull.h): radius of the sphere, half the edge of the cube; 0: unknown
@@ -46,21 +46,21 @@ struct Ray {
     real before_distance;  // estimate there
     whole steps;           // number of samples taken by marching
     counter de_calls;      // number of DE evaluations, including those of refinement and normals
-    counter iterations;     // number of iterations of these DE evaluations
+    counter iterations;    // number of iterations of these DE evaluations
 };
 
 // A ray that has stopped, and its hit if it has one. In canonical pictures, f(t) = DE(t) - tolerance t. A Hit can be
 // stored after any refinement, and another pass can continue it.
 struct Hit {
-    vec3 direction;     // unit vector
-    real state;         // one of the states in refine.h
-    real t;             // canonical: t of the last refinement, or of the last sample; otherwise t after the last step
-    real below_t;       // t of the last sample; canonical: the far end of the bracket, where f < 0
-    real below_f;       // f at below_t, possibly scaled down by narrowed()
-    real above_t;       // t of the sample before the last one; canonical: the near end of the bracket, where f >= 0
-    real above_f;       // f at above_t, possibly scaled down by narrowed()
-    whole steps;        // as in Ray
-    counter de_calls;   // as in Ray
+    vec3 direction;      // unit vector
+    real state;          // one of the states in refine.h
+    real t;              // canonical: t of the last refinement, or of the last sample; otherwise t after the last step
+    real below_t;        // t of the last sample; canonical: the far end of the bracket, where f < 0
+    real below_f;        // f at below_t, possibly scaled down by narrowed()
+    real above_t;        // t of the sample before the last one; canonical: the near end of the bracket, where f >= 0
+    real above_f;        // f at above_t, possibly scaled down by narrowed()
+    whole steps;         // as in Ray
+    counter de_calls;    // as in Ray
     counter iterations;  // as in Ray
 };
 

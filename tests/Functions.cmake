@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+# Functions that add tests. Each test has one label:
+#   quick  at most about four seconds on two cores
+#   slow   longer; starts before the quick ones
+#   wide   depends on instruction sets, models or compilers; `make test-all` runs these
+include(GoogleTest)
+set(bin ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+set(source ${PROJECT_SOURCE_DIR})
+
+# mandelmarch_test(NAME [SLOW | WIDE] COMMAND WORD...): adds a test. Exit code 77: skipped.
+function(mandelmarch_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 with "SLOW;WIDE" "" "COMMAND")
+    add_test(NAME ${name} COMMAND ${with_COMMAND} COMMAND_EXPAND_LISTS)
+    set_tests_properties(${name} PROPERTIES LABELS quick SKIP_RETURN_CODE 77 TIMEOUT 900)
+    if(with_WIDE)
+        set_tests_properties(${name} PROPERTIES LABELS wide COST 1)
+    elseif(with_SLOW)
+        set_tests_properties(${name} PROPERTIES LABELS slow COST 1)
+    endif()
+endfunction()
+
+# mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs a script of this folder, a .sh or
+# a .py. Its arguments are the programs' folder and the source folder, if no others are given.
+function(mandelmarch_script name file)
+    cmake_parse_arguments(PARSE_ARGV 2 with "" "" "ARGUMENTS")
+    if(NOT DEFINED with_ARGUMENTS)
+        set(with_ARGUMENTS ${bin} ${source})
+    endif()
+    set(interpreter bash)
+    if(file MATCHES "[.]py$")
+        set(interpreter Python3::Interpreter)
+    endif()
+    mandelmarch_test(${name} ${with_UNPARSED_ARGUMENTS}
+        COMMAND ${interpreter} ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${with_ARGUMENTS})
+endfunction()
+
+# mandelmarch_gtest(TARGET [WIDE] [PREFIX TEXT] [SLOW NAME...] SOURCES FILE... [LIBRARIES TARGET...]): adds a program of
+# GoogleTest's and its tests. PREFIX precedes the tests' names; SLOW: GoogleTest's patterns of the slow ones.
+function(mandelmarch_gtest target)
+    cmake_parse_arguments(PARSE_ARGV 1 with "WIDE" "PREFIX" "SLOW;SOURCES;LIBRARIES")
+    add_executable(${target} ${with_SOURCES})
+    target_link_libraries(${target} PRIVATE ${with_LIBRARIES} mandelmarch_test_scenes mandelmarch_warnings fmt::fmt
+        GTest::gtest_main)
+    # Otherwise the names of tests would contain the bytes of their parameters.
+    set(discover ${target} TEST_PREFIX "${with_PREFIX}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
+    list(JOIN with_SLOW ":" slow)
+    if(with_WIDE)
+        gtest_discover_tests(${discover} PROPERTIES TIMEOUT 900 LABELS wide COST 1)
+    elseif(slow)
+        gtest_discover_tests(${discover} TEST_FILTER ${slow} TEST_LIST ${target}_slow
+            PROPERTIES TIMEOUT 900 LABELS slow COST 1)
+        gtest_discover_tests(${discover} TEST_FILTER -${slow} PROPERTIES TIMEOUT 900 LABELS quick)
+    else()
+        gtest_discover_tests(${discover} PROPERTIES TIMEOUT 900 LABELS quick)
+    endif()
+endfunction()

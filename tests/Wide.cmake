@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# Tests that build the project with other presets, bundle it, run GPU kernels on a simulated GPU, or call NVIDIA's
+# assembler.
+add_subdirectory(openmp_parts)
+add_subdirectory(registration)
+mandelmarch_script(packaging.bundle packaging/bundle_test.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
+set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
+set(simulation ${bin} ${source} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
+if(TARGET mandelmarch_cuda)
+    mandelmarch_script(cuda.simulated cuda/simulated_test.sh WIDE ARGUMENTS ${simulation})
+endif()
+if(TARGET mandelmarch_openacc)
+    mandelmarch_script(openacc.simulated openacc/simulated_test.sh WIDE ARGUMENTS ${simulation})
+    foreach(check text assemble)
+        mandelmarch_script(openacc.ptx.${check} openacc/ptx_test.py WIDE
+            ARGUMENTS ${check} $<TARGET_FILE:mandelbulb> ${MANDELMARCH_FRACTALS})
+        set_tests_properties(openacc.ptx.${check} PROPERTIES WORKING_DIRECTORY ${source})
+    endforeach()
+endif()
+if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch_opencl AND TARGET mandelmarch_vulkan)
+    mandelmarch_script(packaging.gpu_check packaging/gpu_check_test.sh WIDE
+        ARGUMENTS ${PROJECT_BINARY_DIR} ${source} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
+endif()
+mandelmarch_script(install.consumer siblings/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
+set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/siblings)
+mandelmarch_script(subproject siblings/subproject.sh WIDE ARGUMENTS ${source})
+
+# mandelmarch_sibling(PRESET COST TARGET...): builds the targets with another preset. Longer builds start first.
+function(mandelmarch_sibling preset cost)
+    mandelmarch_script(build.${preset} siblings/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
+    set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
+        WORKING_DIRECTORY ${source})
+endfunction()
+# With clang, the programs whose pictures are compared; with sanitizers, the programs that are tested; with
+# tests/fractals/sierpinski as the only fractal, every backend and program.
+mandelmarch_sibling(clang 1 mandelbulb mandelbox imgdiff)
+mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
+mandelmarch_sibling(tsan 2 same_bits_test race_twin)
+mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test equivalence_test)
+set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
+mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
+set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
+foreach(preset asan tsan)
+    mandelmarch_test(suite.${preset} WIDE COMMAND ${CMAKE_CTEST_COMMAND} --preset ${preset})
+    set_tests_properties(suite.${preset} PROPERTIES FIXTURES_REQUIRED ${preset} TIMEOUT 2400 WORKING_DIRECTORY ${source})
+endforeach()
+set_tests_properties(suite.asan PROPERTIES COST 4)
+foreach(name every_fractal_test equivalence_test)
+    mandelmarch_test(suite.fractal.${name} WIDE COMMAND ${source}/build/fractal/bin/${name})
+endforeach()
+mandelmarch_script(suite.fractal.programs fractals/programs_test.sh WIDE
+    ARGUMENTS ${source}/build/fractal/bin ${CMAKE_CURRENT_SOURCE_DIR}/fractals)
+set_tests_properties(suite.fractal.every_fractal_test suite.fractal.equivalence_test suite.fractal.programs PROPERTIES
+    FIXTURES_REQUIRED fractal)
