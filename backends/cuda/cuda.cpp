@@ -16,8 +16,9 @@
 
 namespace mandelmarch {
 namespace cuda {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace cuda
 
 namespace {
 
@@ -48,8 +49,8 @@ public:
         if (driver().devices == 0) return driver().missing;
         return std::nullopt;
     }
-    job::Kernels kernels() const override { return cuda::kernels(); }
-    std::vector<KernelResources> build(job::DrawKernel launch) const override
+    job::Kernels kernels() const override { return {cuda::drawing, cuda::chains}; }
+    std::vector<KernelResources> build(job::DrawKernel* launch) const override
     {
         return cuda::loaded_by([&] { launch(nullptr, 0, 0); });
     }

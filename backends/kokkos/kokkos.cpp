@@ -12,8 +12,9 @@
 
 namespace mandelmarch {
 namespace kokkos {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace kokkos
 
 namespace {
 
@@ -58,7 +59,7 @@ public:
             .variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PROC_BIND", "OMP_PLACES"},
             .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return kokkos::kernels(); }
+    job::Kernels kernels() const override { return {kokkos::drawing, kokkos::chains}; }
 
     job::OpenedDevice open(int) const override
     {

@@ -25,16 +25,14 @@ std::string text_of(int device, acc_device_property_t property)
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-job::DrawKernel drawing(std::string_view fractal, Precision precision, Mode mode)
+job::DrawKernel* drawing(std::string_view variant)
 {
-    return reinterpret_cast<job::DrawKernel>(
-        omptarget::symbol(fmt::format("mandelmarch_omptarget_{}_{}_{}", fractal, name_of(precision), name_of(mode))));
+    return reinterpret_cast<job::DrawKernel*>(omptarget::symbol(fmt::format("loops_{}", variant)));
 }
 
-job::Chains chains(Precision precision)
+job::Chains* chains(std::string_view precision)
 {
-    return reinterpret_cast<job::Chains>(
-        omptarget::symbol(fmt::format("mandelmarch_omptarget_chains_{}", name_of(precision))));
+    return reinterpret_cast<job::Chains*>(omptarget::symbol(fmt::format("peak_{}", precision)));
 }
 
 // Device numbers are OpenMP's: the GPUs come first, and the host's number is the number of GPUs.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/opencl/peak.h"
 
-#include "backends/opencl/texts.h"
 #include "core/base/stopwatch.h"
 #include "core/render/peak.h"
 
 namespace mandelmarch::opencl {
 namespace {
+
+constexpr const char* text =
+#include "peak.txt"
+    ;
 
 // Work items per compute unit: on a GPU enough to fill it with threads, on a CPU enough to keep all cores busy.
 constexpr std::size_t items_per_gpu_unit = 2048;
@@ -17,7 +20,7 @@ double measured(const cl::Device& device, const Build& build)
 {
     cl::Context context(device);
     cl::CommandQueue queue(context, device);
-    cl::Program program(context, std::string(peak_text()));
+    cl::Program program(context, text);
     program.build({device}, build.options.c_str());
     cl::Kernel kernel(program, "multiply_adds");
     const bool is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "backends/opencl/executor.h"
-#include "backends/opencl/texts.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::opencl {
@@ -93,9 +92,9 @@ private:
         if (const auto found = session_->programs.find(fractal); found != session_->programs.end()) {
             return found->second;
         }
-        const std::string_view text = text_of(fractal);
-        if (text.empty()) throw Unavailable(fmt::format("backend opencl: it does not draw the {}", fractal));
-        cl::Program program(session_->context, std::string(text));
+        const std::string_view* const text = program_text(fractal);
+        if (text == nullptr) throw Unavailable(fmt::format("backend opencl: it does not draw the {}", fractal));
+        cl::Program program(session_->context, std::string(*text));
         const cl_int code = clBuildProgram(program(), 1, &session_->device(), build_.options.c_str(), nullptr, nullptr);
         if (code == CL_BUILD_PROGRAM_FAILURE) {
             std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(session_->device);

@@ -10,7 +10,6 @@
 #include <tuple>
 #include <vector>
 
-#include "backends/openmp/instructions.h"
 #include "backends/openmp/peak.h"
 #include "backends/openmp/picture.h"
 #include "backends/openmp/place.h"

@@ -3,8 +3,8 @@
 
 #include <omp.h>
 
-#include "backends/openmp/instructions.h"
 #include "backends/openmp/place.h"
+#include "backends/openmp/variants.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"

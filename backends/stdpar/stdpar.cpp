@@ -14,8 +14,9 @@
 
 namespace mandelmarch {
 namespace stdpar {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace stdpar
 
 namespace {
 
@@ -27,7 +28,7 @@ public:
         return {.threads = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return stdpar::kernels(); }
+    job::Kernels kernels() const override { return {stdpar::drawing, stdpar::chains}; }
 
     job::OpenedDevice open(int) const override
     {

@@ -30,10 +30,11 @@ struct OpenedDevice {
     std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
 };
 
-// Functions that find the kernels. cmake/JobKernels.cmake generates both, in the model's namespace.
+// Functions that find the kernels, which return nullptr for an unknown name. cmake/JobKernels.cmake generates both, in
+// the model's namespace.
 struct Kernels {
-    DrawKernel (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
-    Chains (*chains)(Precision precision);
+    DrawKernel* (*drawing)(std::string_view variant);  // by variant_name()
+    Chains* (*chains)(std::string_view precision);     // by name_of()
 };
 
 // A programming model.
@@ -74,7 +75,7 @@ public:
     // Loads or compiles the kernels of a launch on the calling thread's device. Called before their first launch.
     // Timings::build includes its duration. Returns the resources of the kernels; empty if the driver does not report
     // them.
-    virtual std::vector<KernelResources> build(DrawKernel launch) const
+    virtual std::vector<KernelResources> build(DrawKernel* launch) const
     {
         static_cast<void>(launch);
         return {};
