@@ -16,6 +16,14 @@
 
 namespace mandelmarch {
 
+// The factories of the backends, each defined in the backend's folder. registrations.h, which mandelmarch_registry()
+// generates (cmake/Backend.cmake), defines MM_BACKENDS as the list of backends, built or not.
+#define MM_BUILT(name) std::unique_ptr<Backend> make_##name##_backend();
+#define MM_NOT_BUILT(name)
+MM_BACKENDS
+#undef MM_BUILT
+#undef MM_NOT_BUILT
+
 namespace {
 
 std::string_view variable(const char* name)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/cuda/cuda.h"
-
+// The cuda backend: the kernel in CUDA, on NVIDIA GPUs.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/kokkos/kokkos.h"
-
+// The kokkos backend: the kernel in a Kokkos::parallel_for, in the default host space of Kokkos.
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>

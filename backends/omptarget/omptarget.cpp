@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/omptarget/omptarget.h"
-
+// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs or on the host's cores.
 #include <fmt/format.h>
 #include <omp.h>
 #include <openacc.h>

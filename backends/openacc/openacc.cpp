@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/openacc/openacc.h"
-
+// The OpenACC backend: the kernel on NVIDIA GPUs, or on one thread of the host if none is present.
 #include <fmt/format.h>
 #include <openacc.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/skeleton/skeleton.h"
-
+// A minimal backend to copy: the kernel as scalar C++ on one thread. See docs/add-a-backend.md.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/stdpar/stdpar.h"
-
+// The stdpar backend: the kernel in std::for_each of C++ standard parallelism, on all cores.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>

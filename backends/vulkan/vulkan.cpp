@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/vulkan/vulkan.h"
-
+// The Vulkan backend: the kernel as SPIR-V compute shaders, on GPUs, and on CPUs through lavapipe.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
