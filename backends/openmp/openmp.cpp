@@ -32,13 +32,7 @@ using openmp::ThreadMemory;
 using openmp::TileQueue;
 using openmp::Variant;
 
-void add_to(Work& to, const Work& from)
-{
-    to.steps += from.steps;
-    to.de_calls += from.de_calls;
-    to.iterations += from.iterations;
-}
-#pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
+#pragma omp declare reduction(sum:Work : omp_out += omp_in)
 
 // Renders bands, to planes in memory or directly to an image's bytes.
 template <class Real>
@@ -70,10 +64,10 @@ public:
                 TileQueue::Share share{queue};
                 if (omp_get_thread_num() == 0) team = std::max(team, omp_get_num_threads());
                 const openmp::WorkCounts spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
-                add_to(band_work, {spent.steps, spent.de_calls, spent.iterations});
+                band_work += {spent.steps, spent.de_calls, spent.iterations};
             }
         }
-        add_to(work, band_work);
+        work += band_work;
         timings.ran(seconds_since(start));
     }
 
