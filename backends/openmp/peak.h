@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the multiply-add peak of this machine's cores, with SIMD instructions.
+// The kernels that measure the multiply-add peak of this machine's cores, with SIMD instructions (peak_packs.cpp.in).
 #pragma once
 
 #include <cstdint>
-
-#include "core/render/backend.h"
 
 namespace mandelmarch::openmp {
 
@@ -18,8 +16,5 @@ struct PeakKernel {
 
 PeakKernel peak_kernel_float(std::int64_t targets);
 PeakKernel peak_kernel_double(std::int64_t targets);
-
-// Returns the operations per second of `threads` threads together; 0 threads: usable_threads().
-double multiply_add_peak(Precision precision, int threads);
 
 }  // namespace mandelmarch::openmp
