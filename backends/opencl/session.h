@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "backends/opencl/api.h"
+#include "backends/opencl/device.h"
 
 namespace mandelmarch::opencl {
 
