@@ -7,7 +7,7 @@ set -uo pipefail
 backend=cuda bin=$1 source=$2 compiler=$3
 . "$source/tests/openacc/simulated.sh"
 
-"$4" "$2/tests/cuda/nvcc_to_c.py" "$bin/mandelbulb" >kernels.h || exit 1
+"$4" "$source/tests/openacc/ptx_to_c.py" nvcc "$bin/mandelbulb" >kernels.h || exit 1
 driver . || exit 1
 mkdir none && echo 'int cuInit(unsigned f) { return 100; }' >none.c
 driver none none.c || exit 1
