@@ -12,7 +12,6 @@
 #include <tuple>
 #include <vector>
 
-#include "backends/openmp/peak.h"
 #include "backends/openmp/picture.h"
 #include "backends/openmp/place.h"
 #include "backends/openmp/threads.h"

@@ -117,4 +117,14 @@ struct VariantList {
     int count;
 };
 
+// Measures the multiply-add peak for one instruction set (peak_packs.cpp.in). `run` executes `rounds` iterations of
+// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them.
+struct PeakKernel {
+    int lanes;
+    double (*run)(int rounds);
+};
+
+PeakKernel peak_kernel_float(std::int64_t targets);
+PeakKernel peak_kernel_double(std::int64_t targets);
+
 }  // namespace mandelmarch::openmp
