@@ -10,7 +10,7 @@
 namespace mandelmarch::vulkan {
 namespace {
 
-constexpr int values = 4096;    // a multiple of the work group's size
+constexpr int values = 4096;     // a multiple of the work group's size
 constexpr int probe_group = 64;  // invocations per work group, as in probe.comp
 constexpr int group_count = values / probe_group;
 
