@@ -32,20 +32,26 @@ endfunction()
 # backends in this order. If the target mandelmarch_NAME does not exist, because tools are missing, the backend is
 # listed as "not built".
 function(mandelmarch_registry target)
-    set(headers "")
-    set(entries "")
+    set(declarations "")
+    set(rows "")
     add_library(${target} STATIC ${PROJECT_SOURCE_DIR}/backends/all.cpp)
     foreach(name ${ARGN})
+        set(factory nullptr)
         if(TARGET mandelmarch_${name})
-            string(APPEND headers "#include \"backends/${name}/${name}.h\"\n")
-            string(APPEND entries " MM_BUILT(${name})")
+            set(factory make_${name}_backend)
+            string(APPEND declarations "std::unique_ptr<Backend> ${factory}();\n")
             target_link_libraries(${target} PRIVATE mandelmarch_${name})
-        else()
-            string(APPEND entries " MM_NOT_BUILT(${name})")
         endif()
+        string(APPEND rows "    {\"${name}\", ${factory}},\n")
     endforeach()
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target})
-    configure_file(${PROJECT_SOURCE_DIR}/backends/registrations.h.in ${folder}/registrations.h @ONLY)
+    file(CONFIGURE OUTPUT ${folder}/registrations.h @ONLY CONTENT [[
+// SPDX-License-Identifier: Apache-2.0
+// Generated: the rows of the table in backends/all.cpp.
+@declarations@
+constexpr Registration registrations[] = {
+@rows@};
+]])
     target_include_directories(${target} PRIVATE ${folder})
     target_link_libraries(${target} PUBLIC mandelmarch_core PRIVATE mandelmarch_warnings)
 endfunction()

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of functions generated from ray.cpp.in.
+// The functions generated from ray.cpp.in (cmake/Kernels.cmake).
 #pragma once
 
 #include <string_view>
 
 #include "apps/trace/trace.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch {
 
-// A function that traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`. `scene` points to the
-// kernel's Scene in the function's precision.
-using TraceRay = void (*)(const void* scene, Trace& trace);
+// A function that traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`.
+template <class Real>
+using TraceRay = void(const KernelScene<Real>& scene, Trace& trace);
 
-// Returns the function for a fractal, precision and mode, or nullptr if this build does not contain the fractal.
-TraceRay ray_of(std::string_view fractal, Precision precision, Mode mode);
+// Returns a function by variant_name(); nullptr if this build does not contain the fractal.
+template <class Real>
+TraceRay<Real>* ray_of(std::string_view variant);
 
 }  // namespace mandelmarch

@@ -78,12 +78,18 @@ std::string head(const Trace& trace)
     return text + line_of(trace, "sample", "t", "DE", "tolerance", "decided");
 }
 
+template <class Real>
+void trace_in(const Scene& scene, const RendererOptions& options, Trace& trace)
+{
+    TraceRay<Real>* const ray = ray_of<Real>(variant_name(scene.fractal->name, options.precision, options.mode));
+    if (ray == nullptr) throw Unavailable(fmt::format("no rays are traced for the {}", scene.fractal->name));
+    ray(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques), trace);
+}
+
 }  // namespace
 
 Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int y)
 {
-    const TraceRay ray = ray_of(scene.fractal->name, options.precision, options.mode);
-    if (ray == nullptr) throw Unavailable(fmt::format("no rays are traced for the {}", scene.fractal->name));
     Trace trace{};
     trace.precision = options.precision;
     trace.mode = options.mode;
@@ -91,13 +97,8 @@ Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int
     trace.y = y;
     trace.width = scene.width;
     trace.height = scene.height;
-    if (options.precision == Precision::f32) {
-        const auto kernel = kernel_scene<layout_f32::Scene>(scene, options.mode, options.techniques);
-        ray(&kernel, trace);
-    } else {
-        const auto kernel = kernel_scene<layout_f64::Scene>(scene, options.mode, options.techniques);
-        ray(&kernel, trace);
-    }
+    options.precision == Precision::f32 ? trace_in<float>(scene, options, trace)
+                                        : trace_in<double>(scene, options, trace);
     return trace;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/cuda/cuda.h"
-
+// The cuda backend: the kernel in CUDA, on NVIDIA GPUs.
 #include <fmt/format.h>
 
 #include <array>
@@ -16,8 +15,9 @@
 
 namespace mandelmarch {
 namespace cuda {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace cuda
 
 namespace {
 
@@ -48,8 +48,8 @@ public:
         if (driver().devices == 0) return driver().missing;
         return std::nullopt;
     }
-    job::Kernels kernels() const override { return cuda::kernels(); }
-    std::vector<KernelResources> build(job::DrawKernel launch) const override
+    job::Kernels kernels() const override { return {cuda::drawing, cuda::chains}; }
+    std::vector<KernelResources> build(job::DrawKernel* launch) const override
     {
         return cuda::loaded_by([&] { launch(nullptr, 0, 0); });
     }

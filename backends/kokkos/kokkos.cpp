@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/kokkos/kokkos.h"
-
+// The kokkos backend: the kernel in a Kokkos::parallel_for, in the default host space of Kokkos.
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
@@ -12,8 +11,9 @@
 
 namespace mandelmarch {
 namespace kokkos {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace kokkos
 
 namespace {
 
@@ -58,7 +58,7 @@ public:
             .variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PROC_BIND", "OMP_PLACES"},
             .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return kokkos::kernels(); }
+    job::Kernels kernels() const override { return {kokkos::drawing, kokkos::chains}; }
 
     job::OpenedDevice open(int) const override
     {

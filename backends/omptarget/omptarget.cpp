@@ -1,21 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/omptarget/omptarget.h"
-
+// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs or on the host's cores.
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <omp.h>
 #include <openacc.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
 
-#include "backends/omptarget/library.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
 #include "core/job/nvidia.h"
 
+extern "C" {
+extern const char mandelmarch_omptarget_library[];
+extern const char mandelmarch_omptarget_library_end[];
+}
+
 namespace mandelmarch {
 namespace {
+
+// The shared library of kernels, which is embedded in the program (CMakeLists.txt).
+struct Library {
+    void* handle = nullptr;
+    std::string failure;  // why the handle is null
+};
+std::string failed(const char* what)
+{
+    return fmt::format("its kernels cannot be loaded: {}: {}", what, strerror(errno));
+}
+
+// Loads the library from an anonymous file in memory, because dlopen() accepts only files.
+Library loaded()
+{
+    const int file = memfd_create("omptarget_kernels", MFD_CLOEXEC);
+    if (file < 0) return {nullptr, failed("memfd_create")};
+    const char* at = mandelmarch_omptarget_library;
+    while (at != mandelmarch_omptarget_library_end) {
+        const ssize_t written = write(file, at, static_cast<std::size_t>(mandelmarch_omptarget_library_end - at));
+        if (written < 0 && errno != EINTR) {
+            Library none{nullptr, failed("write")};
+            close(file);
+            return none;
+        }
+        if (written > 0) at += written;
+    }
+    Library made;
+    made.handle = dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (made.handle == nullptr) made.failure = fmt::format("its kernels cannot be loaded: {}", dlerror());
+    close(file);
+    return made;
+}
+
+// Returns the library; loads it on the first call.
+const Library& library()
+{
+    static const Library only = loaded();
+    return only;
+}
+
+// Returns the address of a function of the library; nullptr if the library is not loaded or has no such function.
+void* symbol(const std::string& name)
+{
+    return library().handle == nullptr ? nullptr : dlsym(library().handle, name.c_str());
+}
 
 // OpenMP cannot query a device's name and memory. OpenACC, in the same run-time library, can, and numbers the devices
 // in the same way.
@@ -25,16 +79,14 @@ std::string text_of(int device, acc_device_property_t property)
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-job::DrawKernel drawing(std::string_view fractal, Precision precision, Mode mode)
+job::DrawKernel* drawing(std::string_view variant)
 {
-    return reinterpret_cast<job::DrawKernel>(
-        omptarget::symbol(fmt::format("mandelmarch_omptarget_{}_{}_{}", fractal, name_of(precision), name_of(mode))));
+    return reinterpret_cast<job::DrawKernel*>(symbol(fmt::format("loops_{}", variant)));
 }
 
-job::Chains chains(Precision precision)
+job::Chains* chains(std::string_view precision)
 {
-    return reinterpret_cast<job::Chains>(
-        omptarget::symbol(fmt::format("mandelmarch_omptarget_chains_{}", name_of(precision))));
+    return reinterpret_cast<job::Chains*>(symbol(fmt::format("peak_{}", precision)));
 }
 
 // Device numbers are OpenMP's: the GPUs come first, and the host's number is the number of GPUs.
@@ -51,7 +103,7 @@ public:
     }
     std::optional<std::string> unavailable() const override
     {
-        if (omptarget::library().handle == nullptr) return omptarget::library().failure;
+        if (library().handle == nullptr) return library().failure;
         return std::nullopt;
     }
     job::Kernels kernels() const override { return {drawing, chains}; }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/openacc/openacc.h"
-
+// The OpenACC backend: the kernel on NVIDIA GPUs, or on one thread of the host if none is present.
 #include <fmt/format.h>
 #include <openacc.h>
 
@@ -10,8 +9,9 @@
 
 namespace mandelmarch {
 namespace openacc {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace openacc
 
 namespace {
 
@@ -50,7 +50,7 @@ public:
                 .variables = {"ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return openacc::kernels(); }
+    job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }
     int devices() const override { return acc_get_num_devices(gpu) + 1; }
 
     job::OpenedDevice open(int index) const override

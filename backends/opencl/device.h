@@ -1,15 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenCL devices of all platforms, and their capabilities.
+// The OpenCL C++ bindings, version 1.2, with errors as exceptions; the devices of all platforms, and their
+// capabilities.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "backends/opencl/api.h"
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include <CL/opencl.hpp>
+#pragma GCC diagnostic pop
+
+#include "core/base/error.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::opencl {
+
+// Formats an OpenCL error as one line: the failed action and the error.
+Error explained(const char* doing, const cl::Error& error);
+
+// Runs `call` and converts OpenCL's errors with explained().
+template <class Call>
+auto checked(const char* doing, Call call)
+{
+    try {
+        return call();
+    } catch (const cl::Error& error) {
+        throw explained(doing, error);
+    }
+}
 
 // Returns the devices of all platforms; empty if no platform is installed.
 std::vector<cl::Device> all_devices();

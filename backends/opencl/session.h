@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "backends/opencl/api.h"
+#include "backends/opencl/device.h"
 
 namespace mandelmarch::opencl {
 
@@ -79,6 +79,9 @@ struct Session {
     bool is_cpu = false;
     std::int64_t largest_buffer = 0;  // bytes
 };
+
+// Returns the program for a fractal, which is generated from kernel.cl (CMakeLists.txt); nullptr if there is none.
+const std::string_view* program_text(std::string_view fractal);
 
 // Returns the run time of a kernel in seconds, by the device's clock; nullopt if the device has no clock.
 inline std::optional<double> device_seconds(const cl::Event& done)

@@ -5,16 +5,15 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <tuple>
 #include <vector>
 
-#include "backends/openmp/instructions.h"
-#include "backends/openmp/peak.h"
 #include "backends/openmp/picture.h"
 #include "backends/openmp/place.h"
-#include "backends/openmp/stack_size.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
 #include "core/base/cores.h"
@@ -22,24 +21,15 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
+#include "core/render/peak.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
+namespace openmp {
 namespace {
 
-using openmp::LatticeBuffers;
-using openmp::ThreadMemory;
-using openmp::TileQueue;
-using openmp::Variant;
-
-void add_to(Work& to, const Work& from)
-{
-    to.steps += from.steps;
-    to.de_calls += from.de_calls;
-    to.iterations += from.iterations;
-}
-#pragma omp declare reduction(sum:Work : add_to(omp_out, omp_in))
+#pragma omp declare reduction(sum:Work : omp_out += omp_in)
 
 // Renders bands, to planes in memory or directly to an image's bytes.
 template <class Real>
@@ -60,21 +50,21 @@ public:
     void run(Entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
-        const openmp::Target<Real> target = target_of(band);
+        const Target<Real> target = target_of(band);
         Work band_work;
-        for (const openmp::Lattice& lattice : picture_.lattices()) {
-            const openmp::Canvas<Real> canvas = picture_.canvas(lattice, band, target);
+        for (const Lattice& lattice : picture_.lattices()) {
+            const Canvas<Real> canvas = picture_.canvas(lattice, band, target);
             TileQueue queue(image_.width(), band, chunk_, &progress_);
 #pragma omp parallel num_threads(threads_) reduction(sum : band_work)
             {
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
                 TileQueue::Share share{queue};
                 if (omp_get_thread_num() == 0) team = std::max(team, omp_get_num_threads());
-                const openmp::WorkCounts spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
-                add_to(band_work, {spent.steps, spent.de_calls, spent.iterations});
+                const WorkCounts spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
+                band_work += {spent.steps, spent.de_calls, spent.iterations};
             }
         }
-        add_to(work, band_work);
+        work += band_work;
         timings.ran(seconds_since(start));
     }
 
@@ -102,7 +92,7 @@ public:
 
 private:
     // Returns the image's bytes as the destination, or buffers of planes if the image has values.
-    openmp::Target<Real> target_of(const Band& band)
+    Target<Real> target_of(const Band& band)
     {
         if (!image_.has_values()) {
             return {.bytes = image_.row_bytes(band.first_row)};
@@ -113,7 +103,7 @@ private:
         return {.reals = reals_.data(), .wholes = wholes_.data()};
     }
 
-    openmp::Picture<Real> picture_;
+    Picture<Real> picture_;
     const Variant<Real>& variant_;
     Image& image_;
     std::span<ThreadMemory> memory_;  // one per thread
@@ -129,11 +119,41 @@ Device host_device()
     return {.name = cpu_name(), .vendor = cpu_vendor(), .driver = fmt::format("OpenMP {}", _OPENMP), .is_gpu = false};
 }
 
+constexpr double least_stack = 64;  // min stack size in KiB; a thread needs about 20 KiB
+
+// Returns the size in KiB that a value of OMP_STACKSIZE sets (OpenMP 5.2, 21.2.2): a number, in KiB unless B, K, M or G
+// follows. Returns 0 for a value that is not a number, which the run-time library ignores.
+double kibibytes(const char* text)
+{
+    char* rest = nullptr;
+    const double number = std::strtod(text, &rest);
+    while (std::isspace(static_cast<unsigned char>(*rest)) != 0) ++rest;
+    switch (std::tolower(static_cast<unsigned char>(*rest))) {
+        case 'b': return number / 1024;
+        case 'm': return number * 1024;
+        case 'g': return number * 1024 * 1024;
+        default: return number;
+    }
+}
+
+// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE sets the stacks too small for packs of rays. The threads would
+// crash.
+void check_stack_size()
+{
+    for (const char* name : {"OMP_STACKSIZE", "GOMP_STACKSIZE"}) {
+        const char* text = std::getenv(name);
+        const double size = text == nullptr ? 0 : kibibytes(text);
+        if (size > 0 && size < least_stack) {
+            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name, text, least_stack));
+        }
+    }
+}
+
 class OpenmpRenderer : public Renderer {
 public:
-    explicit OpenmpRenderer(const RendererOptions& options) : options_(options), targets_(openmp::instructions())
+    explicit OpenmpRenderer(const RendererOptions& options) : options_(options), targets_(instructions())
     {
-        openmp::check_stack_size();
+        check_stack_size();
         if (options_.threads == 0) options_.threads = usable_threads();
         memory_ = std::vector<ThreadMemory>(static_cast<std::size_t>(options_.threads));
     }
@@ -148,19 +168,19 @@ private:
     template <class Real>
     RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
-        const openmp::OwnPlace place;
+        const OwnPlace place;
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, !bytes_alone(image, options_));
         BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<LatticeBuffers<Real>>(notes_),
                                     progress);
-        run_schedule(scene, options_.mode, openmp::band_limits, executor, image, progress);
+        run_schedule(scene, options_.mode, band_limits, executor, image, progress);
         RenderStats report{.backend = "openmp",
                            .device = host_device(),
                            .precision = options_.precision,
                            .mode = options_.mode,
                            .threads = executor.team,
                            .simd_width = variant.pack,
-                           .instruction_set = openmp::usual_name(variant.instruction_set),
+                           .instruction_set = usual_name(variant.instruction_set),
                            .timings = executor.timings,
                            .work = executor.work};
         report.timings.wall = seconds_since(start);
@@ -170,7 +190,7 @@ private:
     template <class Real>
     Variant<Real> choose(const Scene& scene, bool counted) const
     {
-        auto variants = openmp::variants_of<Real>(scene.fractal->name, options_.mode, targets_);
+        auto variants = variants_of<Real>(scene.fractal->name, options_.mode, targets_);
         if (counted) std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
         if (options_.simd_width == 0) return variants.back();
         const auto of_width =
@@ -191,6 +211,31 @@ private:
     std::vector<ThreadMemory> memory_;
     std::tuple<LatticeBuffers<float>, LatticeBuffers<double>> notes_;
 };
+
+// Returns the operations per second of `threads` threads together; 0 threads: usable_threads().
+double measured_peak(Precision precision, int threads)
+{
+    const PeakKernel kernel =
+        precision == Precision::f32 ? peak_kernel_float(instructions()) : peak_kernel_double(instructions());
+    const OwnPlace place;
+    const int asked = threads == 0 ? usable_threads() : threads;
+    const PeakRun run = [&](int rounds) {
+        const auto start = Clock::now();
+        double sum = 0;
+        int team = 1;
+#pragma omp parallel num_threads(asked) reduction(+ : sum) reduction(max : team)
+        {
+            team = omp_get_num_threads();
+            sum += kernel.run(rounds);
+        }
+        // If OMP_THREAD_LIMIT or OMP_DYNAMIC makes the team smaller than requested, it does only a part of the work.
+        // The time is scaled to that of the whole work.
+        const double seconds = seconds_since(start) * asked / team;
+        if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
+        return seconds;
+    };
+    return highest_rate(run, static_cast<double>(kernel.lanes) * asked);
+}
 
 class OpenmpBackend : public Backend {
 public:
@@ -216,12 +261,13 @@ public:
     }
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
     {
-        return openmp::multiply_add_peak(options.precision, options.threads);
+        return measured_peak(options.precision, options.threads);
     }
 };
 
 }  // namespace
+}  // namespace openmp
 
-std::unique_ptr<Backend> make_openmp_backend() { return std::make_unique<OpenmpBackend>(); }
+std::unique_ptr<Backend> make_openmp_backend() { return std::make_unique<openmp::OpenmpBackend>(); }
 
 }  // namespace mandelmarch

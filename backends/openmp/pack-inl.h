@@ -12,6 +12,10 @@
 
 #include "hwy/highway.h"
 
+#if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT) || !defined(MM_FAST) || !defined(MM_FRACTAL_FILE)
+#error "expected definitions of MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE"
+#endif
+
 // Defaults for a section that is opened alone, for example in an editor.
 #ifndef MM_PACK
 #define MM_PACK counted::narrow

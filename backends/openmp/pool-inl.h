@@ -15,7 +15,7 @@
 #include "backends/openmp/begin-inl.h"
 #include "backends/openmp/drawing-inl.h"
 #include "backends/openmp/passes-inl.h"
-#include "backends/openmp/stage.h"
+#include "backends/openmp/variant.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {

@@ -11,7 +11,7 @@
 #include "backends/openmp/pixels-inl.h"
 #include "backends/openmp/pool-inl.h"
 #include "backends/openmp/rays-inl.h"
-#include "backends/openmp/stage.h"
+#include "backends/openmp/variant.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "backends/openmp/stage.h"
+#include "backends/openmp/variant.h"
 #include "core/image/image.h"
 #include "core/render/backend.h"
 

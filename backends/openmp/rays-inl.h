@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "backends/openmp/pack-inl.h"
-#include "backends/openmp/ray_pool.h"
+#include "backends/openmp/variant.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mandelmarch::openmp {

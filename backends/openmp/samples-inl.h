@@ -5,7 +5,6 @@
 #ifndef MM_SAMPLES_INL_H
 #define MM_SAMPLES_INL_H
 
-#include "backends/openmp/ray_pool.h"
 #include "backends/openmp/rays-inl.h"
 #include "backends/openmp/variant.h"
 #include "backends/openmp/width-inl.h"

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "backends/openmp/neighbours.h"
-#include "backends/openmp/ray_pool.h"
+#include "backends/openmp/variant.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
 

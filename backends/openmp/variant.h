@@ -1,16 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width. Contains plain data
-// only, because translation units for different instruction sets share it.
+// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width; and what variants
+// share. Contains plain data only, because translation units for different instruction sets include it.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
-#include "backends/openmp/neighbours.h"
-#include "backends/openmp/ray_pool.h"
 #include "core/image/tile.h"
 
 namespace mandelmarch::openmp {
+
+// Stages of a picture, in the order of the kernel source.
+enum class Stage { begin, march, refine, normal, shade, output };
+inline constexpr int stages = 6;
+
+// The order in which fast mode renders a picture's pixels. Those whose column and row are multiples of 4 are rendered
+// first, then those of multiples of 2, then all others. A later ray begins near the hits of the pixels around it that
+// are already rendered (core/kernel/march.h, neighbour_start()).
+
+// The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
+// multiples of `before`, which are already rendered. `before` is 0 in the first lattice.
+struct Lattice {
+    int before;
+    int apart;
+};
+
+// The lattices of a picture, in rendering order.
+struct Lattices {
+    Lattice of[3];
+    int count;
+
+    const Lattice* begin() const { return of; }
+    const Lattice* end() const { return of + count; }
+};
+
+inline constexpr Lattices all_at_once{{{0, 1}}, 1};
+
+constexpr int pool_rays = 4096;  // large enough for few gaps in packs, small enough for a core's cache
+constexpr int block_side = 8;    // pixels; side of a subtile, whose rays begin together
+constexpr int most_lanes = 64;   // per pack
+
+// A pool of rays, as a structure of arrays, shared by code of several pack widths.
+template <class Real>
+struct RayPool {
+    using Whole = std::conditional_t<std::is_same_v<Real, float>, std::int32_t, std::int64_t>;
+
+    static constexpr int reals = 11;
+    static constexpr int wholes = 4;
+    static constexpr int room = pool_rays + 2 * most_lanes;
+    Real real_fields[reals][room];
+    Whole whole_fields[wholes][room];
+    int size;
+};
 
 // Destination of the finished pixels of rows [first_row, end_row). Pixels are stored to `bytes`, three per pixel; if
 // `bytes` is null, to `reals` and `wholes`, planes with the layout of core/image/image.h.
@@ -74,5 +116,15 @@ struct VariantList {
     Variant<Real> of[most];
     int count;
 };
+
+// Measures the multiply-add peak for one instruction set (peak_packs.cpp.in). `run` executes `rounds` iterations of
+// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them.
+struct PeakKernel {
+    int lanes;
+    double (*run)(int rounds);
+};
+
+PeakKernel peak_kernel_float(std::int64_t targets);
+PeakKernel peak_kernel_double(std::int64_t targets);
 
 }  // namespace mandelmarch::openmp

@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds variants. variants.cpp is generated from the lists of fractals, precisions and modes.
+// Finds variants, and selects the instruction sets for packs.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "backends/openmp/instructions.h"
 #include "backends/openmp/variant.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::openmp {
+
+// Returns the instruction sets that this machine supports, as a set of Highway's targets. If the environment variable
+// MANDELMARCH_INSTRUCTIONS is set and not empty, returns only the one that it names: SSE4, AVX2, AVX-512 or a name of
+// Highway. Throws InputError if this machine has no instruction set of that name.
+std::int64_t instructions();
+
+// Returns the usual name of an instruction set for Highway's name: for example, AVX-512 for AVX3.
+std::string usual_name(std::string_view highway);
+
+// Functions that find what the sources made of scalar.cpp.in and packs.cpp.in define (cmake/Kernels.cmake).
+template <class Real>
+const Variant<Real>* scalar_variant(std::string_view name);
+template <class Real>
+using PackVariants = VariantList<Real>(std::int64_t targets);
+template <class Real>
+PackVariants<Real>* pack_variants(std::string_view name);
 
 // Returns a fractal's variants for some instruction sets. The first is scalar; the best one is last.
 template <class Real>

@@ -8,7 +8,6 @@
 #define MM_WIDTH_INL_H
 #endif
 
-#include "backends/openmp/ray_pool.h"
 #include "backends/openmp/variant.h"
 #include "hwy/highway.h"
 

@@ -5,19 +5,18 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/render/kernel_scene.h"
+
 namespace mandelmarch::skeleton {
 
 // Renders rows [first_row, first_row + rows) of the picture into a device's buffers, with the layout of
-// core/image/image.h and `pixels` values per plane. `scene` is the kernel's Scene in Real's layout.
+// core/image/image.h and `pixels` values per plane.
 template <class Real>
-using DrawBand = void (*)(const void* scene, int first_row, int rows, std::size_t pixels, Real* reals, int* wholes);
+using DrawBand = void(const KernelScene<Real>& scene, int first_row, int rows, std::size_t pixels, Real* reals,
+                      int* wholes);
 
-struct Kernel {
-    DrawBand<double> in_double;
-    DrawBand<float> in_float;
-};
-
-// Returns a fractal's kernels; nullptr if the fractal is unknown.
-const Kernel* kernel_of(std::string_view name);
+// Returns the kernel generated for "FRACTAL_PRECISION" (CMakeLists.txt); nullptr if the fractal is unknown.
+template <class Real>
+DrawBand<Real>* kernel_of(std::string_view variant);
 
 }  // namespace mandelmarch::skeleton

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/skeleton/skeleton.h"
-
+// A minimal backend to copy: the kernel as scalar C++ on one thread. See docs/add-a-backend.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace {
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Scene& scene, const RendererOptions& options, skeleton::DrawBand<Real> draw, std::size_t pixels)
+    BandExecutor(const Scene& scene, const RendererOptions& options, skeleton::DrawBand<Real>* draw, std::size_t pixels)
         : scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques)),
           draw_(draw),
           reals_(real_planes * pixels),
@@ -34,7 +33,7 @@ public:
     void run(Entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
-        draw_(&scene_, band.first_row, band.rows, pixels_, reals_.data(), wholes_.data());
+        draw_(scene_, band.first_row, band.rows, pixels_, reals_.data(), wholes_.data());
         timings.ran(seconds_since(start));
     }
 
@@ -54,7 +53,7 @@ public:
 
 private:
     KernelScene<Real> scene_;
-    skeleton::DrawBand<Real> draw_;
+    skeleton::DrawBand<Real>* draw_;
     std::vector<Real> reals_;
     std::vector<int> wholes_;
     std::size_t pixels_;
@@ -68,18 +67,18 @@ public:
 
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
-        const skeleton::Kernel* kernel = skeleton::kernel_of(scene.fractal->name);
-        if (kernel == nullptr) {
-            throw Unavailable(fmt::format("backend skeleton: it does not draw the {}", scene.fractal->name));
-        }
-        return options_.precision == Precision::f32 ? draw(kernel->in_float, scene, image, progress)
-                                                    : draw(kernel->in_double, scene, image, progress);
+        return options_.precision == Precision::f32 ? draw<float>(scene, image, progress)
+                                                    : draw<double>(scene, image, progress);
     }
 
 private:
     template <class Real>
-    RenderStats draw(skeleton::DrawBand<Real> kernel, const Scene& scene, Image& image, const Progress& progress) const
+    RenderStats draw(const Scene& scene, Image& image, const Progress& progress) const
     {
+        const std::string_view fractal = scene.fractal->name;
+        skeleton::DrawBand<Real>* const kernel =
+            skeleton::kernel_of<Real>(fmt::format("{}_{}", fractal, name_of(options_.precision)));
+        if (kernel == nullptr) throw Unavailable(fmt::format("backend skeleton: it does not draw the {}", fractal));
         const Clock::time_point start = Clock::now();
         // The simulated device's memory holds most_pixels; a band consists of whole rows.
         constexpr int most_pixels = 1 << 20;

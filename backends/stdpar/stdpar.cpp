@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/stdpar/stdpar.h"
-
+// The stdpar backend: the kernel in std::for_each of C++ standard parallelism, on all cores.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -14,8 +13,9 @@
 
 namespace mandelmarch {
 namespace stdpar {
-job::Kernels kernels();
-}
+job::DrawKernel* drawing(std::string_view variant);
+job::Chains* chains(std::string_view precision);
+}  // namespace stdpar
 
 namespace {
 
@@ -27,7 +27,7 @@ public:
         return {.threads = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return stdpar::kernels(); }
+    job::Kernels kernels() const override { return {stdpar::drawing, stdpar::chains}; }
 
     job::OpenedDevice open(int) const override
     {

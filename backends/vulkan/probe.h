@@ -18,7 +18,7 @@ struct Workbench {
     std::vector<Buffer> buffers;
 };
 
-// Returns the suffix of the modules that are exact on this device: "", or "_corrected" or "_pinned" (modules.h) if its
+// Returns the suffix of the modules that are exact on this device: "", or "_corrected" or "_pinned" (program.h) if its
 // float divisions are inexact. Throws Unavailable if no module is exact.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 

@@ -1,7 +1,125 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/vulkan/program.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/output_file.h"
+
 namespace mandelmarch::vulkan {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// The cache file consists of this header and the bytes of the driver's cache.
+struct FileHeader {
+    std::array<char, 8> magic;
+    std::uint64_t checksum;
+};
+constexpr std::array<char, 8> magic{'m', 'm', 'v', 'k', 'c', 'a', '0', '1'};
+
+// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo).
+std::uint64_t hash_of(const void* data, std::size_t size)
+{
+    std::uint64_t hash = 0xcbf29ce484222325;
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
+    return hash;
+}
+
+std::string cache_folder()
+{
+    // The XDG Base Directory Specification requires that an empty or relative path is ignored.
+    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
+        return std::string(xdg) + "/mandelmarch";
+    }
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
+        return std::string(home) + "/.cache/mandelmarch";
+    }
+    return {};
+}
+
+// Returns true for a regular file or none; false for pipes and other kinds, on which reading would block.
+bool may_hold_cache(const std::string& path)
+{
+    std::error_code ignored;
+    const auto type = std::filesystem::status(path, ignored).type();
+    return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
+}
+
+// Returns the content of the cache file without its header; empty if the file is missing or damaged.
+Bytes read_cache(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
+    FileHeader header{};
+    if (bytes.size() < sizeof header) return {};
+    std::memcpy(&header, bytes.data(), sizeof header);
+    Bytes content(bytes.begin() + sizeof header, bytes.end());
+    if (header.magic != magic || header.checksum != hash_of(content.data(), content.size())) return {};
+    return content;
+}
+
+// Returns true if the header that the driver wrote into its cache names this device. Drivers must check this
+// themselves, but some did not.
+bool is_of(const vk::PhysicalDeviceProperties& device, const Bytes& content)
+{
+    VkPipelineCacheHeaderVersionOne header{};
+    if (content.size() < sizeof header) return false;
+    std::memcpy(&header, content.data(), sizeof header);
+    return header.headerSize >= sizeof header && header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+           header.vendorID == device.vendorID && header.deviceID == device.deviceID &&
+           std::equal(std::begin(header.pipelineCacheUUID), std::end(header.pipelineCacheUUID),
+                      device.pipelineCacheUUID.begin());
+}
+
+}  // namespace
+
+PipelineCache::PipelineCache(const Gpu& gpu, Module module)
+{
+    const auto& properties = gpu.info().properties;
+    if (const std::string folder = cache_folder(); !folder.empty()) {
+        std::string uuid;
+        for (const std::uint8_t byte : properties.pipelineCacheUUID) uuid += fmt::format("{:02x}", byte);
+        path_ = fmt::format("{}/vulkan-{}-{:08x}-{:016x}.bin", folder, uuid, properties.driverVersion,
+                            hash_of(module.data(), module.size_bytes()));
+        if (may_hold_cache(path_)) {
+            known_ = read_cache(path_);
+        } else {
+            path_.clear();
+        }
+        if (!is_of(properties, known_)) known_.clear();
+    }
+    handle_ = attempt(gpu.name(), "opening a pipeline cache", [&] {
+        return gpu.device().createPipelineCache(vk::PipelineCacheCreateInfo({}, known_.size(), known_.data()));
+    });
+}
+
+void PipelineCache::save()
+{
+    if (path_.empty()) return;
+    try {
+        const Bytes content = handle_.getData();
+        if (content == known_) return;
+        std::error_code ignored;
+        std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), ignored);
+        const FileHeader header{magic, hash_of(content.data(), content.size())};
+        OutputFile file(path_);
+        file.write(&header, sizeof header);
+        file.write(content.data(), content.size());
+        file.commit();
+        known_ = content;
+    } catch (const std::exception&) {
+        path_.clear();  // the renderer continues without a cache
+    }
+}
 
 Program::Program(const Gpu& gpu, Module module, int buffers) : device_(gpu.device()), cache_(gpu, module)
 {

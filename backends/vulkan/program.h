@@ -3,15 +3,43 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "backends/vulkan/gpu.h"
-#include "backends/vulkan/modules.h"
-#include "backends/vulkan/pipeline_cache.h"
 
 namespace mandelmarch::vulkan {
+
+// A SPIR-V module. The generated modules are named FRACTAL_PRECISION_MODE, probe_PRECISION_exact and
+// peak_PRECISION_fast. Each float module of exact mode also exists with the suffix _corrected, which corrects divisions
+// by their exact residuals, and _pinned, which divides in double (core/kernel/prelude/glsl.h).
+using Module = std::span<const std::uint32_t>;
+
+// Returns a module; empty if no module has this name.
+Module module_named(std::string_view name);
+
+// The pipelines of one module that a device's driver has compiled, stored for later runs in $XDG_CACHE_HOME/mandelmarch
+// or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is
+// ignored and rewritten. If the folder is not writable, or the path is not a regular file, nothing is stored, and no
+// error is reported.
+class PipelineCache {
+public:
+    PipelineCache(const Gpu& gpu, Module module);
+
+    const vk::raii::PipelineCache& handle() const { return handle_; }
+
+    // Writes the cache if it has changed since it was opened.
+    void save();
+
+private:
+    std::string path_;  // empty: no cache
+    std::vector<std::uint8_t> known_;
+    vk::raii::PipelineCache handle_ = nullptr;
+};
 
 // A range of a buffer, as bound to a shader.
 struct Binding {

@@ -107,7 +107,7 @@ bool check(const std::string& path)
 void embed(const std::string& to, const std::vector<std::string>& modules)
 {
     std::ofstream file(to);
-    file << "#include \"backends/vulkan/modules.h\"\n\nnamespace mandelmarch::vulkan {\nnamespace {\n";
+    file << "#include \"backends/vulkan/program.h\"\n\nnamespace mandelmarch::vulkan {\nnamespace {\n";
     std::string rows;
     for (const std::string& path : modules) {
         const std::string name = std::filesystem::path(path).stem().string();

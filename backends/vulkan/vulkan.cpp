@@ -1,16 +1,214 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/vulkan/vulkan.h"
+// The Vulkan backend: the kernel as SPIR-V compute shaders, on GPUs, and on CPUs through lavapipe.
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "backends/vulkan/instance.h"
-#include "backends/vulkan/peak.h"
-#include "backends/vulkan/renderer.h"
+#include "backends/vulkan/executor.h"
+#include "core/base/cores.h"
 #include "core/base/files.h"
+#include "core/render/peak.h"
+#include "core/scene/fractal.h"
 
 namespace mandelmarch {
+namespace vulkan {
 namespace {
+
+// The Vulkan objects of a renderer or a measurement. They are destroyed in reverse order of their declaration.
+struct Session {
+    Instance instance;
+    Gpu gpu;
+    Workbench bench;
+
+    explicit Session(const RendererOptions& options) : gpu(chosen(instance, options.device), options.precision) {}
+
+    static const vk::raii::PhysicalDevice& chosen(const Instance& instance, int index)
+    {
+        const std::size_t count = instance.devices().size();
+        if (static_cast<std::size_t>(index) < count) return instance.devices()[static_cast<std::size_t>(index)];
+        throw Unavailable(
+            fmt::format("backend vulkan: there is no device {}, the last is device {}", index, count - 1));
+    }
+};
+
+// Opens the device of the options. Throws Unavailable if it does not exist or does not support the options.
+std::unique_ptr<Session> opened(const RendererOptions& options)
+{
+    try {
+        return std::make_unique<Session>(options);
+    } catch (const Unavailable& unavailable) {
+        const std::string why = unavailable.what();
+        throw Unavailable(why.starts_with("backend ") ? why : "backend vulkan: " + why);
+    }
+}
+
+// Runs f. If the device does not respond, abandons it with all objects that it may still use, because their destruction
+// would block.
+template <class Function>
+void guarded(std::unique_ptr<Session>& session, Function f)
+{
+    try {
+        f();
+    } catch (const DeviceHung&) {
+        static_cast<void>(session.release());
+        throw;
+    } catch (...) {
+        session->gpu.discard();
+        throw;
+    }
+}
+
+class VulkanRenderer : public Renderer {
+public:
+    explicit VulkanRenderer(const RendererOptions& options) : options_(options)
+    {
+        const auto start = Clock::now();
+        session_ = opened(options);
+        variant_ = fmt::format("{}_{}", name_of(options.precision), name_of(options.mode));
+        guarded(session_, [&] {
+            if (options.mode == Mode::exact) {
+                const std::string ending = exact_modules(session_->gpu, session_->bench, options.precision);
+                session_->bench = {};
+                variant_ += ending;
+                instruction_set_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
+                                   : ending == "_pinned"  ? "SPIR-V, float quotients in double"
+                                                          : "SPIR-V";
+            }
+        });
+        context_ = seconds_since(start);
+    }
+
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        if (session_ == nullptr) throw Error("backend vulkan: the device did not answer before and was given up");
+        RenderStats report;
+        guarded(session_, [&] {
+            report = options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
+                                                          : render_as<double>(scene, image, progress);
+        });
+        return report;
+    }
+
+private:
+    template <class Real>
+    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
+    {
+        const auto start = Clock::now();
+        Gpu& gpu = session_->gpu;
+        const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
+        const Limits limits = limits_of(gpu.info(), sizeof(Real), options_.band);
+        const auto pixels =
+            static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
+        RenderStats report{.backend = "vulkan",
+                           .device = gpu.info().device,
+                           .precision = options_.precision,
+                           .mode = options_.mode,
+                           // lavapipe does not report its number of threads, but they have names.
+                           .threads = gpu.info().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
+                           .instruction_set = instruction_set_,
+                           .timings = {},
+                           .work = {}};
+        Timings& timings = report.timings;
+        timings.context = context_;
+        if (loaded_ != scene.fractal->name) {
+            load(scene.fractal->name);
+            timings.build = seconds_since(start);
+        }
+
+        const auto upload = Clock::now();
+        bind_buffers<Real>(pixels);
+        gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
+        gpu.barrier();
+        gpu.finish("uploading the scene");
+        timings.upload = seconds_since(upload);
+
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone(image, options_), timings);
+        run_schedule(scene, options_.mode, limits, executor, image, progress);
+        report.work = executor.work();
+        timings.wall = seconds_since(start);
+        return report;
+    }
+
+    // Loads the fractal's program into the Workbench.
+    void load(std::string_view fractal)
+    {
+        const Module module = module_named(fmt::format("{}_{}", fractal, variant_));
+        if (module.empty()) throw Unavailable(fmt::format("backend vulkan: it has no fractal {}", fractal));
+        loaded_.clear();
+        session_->bench.program = std::make_unique<Program>(session_->gpu, module, 5);
+        loaded_ = fractal;
+    }
+
+    // Binds buffers for bands of `pixels` pixels. Reuses the buffers of earlier pictures if they are large enough.
+    template <class Real>
+    void bind_buffers(vk::DeviceSize pixels)
+    {
+        using Bands = BandExecutor<Real>;
+        auto& buffers = session_->bench.buffers;
+        if (held_ < pixels) {
+            const Gpu& gpu = session_->gpu;
+            const bool shared = gpu.info().shares_memory;
+            const vk::DeviceSize size = Bands::results_size(pixels);
+            held_ = 0;
+            buffers.clear();
+            buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
+            buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
+            buffers.push_back(gpu.make_buffer(size, shared ? Place::host : Place::device, "pixels"));
+            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "the pixels' way back"));
+            held_ = pixels;
+        }
+        const Buffer* results = &buffers[result_buffer];
+        session_->bench.program->bind(std::array{
+            Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
+            Binding{results, reals_at, real_planes * sizeof(Real) * pixels},
+            Binding{results, Bands::wholes_at(pixels), Bands::wholes_size(pixels)}, Binding{results, 0, flags_size}});
+    }
+
+    RendererOptions options_;
+    std::unique_ptr<Session> session_;
+    std::string variant_;                     // suffix of the modules' names
+    std::string instruction_set_ = "SPIR-V";  // for the user; names the method of float divisions, too
+    std::string loaded_;                      // name of the fractal whose program is loaded
+    vk::DeviceSize held_ = 0;                 // pixels that the Workbench's buffers can hold
+    double context_ = 0;                      // seconds
+};
+
+constexpr int group = 64;  // invocations per work group, as in peak.comp
+// Number of invocations: on a GPU several for each lane of the largest GPUs, on a CPU enough to keep all cores busy.
+constexpr int gpu_items = 1 << 21;
+constexpr int cpu_items = 1 << 12;
+// Loop iterations of an invocation in one pass. Limited, because a watchdog may end a GPU's pass after several seconds.
+constexpr int rounds_per_pass = 1 << 14;
+static_assert(rounds_per_pass < counted_loops / 2);
+
+template <class Real>
+double measured_peak(Session& session, Precision precision)
+{
+    Gpu& gpu = session.gpu;
+    Workbench& bench = session.bench;
+    const int items = gpu.info().device.is_gpu ? gpu_items : cpu_items;
+    bench.program = std::make_unique<Program>(gpu, module_named(fmt::format("peak_{}_fast", name_of(precision))), 2);
+    bench.buffers.push_back(gpu.make_buffer(sizeof(Real) * items, Place::device, "sums"));
+    bench.buffers.push_back(gpu.make_buffer(2 * sizeof(Real), Place::host, "two numbers"));
+    const Real given[2] = {static_cast<Real>(peak_factor), static_cast<Real>(peak_addend)};
+    std::memcpy(bench.buffers[1].bytes, given, sizeof(given));
+    bench.program->bind(
+        std::array{Binding{&bench.buffers[0], 0, VK_WHOLE_SIZE}, Binding{&bench.buffers[1], 0, VK_WHOLE_SIZE}});
+    const PeakRun run = [&](int rounds) {
+        const auto start = Clock::now();
+        for (int left = rounds; left > 0; left -= rounds_per_pass) {
+            bench.program->dispatch(gpu, {}, {std::min(left, rounds_per_pass)},
+                                    static_cast<std::uint32_t>(items / group), 1);
+            gpu.barrier();
+        }
+        gpu.finish("measuring the multiply-add peak");
+        return seconds_since(start);
+    };
+    return highest_rate(run, items);
+}
 
 class VulkanBackend : public Backend {
 public:
@@ -46,7 +244,7 @@ public:
     std::optional<std::string> unavailable() const override
     {
         try {
-            const vulkan::Instance instance;
+            const Instance instance;
             return std::nullopt;
         } catch (const Unavailable& reason) {
             return reason.what();
@@ -57,8 +255,8 @@ public:
     {
         std::vector<Device> devices;
         try {
-            const vulkan::Instance instance;
-            for (const auto& physical : instance.devices()) devices.push_back(vulkan::facts_of(physical).device);
+            const Instance instance;
+            for (const auto& physical : instance.devices()) devices.push_back(facts_of(physical).device);
         } catch (const Error&) {
             devices.clear();  // unavailable() returns the reason
         }
@@ -67,17 +265,26 @@ public:
 
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
-        return vulkan::make_renderer(options);
+        return std::make_unique<VulkanRenderer>(options);
     }
 
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
     {
-        return vulkan::multiply_add_peak(options);
+        auto session = opened(options);
+        double peak = 0;
+        guarded(session, [&] {
+            peak = attempt(session->gpu.name(), "measuring the multiply-add peak", [&] {
+                return options.precision == Precision::f32 ? measured_peak<float>(*session, options.precision)
+                                                           : measured_peak<double>(*session, options.precision);
+            });
+        });
+        return peak;
     }
 };
 
 }  // namespace
+}  // namespace vulkan
 
-std::unique_ptr<Backend> make_vulkan_backend() { return std::make_unique<VulkanBackend>(); }
+std::unique_ptr<Backend> make_vulkan_backend() { return std::make_unique<vulkan::VulkanBackend>(); }
 
 }  // namespace mandelmarch

@@ -59,11 +59,15 @@ Count together(const std::vector<BlockCount>& blocks, const CountOptions& option
     return count;
 }
 
-template <class KernelScene>
-Count counted(const Scene& scene, const CountOptions& options, CountPixel count_pixel, std::span<const Block> blocks,
-              bool every_pixel)
+template <class Real>
+Count counted(const Scene& scene, const CountOptions& options, std::span<const Block> blocks, bool every_pixel)
 {
-    const KernelScene kernel = kernel_scene<KernelScene>(scene, options.mode, options.techniques);
+    CountPixel<Real>* const count_pixel =
+        counting_kernel<Real>(fmt::format("{}_{}", scene.fractal->name, name_of(options.precision)));
+    if (count_pixel == nullptr) {
+        throw Unavailable(fmt::format("no operations are counted for the {}", scene.fractal->name));
+    }
+    const auto kernel = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
     std::vector<BlockCount> counts(blocks.size());
     std::atomic<std::size_t> next = 0;
     {
@@ -74,7 +78,7 @@ Count counted(const Scene& scene, const CountOptions& options, CountPixel count_
                     BlockCount mine;
                     std::vector<RaySteps> rays;
                     each_pixel(blocks[block], scene.width, scene.height, [&](int column, int row) {
-                        count_pixel(&kernel, column, row, mine.pixels, rays.emplace_back());
+                        count_pixel(kernel, column, row, mine.pixels, rays.emplace_back());
                         mine.steps += rays.back().size();
                         for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
                     });
@@ -106,11 +110,8 @@ Count count_operations(const Scene& scene, const CountOptions& options)
 
 Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks, bool every_pixel)
 {
-    const CountingKernel* kernel = counting_kernel(scene.fractal->name);
-    if (kernel == nullptr) throw Unavailable(fmt::format("no operations are counted for the {}", scene.fractal->name));
-    return options.precision == Precision::f32
-               ? counted<layout_f32::Scene>(scene, options, kernel->in_float, blocks, every_pixel)
-               : counted<layout_f64::Scene>(scene, options, kernel->in_double, blocks, every_pixel);
+    return options.precision == Precision::f32 ? counted<float>(scene, options, blocks, every_pixel)
+                                               : counted<double>(scene, options, blocks, every_pixel);
 }
 
 }  // namespace mandelmarch::bench

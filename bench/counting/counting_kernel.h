@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/counting/counting.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch::bench {
 
@@ -13,16 +14,14 @@ struct PixelCount {
     std::uint64_t hits = 0;
 };
 
-// Renders pixel (i, j), adds its counts to `to`, and appends the number of DE iterations of each step of its ray to
-// `steps`. `scene` points to the kernel's Scene.
-using CountPixel = void (*)(const void* scene, int i, int j, PixelCount& to, RaySteps& steps);
+// A function that renders pixel (i, j), adds its counts to `to`, and appends the number of DE iterations of each step
+// of its ray to `steps`.
+template <class Real>
+using CountPixel = void(const KernelScene<Real>& scene, int i, int j, PixelCount& to, RaySteps& steps);
 
-struct CountingKernel {
-    CountPixel in_double, in_float;
-};
-
-// Returns the counting kernel of a fractal, or nullptr if the fractal has no kernel. Its definition is generated from
-// counting_kernels.cpp.in.
-const CountingKernel* counting_kernel(std::string_view fractal);
+// Returns the function generated from counting.cpp.in for "FRACTAL_PRECISION" (cmake/Kernels.cmake), or nullptr if this
+// build does not contain the fractal.
+template <class Real>
+CountPixel<Real>* counting_kernel(std::string_view variant);
 
 }  // namespace mandelmarch::bench

@@ -64,7 +64,7 @@ private:
                            .work = {}};
         timed(report.timings.wall, [&] {
             model_->run(options_, [&] {
-                const DrawKernel launch = launch_of(scene);
+                DrawKernel* const launch = launch_of(scene);
                 if (!built_.contains(launch)) {
                     timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
                 }
@@ -83,10 +83,10 @@ private:
         return report;
     }
 
-    DrawKernel launch_of(const Scene& scene) const
+    DrawKernel* launch_of(const Scene& scene) const
     {
-        const std::string fractal(scene.fractal->name);
-        const DrawKernel launch = model_->kernels().drawing(fractal, options_.precision, options_.mode);
+        const std::string_view fractal = scene.fractal->name;
+        DrawKernel* const launch = model_->kernels().drawing(variant_name(fractal, options_.precision, options_.mode));
         if (launch == nullptr) {
             throw Unavailable(
                 fmt::format("backend {}: this build has no kernel of the fractal '{}'", model_->name(), fractal));
@@ -120,7 +120,7 @@ private:
     RendererOptions options_;
     OpenedDevice opened_;
     double context_;  // seconds
-    std::map<DrawKernel, std::vector<KernelResources>> built_;
+    std::map<DrawKernel*, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
 };
 
@@ -155,7 +155,7 @@ public:
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
     {
         const int threads = asked_for(options).opened.peak_threads;
-        const Chains chains = model_->kernels().chains(options.precision);
+        Chains* const chains = model_->kernels().chains(name_of(options.precision));
         double rate = 0;
         model_->run(options, [&] {
             DeviceMemory memory(*model_);

@@ -84,7 +84,7 @@ constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * 
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(const Model& model, const OpenedDevice& opened, Memory& memory, DrawKernel launch, const Scene& scene,
+    BandExecutor(const Model& model, const OpenedDevice& opened, Memory& memory, DrawKernel* launch, const Scene& scene,
                  const RendererOptions& options, std::int64_t pixels, bool bytes_alone, Timings& timings)
         : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
@@ -164,7 +164,7 @@ private:
     const OpenedDevice& opened_;
     Memory& memory_;
     Timings& timings_;
-    DrawKernel launch_;
+    DrawKernel* launch_;
     KernelArguments<KernelScene<Real>, Real> job_{};
     void* job_on_device_ = nullptr;
     Work work_;

@@ -21,10 +21,10 @@ struct KernelArguments {
 };
 
 // Renders the width x rows pixels of a job. `job` is its address on the device.
-using DrawKernel = void (*)(const void* job, int width, int rows);
+using DrawKernel = void(const void* job, int width, int rows);
 
 // Runs the chains of core/kernel/peak.h on `threads` threads. `sums` is device memory for one number per thread.
-using Chains = void (*)(void* sums, int threads, double a, double b, int rounds);
+using Chains = void(void* sums, int threads, double a, double b, int rounds);
 
 // Threads per GPU thread block.
 inline constexpr int block_threads = 128;

@@ -30,10 +30,11 @@ struct OpenedDevice {
     std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
 };
 
-// Functions that find the kernels. cmake/JobKernels.cmake generates both, in the model's namespace.
+// Functions that find the kernels, which return nullptr for an unknown name. cmake/JobKernels.cmake generates both, in
+// the model's namespace.
 struct Kernels {
-    DrawKernel (*drawing)(std::string_view fractal, Precision precision, Mode mode);  // nullptr: unknown fractal
-    Chains (*chains)(Precision precision);
+    DrawKernel* (*drawing)(std::string_view variant);  // by variant_name()
+    Chains* (*chains)(std::string_view precision);     // by name_of()
 };
 
 // A programming model.
@@ -55,17 +56,9 @@ public:
     virtual OpenedDevice open(int index) const = 0;
 
     // Calls `draw` such that the calling thread uses the device and the number of threads that the options select.
-    virtual void run(const RendererOptions& options, const std::function<void()>& draw) const
-    {
-        static_cast<void>(options);
-        draw();
-    }
+    virtual void run(const RendererOptions&, const std::function<void()>& draw) const { draw(); }
     // Returns the number of threads that run() uses.
-    virtual int threads(const RendererOptions& options, const OpenedDevice& opened) const
-    {
-        static_cast<void>(options);
-        return opened.threads;
-    }
+    virtual int threads(const RendererOptions&, const OpenedDevice& opened) const { return opened.threads; }
 
     // Calls `launch`, inside run(), and waits until the device has finished. Returns the seconds, measured by the
     // device's clock if it has one.
@@ -74,18 +67,10 @@ public:
     // Loads or compiles the kernels of a launch on the calling thread's device. Called before their first launch.
     // Timings::build includes its duration. Returns the resources of the kernels; empty if the driver does not report
     // them.
-    virtual std::vector<KernelResources> build(DrawKernel launch) const
-    {
-        static_cast<void>(launch);
-        return {};
-    }
+    virtual std::vector<KernelResources> build(DrawKernel*) const { return {}; }
 
     // Returns the free memory of a device, in bytes; nullopt if the device is the host.
-    virtual std::optional<std::size_t> free_memory(int index) const
-    {
-        static_cast<void>(index);
-        return std::nullopt;
-    }
+    virtual std::optional<std::size_t> free_memory(int) const { return std::nullopt; }
 
     // Memory of the calling thread's device. allocate() returns nullptr if it is exhausted.
     virtual void* allocate(std::size_t bytes) const;

@@ -38,6 +38,11 @@ std::string_view name_of(Precision precision) { return precision == Precision::f
 
 std::string_view name_of(Mode mode) { return mode == Mode::exact ? "exact" : "fast"; }
 
+std::string variant_name(std::string_view fractal, Precision precision, Mode mode)
+{
+    return fmt::format("{}_{}_{}", fractal, name_of(precision), name_of(mode));
+}
+
 std::string_view name_of(Role role)
 {
     constexpr std::array<std::string_view, 4> names{"", "reference", "host", "accelerator"};

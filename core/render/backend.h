@@ -25,6 +25,12 @@ enum class Mode { exact, fast };
 std::string_view name_of(Precision precision);  // "double", "float"
 std::string_view name_of(Mode mode);            // "exact", "fast"
 
+template <class Real>
+inline constexpr Precision precision_of = std::is_same_v<Real, float> ? Precision::f32 : Precision::f64;
+
+// Returns the name of generated code, such as "mandelbox_float_exact" (cmake/Kernels.cmake).
+std::string variant_name(std::string_view fractal, Precision precision, Mode mode);
+
 struct Device {
     std::string name;
     std::string vendor;

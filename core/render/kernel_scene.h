@@ -33,6 +33,14 @@ namespace layout_f32 {
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
+// Returns a scene as the struct Scene that the kernel source defines in the namespace in which it is included.
+template <class Scene, class Layout>
+const Scene& scene_as(const Layout& scene)
+{
+    static_assert(sizeof(Scene) == sizeof(Layout) && alignof(Scene) == alignof(Layout));
+    return reinterpret_cast<const Scene&>(scene);
+}
+
 // Values of the original program.
 inline constexpr int max_steps = 8000;           // max number of samples of a ray
 inline constexpr double farthest_sample = 1000;  // max t of a sample

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
-#include "core/scene/scene.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch {
 
@@ -22,5 +23,9 @@ struct Loops {
 // Returns the counts for a scene. Runs the kernel with all lanes active (core/kernel/prelude/loops.h), in exact mode,
 // with normals from central differences.
 Loops loops_of(const Scene& scene);
+
+// Returns what the source made of loops.cpp.in for a fractal defines (cmake/Kernels.cmake); nullptr if there is none.
+using CountLoops = Loops(const layout_f64::Scene& scene);
+CountLoops* loop_counter(std::string_view fractal);
 
 }  // namespace mandelmarch

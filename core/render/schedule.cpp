@@ -10,6 +10,7 @@
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/loops.h"
+#include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {
@@ -54,6 +55,13 @@ Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
 }
 
 }  // namespace
+
+Loops loops_of(const Scene& scene)
+{
+    CountLoops* const count = loop_counter(scene.fractal->name);
+    if (count == nullptr) throw Unavailable(fmt::format("no loops are counted for the {}", scene.fractal->name));
+    return count(kernel_scene<layout_f64::Scene>(scene, Mode::exact));
+}
 
 int rows_per_band(const Scene& scene, const Limits& limits)
 {

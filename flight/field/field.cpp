@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/field/field.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/cores.h"
+#include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "flight/field/threads.h"
 
@@ -40,6 +43,13 @@ double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 }  // namespace
 
+field::Kernel field::kernel_of(std::string_view fractal)
+{
+    MakeKernel* const make = kernel_maker(fractal);
+    if (make == nullptr) throw Unavailable(fmt::format("flight: no distances are built for the fractal {}", fractal));
+    return make();
+}
+
 DistanceField::DistanceField(const Scene& scene, int threads, const Budget* budget)
     : scene_(scene),
       kernel_(field::kernel_of(scene.fractal->name)),
@@ -67,7 +77,7 @@ void DistanceField::distances(std::span<const Vector> points, std::span<double> 
             const std::size_t whole = padded(count, kernel_.lanes);
             const Block in(points.subspan(at, count), whole);
             std::array<double, block> result;
-            kernel_.distances(&data_, in.points(), whole, result.data());
+            kernel_.distances(data_, in.points(), whole, result.data());
             for (std::size_t i = 0; i < count; ++i) out[at + i] = cleaned(result[i]);
         }
     });
@@ -84,7 +94,7 @@ void DistanceField::casts(std::span<const Vector> from, std::span<const Vector> 
             const Block origin(from.subspan(at, count), whole);
             const Block direction(along.subspan(at, count), whole);
             std::array<double, block> result;
-            kernel_.casts(&data_, origin.points(), direction.points(), reach, whole, result.data());
+            kernel_.casts(data_, origin.points(), direction.points(), reach, whole, result.data());
             std::copy_n(result.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(at));
         }
     });

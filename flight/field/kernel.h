@@ -6,6 +6,10 @@
 #include <cstddef>
 #include <string_view>
 
+namespace mandelmarch::layout_f64 {
+struct Scene;  // core/render/kernel_scene.h
+}
+
 namespace mandelmarch::field {
 
 // Points (or vectors) as one array for each coordinate.
@@ -26,13 +30,18 @@ struct Reach {
 
 struct Kernel {
     int lanes;  // `count` below must be a multiple of this
-    // Writes the estimate at each point. `scene` points to the kernel's Scene in double precision.
-    void (*distances)(const void* scene, Points points, std::size_t count, double* out);
+    // Writes the estimate at each point.
+    void (*distances)(const layout_f64::Scene& scene, Points points, std::size_t count, double* out);
     // Writes the length of each ray, at most `reach.end`. `along`: unit vectors.
-    void (*casts)(const void* scene, Points from, Points along, Reach reach, std::size_t count, double* out);
+    void (*casts)(const layout_f64::Scene& scene, Points from, Points along, Reach reach, std::size_t count,
+                  double* out);
 };
 
-// Returns the functions for the fractal called `name`. Throws Unavailable if this build does not contain it.
-Kernel kernel_of(std::string_view name);
+// Returns what the source made of kernel.cpp.in for a fractal defines (cmake/Kernels.cmake); nullptr if there is none.
+using MakeKernel = Kernel();
+MakeKernel* kernel_maker(std::string_view fractal);
+
+// Returns the functions for a fractal. Throws Unavailable if this build does not contain it.
+Kernel kernel_of(std::string_view fractal);
 
 }  // namespace mandelmarch::field

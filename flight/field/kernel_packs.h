@@ -46,16 +46,16 @@ HWY_INLINE vec3 load3(Points from, std::size_t at)
     return vec3(load(from.x + at), load(from.y + at), load(from.z + at));
 }
 
-void distances(const void* data, Points points, std::size_t count, double* out)
+void distances(const layout_f64::Scene& data, Points points, std::size_t count, double* out)
 {
-    const Scene& scene = *static_cast<const Scene*>(data);
+    const Scene& scene = reinterpret_cast<const Scene&>(data);
     const mask on = real(0.0) < real(1.0);
     for (std::size_t i = 0; i < count; i += pack_lanes) store(estimate(scene, load3(points, i), on).distance, out + i);
 }
 
-void casts(const void* data, Points from, Points along_, Reach reach, std::size_t count, double* out)
+void casts(const layout_f64::Scene& data, Points from, Points along_, Reach reach, std::size_t count, double* out)
 {
-    const Scene& scene = *static_cast<const Scene*>(data);
+    const Scene& scene = reinterpret_cast<const Scene&>(data);
     for (std::size_t i = 0; i < count; i += pack_lanes) {
         const vec3 origin = load3(from, i);
         const vec3 direction = load3(along_, i);
@@ -85,7 +85,6 @@ namespace mandelmarch::field {
 
 HWY_EXPORT(kernel);
 
-Kernel MM_KERNEL();
 Kernel MM_KERNEL() { return HWY_DYNAMIC_DISPATCH(kernel)(); }
 
 }  // namespace mandelmarch::field

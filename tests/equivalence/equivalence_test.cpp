@@ -8,12 +8,14 @@
 #include <sstream>
 
 #include "backends/all.h"
-#include "backends/skeleton/skeleton.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "tests/equivalence/equivalence.h"
 
 namespace mandelmarch {
+
+std::unique_ptr<Backend> make_skeleton_backend();  // backends/skeleton
+
 namespace {
 
 std::vector<NamedScene> exact_scenes()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every programming model gives the bits of the scalar kernel in pictures of every shape, and reports its device and
-// work.
+// work. Negative controls are in twins_test.cpp; tests/equivalence tests fast mode.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -74,18 +74,6 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
     const RenderStats report = drawn(540);
     if (report.threads > 1 && !report.device.is_gpu) {
         EXPECT_GT(seconds_of_others() - before, 0.005);
-    }
-}
-
-// Negative control: the comparison detects that the bits of fast mode differ from those of exact mode.
-TEST_P(Models, FastDiffersFromExactAndIsTheCanonicalPicture)
-{
-    for (const char* fractal : {"bulb", "box"}) {
-        const Scene scene = official_scene(fractal, 100, 100);
-        const Image image = render(model, scene, {.precision = precision, .mode = Mode::fast});
-        EXPECT_FALSE(compare(render(model, scene, {.precision = precision}), image).same());
-        const Image canonical = render(*registry.find("reference"), scene, {.mode = Mode::fast});
-        EXPECT_LE(compare(canonical, image).visibly_differing, 10000U * 2 / 100) << fractal;
     }
 }
 

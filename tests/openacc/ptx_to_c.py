@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Translates PTX to C, for the instructions that gcc's nvptx compiler writes for this project's kernels. So the PTX
-itself can run on a machine without a GPU, one thread after the other. Unknown instructions are errors."""
+"""ptx_to_c.py gcc|nvcc PROGRAM: translates the PTX that this compiler wrote into a built program to C, for the
+instructions of this project's kernels. So the PTX itself can run on a machine without a GPU, one thread after the
+other. Unknown instructions are errors."""
+import os
 import re
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import k40  # noqa: E402
 
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
-           "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t"}
+           "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t", "b16": "uint16_t"}
 COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # negated: these are true for NaN
 INFIX = {"xor": "^", "add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
-SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid"}
+SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid", "%ntid.x": "threads_of_block"}
+NVCC_ENTRY = re.compile(r"^\.visible \.entry (mandelmarch_cuda_(?:march|shade|bytes)_\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
 LINE = re.compile(r"(?:@\s*(!?)\s*(%\w+)\s+)?([a-z][\w.]*)\s*(.*?);$")
 
 HEADER = """#include <math.h>
@@ -21,6 +29,9 @@ static double f64_of(uint64_t bits) { double f; memcpy(&f, &bits, 8); return f; 
 static float f32_of(uint32_t bits) { float f; memcpy(&f, &bits, 4); return f; }
 static int32_t s32_of(double a) { return a != a ? 0 : a >= 0x1p31 ? INT32_MAX : a < -0x1p31 ? INT32_MIN : (int32_t)a; }
 static int64_t s64_of(double a) { return a != a ? INT64_MIN : a >= 0x1p63 ? INT64_MAX : a < -0x1p63 ? INT64_MIN : (int64_t)a; }
+// Max and min as in PTX: if one operand is NaN, the result is the other one; +0 is larger than -0.
+static double larger(double a, double b) { return a != a ? b : b != b ? a : a > b ? a : b > a ? b : signbit(a) ? b : a; }
+static double smaller(double a, double b) { return a != a ? b : b != b ? a : a < b ? a : b < a ? b : signbit(a) ? a : b; }
 """
 
 
@@ -32,6 +43,8 @@ class Kernel:
         for line in self.lines:
             if declared := re.match(r"\.reg \.(\w+) %(\w+);", line):
                 self.types[declared[2]] = declared[1]
+        for kind, prefix, number in re.findall(r"\.reg \.(\w+)\s+%(\w+)<(\d+)>;", body):
+            self.types |= {f"{prefix}{i}": kind for i in range(int(number))}
 
     def value(self, operand, kind):
         """Returns the C expression of an operand, as a number of this kind."""
@@ -47,10 +60,12 @@ class Kernel:
         return f"(({C_TYPES[kind]}){int(operand, 0)}ll)"
 
     def address(self, operand):
-        register, offset = re.match(r"\s*\[%(\w+)([+-]\d+)?\]", operand).groups()
+        register, offset = re.match(r"\s*\[%(\w+)([+-]\d+)?\]", operand.replace("+-", "-")).groups()
         return f"(void*)({register}{offset or ''})"
 
     def operation(self, word, suffixes, operands):
+        if word in ("ld", "st") and any(suffix in ("v2", "v4") for suffix in suffixes):
+            return self.vector_operation(word, suffixes[-1], operands)
         kind = suffixes[-1] if suffixes else None
         if word in ("bar", "barrier"):
             return ""  # the first thread runs to its end before the others begin
@@ -69,6 +84,15 @@ class Kernel:
         if word == "mov" and rest[0].strip().startswith("%") and kind.startswith("b"):
             return f"memcpy(&{to}, &{rest[0].strip()[1:]}, {int(kind[1:]) // 8});"
         return f"{to} = {self.result(word, suffixes, kind, rest)};"
+
+    def vector_operation(self, word, kind, operands):
+        vector, memory = operands if word == "ld" else reversed(operands)
+        out = []
+        for i, part in enumerate(vector.strip().strip("{}").split(",")):
+            place = f"(({C_TYPES[kind]}*){self.address(memory)})[{i}]"
+            value = self.value(part, kind)
+            out.append(f"{part.strip()[1:]} = {place};" if word == "ld" else f"{place} = {value};")
+        return " ".join(out)
 
     def result(self, word, suffixes, kind, rest):
         if word in ("mov", "cvta"):
@@ -91,6 +115,11 @@ class Kernel:
             a, b, c = (self.value(operand, "u32") for operand in rest)
             return f"{a} {sign} {b} + {c}"
         values = [self.value(operand, kind) for operand in rest]
+        if word == "mul" and "wide" in suffixes:
+            wide = {"s32": "int64_t", "u32": "uint64_t"}[kind]
+            return f"({wide}){values[0]} * ({wide}){values[1]}"
+        if word in ("min", "max") and kind in ("f32", "f64"):
+            return f"{'smaller' if word == 'min' else 'larger'}({values[0]}, {values[1]})"
         if word in INFIX:
             return f"{values[0]} {INFIX[word]} {values[1]}"
         by_word = {"mad": "{0} * {1} + {2}", "fma": "FMA({0}, {1}, {2})", "neg": "-{0}", "abs": "FABS({0})",
@@ -112,14 +141,15 @@ class Kernel:
         out += [f"{C_TYPES[kind]} {name};" for name, kind in self.types.items()]
         for line in self.lines:
             line = line.split("//")[0].strip()
-            if not line or line.startswith(".reg") or line in ("{", "}"):
+            if not line or line.startswith(".") or line in ("{", "}"):
                 continue
             if label := re.match(r"\$(\w+):$", line):
                 out.append(f"{label[1]}:;")
                 continue
             negated, predicate, instruction, operands = LINE.match(line).groups()
             word, *suffixes = instruction.split(".")
-            text = self.operation(word, suffixes, operands.split(","))
+            parts = re.findall(r"\{[^}]*\}|\[[^]]*\]|[^,{\[]+", operands)
+            text = self.operation(word, suffixes, [part.strip() for part in parts if part.strip()])
             out.append(f"if ({negated}{predicate[1:]}) {{ {text} }}" if predicate else text)
         return "\n".join(out + ["}"])
 
@@ -127,10 +157,22 @@ class Kernel:
         return self.name.replace("$", "_")
 
 
-def translate(kernels, reader=Kernel):
+def translate(kernels):
     """Returns a C source with every kernel and a table that finds them by name."""
-    parsed = [reader(name, body) for name, body in kernels]
+    parsed = [Kernel(name, body) for name, body in kernels]
     table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
     return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +
             "\nstatic const struct { const char* name; void (*run)(uint64_t, uint32_t, uint32_t, uint32_t); } kernels[] = {\n" +
             table + "};\n")
+
+
+def main():
+    compiler, program = sys.argv[1:]
+    if compiler == "gcc":
+        kernels = k40.kernels(k40.extract(program)[0])
+    else:
+        kernels = [kernel for text in k40.extract_cuda(program) for kernel in NVCC_ENTRY.findall(text)]
+    print(translate(kernels))
+
+
+main()

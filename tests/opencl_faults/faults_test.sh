@@ -6,10 +6,8 @@ set -uo pipefail
 bin=$1
 shim=$2
 root=$3
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$root/tests/failures.sh"
 cd "$folder" || exit 1
-failures=0
 
 draw() {  # draw FAULT OPTION...: renders with this fault
     local fault=$1
@@ -25,8 +23,7 @@ fails() {  # fails FAULT CODE TEXT OPTION...: expects this exit code and message
     draw "$fault" "$@"
     local got=$?
     if [ $got != "$code" ] || [ "$(wc -l <stderr)" != 1 ] || ! grep -q "$text" stderr || [ -e picture.exr ]; then
-        echo "FAILED: $fault $*: exit code $got, expected $code; stderr: $(cat stderr)"
-        failures=$((failures + 1))
+        fail "$fault $*: exit code $got, expected $code; stderr: $(cat stderr)"
     fi
 }
 
@@ -35,8 +32,7 @@ same() {  # same FAULT OPTION...: expects the picture without the fault
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
         ! "$bin/imgdiff" expected.exr picture.exr >difference; then
-        echo "FAILED: $fault $*: $(cat stderr difference)"
-        failures=$((failures + 1))
+        fail "$fault $*: $(cat stderr difference)"
     fi
 }
 
@@ -45,8 +41,7 @@ differs() {  # differs FAULT OPTION...: expects another picture
     shift
     if ! draw none "$@" || ! mv picture.exr expected.exr || ! draw "$fault" "$@" ||
         "$bin/imgdiff" expected.exr picture.exr >difference; then
-        echo "FAILED: $fault $*: the same picture, expected another; $(cat stderr)"
-        failures=$((failures + 1))
+        fail "$fault $*: the same picture, expected another; $(cat stderr)"
     fi
 }
 
@@ -66,5 +61,4 @@ differs inexact-liar --precision float  # negative control: a device that hides 
 size=300x200
 same small-buffers --precision double  # in bands
 same small-buffers --precision float
-[ $failures = 0 ] && echo "devices with faults: all fine"
-exit $failures
+finish

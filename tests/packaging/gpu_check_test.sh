@@ -12,7 +12,7 @@ mkdir "$folder/bin" "$folder/gpu-check" "$folder/read"
 for program in render bench flythrough imgdiff; do cp "$1/bin/$program" "$folder/bin"; done
 cp "$source"/packaging/gpu_* "$folder/gpu-check"
 cd "$folder"
-"$4" "$source/tests/cuda/nvcc_to_c.py" bin/render >kernels.h || exit 1
+"$4" "$source/tests/openacc/ptx_to_c.py" nvcc bin/render >kernels.h || exit 1
 "$3" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I. "$source/tests/openacc/simulated_cuda.c" -lm -o libcuda.so.1 || exit 1
 export LD_LIBRARY_PATH=$folder SIMULATED_CAPABILITY=90 MANDELMARCH_REHEARSAL=1
 unset CUDA_VISIBLE_DEVICES

@@ -39,7 +39,7 @@ public:
     BackendInfo info() const override { return {}; }
     job::Kernels kernels() const override
     {
-        return {[](std::string_view, Precision, Mode) -> job::DrawKernel { return draw; }, nullptr};
+        return {[](std::string_view) -> job::DrawKernel* { return draw; }, nullptr};
     }
     job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .refill_lanes = refill_lanes_}; }
     void run(const RendererOptions&, const std::function<void()>& f) const override

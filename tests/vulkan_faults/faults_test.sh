@@ -7,17 +7,10 @@ bin=$1
 source=$2
 layer=$3
 modules=$4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$source/tests/failures.sh"
 cd "$folder"
 export XDG_CACHE_HOME=$folder/cache MANDELMARCH_DEVICE_TIMEOUT=60
 validation=/usr/share/vulkan/explicit_layer.d
-failures=0
-
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
 
 # draw FRACTAL OUTPUT OPTION...: renders a small picture with Vulkan, of the official scene or, if they are set, of the
 # file $scene at $size. Returns the exit code; the program is killed after 60 seconds.
@@ -226,5 +219,4 @@ for module in "$modules"/*_fast.spv; do
     "$modules/spirv_tool" check "$module" >stdout && fail "the twin: $(cat stdout)"
 done
 
-[ $failures = 0 ] && echo "all well"
-exit $((failures > 0))
+finish

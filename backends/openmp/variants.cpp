@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/openmp/instructions.h"
+#include "backends/openmp/variants.h"
 
 #include <fmt/format.h>
 #include <hwy/targets.h>
@@ -33,5 +33,19 @@ std::int64_t instructions()
     throw InputError(
         fmt::format("MANDELMARCH_INSTRUCTIONS: '{}' given, expected one of {} on this machine", wanted, known));
 }
+
+template <class Real>
+std::vector<Variant<Real>> variants_of(std::string_view fractal, Mode mode, std::int64_t targets)
+{
+    const std::string name = variant_name(fractal, precision_of<Real>, mode);
+    const Variant<Real>* scalar = scalar_variant<Real>(name);
+    if (scalar == nullptr) throw Unavailable(fmt::format("backend openmp: it does not draw the {}", fractal));
+    const VariantList<Real> packs = pack_variants<Real>(name)(targets);
+    std::vector<Variant<Real>> variants{*scalar};
+    variants.insert(variants.end(), packs.of, packs.of + packs.count);
+    return variants;
+}
+template std::vector<Variant<float>> variants_of(std::string_view, Mode, std::int64_t);
+template std::vector<Variant<double>> variants_of(std::string_view, Mode, std::int64_t);
 
 }  // namespace mandelmarch::openmp

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+# Generated code: sources made of a template once per fractal, precision and mode, and the function that finds them.
+
+include_guard()
+include(Fractals)
+
+# GCC's SRA has a size limit that packs exceed; raise it so that they stay in registers.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # A lower limit for alias queries (default 1000) gives the same code in a quarter of the compile time.
+    # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md), and GCC 12 crashes
+    # (in fre, when it compares calls of pure functions) on packs of a single instruction set.
+    set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
+        --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
+endif()
+# For Clang, packs do not force inlining of the kernel (core/kernel/prelude/pack.h). With this threshold it inlines the
+# same functions that GCC is forced to inline.
+set(MANDELMARCH_INLINING "")
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(MANDELMARCH_INLINING -mllvm -inline-threshold=5000)
+endif()
+# In fast mode packs fuse explicitly (core/kernel/prelude/pack.h), in the same way for every register width.
+set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS} ${MANDELMARCH_INLINING})
+
+# mandelmarch_kernels(TARGET TEMPLATE.cpp.in [BY fractal|precision|mode...] [FRACTALS NAME...] [MODES exact|fast...]
+#     [OPTIONS FLAG...] [FOLDER FOLDER] [TABLE FUNCTION CODE TYPE HEADER FILE NAMESPACE NAME]):
+# adds TEMPLATE.cpp.in to the target, configured for every fractal, precision and mode, or only BY some of these. The
+# sources are made in FOLDER, and compiled with their mode's floating-point flags, if made by mode, followed by the
+# options. The template can use fractal, fractal_file, precision, is_float, mode, is_fast, file (the source's path),
+# variant (FRACTAL_PRECISION_MODE, of those in BY) and name (TEMPLATE_variant).
+# TABLE adds the function `TYPE* FUNCTION(std::string_view variant)` to NAMESPACE. It returns the address of the function
+# or constant `TYPE name` that a source defines, nullptr if there is none; HEADER declares the type. If TYPE contains
+# <Real>, FUNCTION is a template of Real, the precision, and HEADER declares it, too.
+function(mandelmarch_kernels target template)
+    cmake_parse_arguments(PARSE_ARGV 2 with "" "FOLDER;TABLE;CODE;HEADER;NAMESPACE" "BY;FRACTALS;MODES;OPTIONS")
+    if(with_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "mandelmarch_kernels(${target} ${template}): what is '${with_UNPARSED_ARGUMENTS}'?")
+    endif()
+    set(usual_BY fractal precision mode)
+    set(usual_FRACTALS ${MANDELMARCH_FRACTALS})
+    set(usual_MODES exact fast)
+    set(usual_FOLDER ${CMAKE_CURRENT_BINARY_DIR})
+    foreach(option BY FRACTALS MODES FOLDER)
+        if(NOT with_${option})
+            set(with_${option} ${usual_${option}})
+        endif()
+    endforeach()
+    set(with_PRECISIONS float double)
+    foreach(choice fractal precision mode)
+        string(TOUPPER ${choice}S values)
+        set(${choice}s once)  # if the sources do not depend on this choice
+        if(choice IN_LIST with_BY)
+            set(${choice}s ${with_${values}})
+        endif()
+    endforeach()
+
+    cmake_path(GET template STEM stem)
+    set(declarations "")
+    set(functions "")
+    set(rows "")
+    foreach(precision ${precisions})
+        string(COMPARE EQUAL ${precision} float is_float)
+        string(REPLACE "<Real>" "<${precision}>" code "${with_CODE}")
+        foreach(fractal ${fractals})
+            set(fractal_file "${MANDELMARCH_TEXT_${fractal}}")
+            foreach(mode ${modes})
+                string(COMPARE EQUAL ${mode} fast is_fast)
+                string(REGEX REPLACE "once_|_once" "" variant ${fractal}_${precision}_${mode})
+                set(name ${stem}_${variant})
+                set(file ${with_FOLDER}/${name}.cpp)
+                configure_file(${template} ${file} @ONLY)
+                target_sources(${target} PRIVATE ${file})
+                set_source_files_properties(${file} PROPERTIES
+                    COMPILE_OPTIONS "${MANDELMARCH_FP_${mode}};${with_OPTIONS}")
+                string(APPEND declarations "extern ${code} ${name};\n")
+                string(APPEND rows "    if (variant == \"${variant}\") return &${name};\n")
+            endforeach()
+        endforeach()
+        if(with_CODE MATCHES "<Real>")
+            string(APPEND functions "template <>\n"
+                "${code}* ${with_TABLE}<${precision}>(std::string_view variant)\n{\n${rows}    return nullptr;\n}\n\n")
+            set(rows "")
+        endif()
+    endforeach()
+    if(rows)
+        set(functions "${with_CODE}* ${with_TABLE}(std::string_view variant)\n{\n${rows}    return nullptr;\n}\n")
+    endif()
+    if(with_TABLE)
+        set(file ${with_FOLDER}/${with_TABLE}.cpp)
+        file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
+// SPDX-License-Identifier: Apache-2.0
+// Generated: finds what the sources made of @stem@.cpp.in define.
+#include "@with_HEADER@"
+
+namespace @with_NAMESPACE@ {
+
+@declarations@
+@functions@
+}  // namespace @with_NAMESPACE@
+]])
+        target_sources(${target} PRIVATE ${file})
+    endif()
+endfunction()
