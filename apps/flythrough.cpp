@@ -21,11 +21,10 @@
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
 #include "flight/plan/map.h"
-#include "flight/field/hull.h"
+#include "flight/field/field.h"
 #include "flight/film/film.h"
-#include "flight/film/ranks_one.h"
-#include "flight/film/summary.h"
 #include "flight/film/convergence.h"
+#include "flight/film/description.h"
 #include "flight/path/rate.h"
 #include "flight/plan/planner.h"
 

@@ -12,7 +12,6 @@
 #include "flight/audit/turns.h"
 #include "flight/audit/view_rows.h"
 #include "flight/field/threads.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {

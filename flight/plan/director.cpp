@@ -11,7 +11,6 @@
 #include "flight/plan/gaze.h"
 #include "flight/plan/panorama.h"
 #include "flight/plan/tour.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "flight/field/threads.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {

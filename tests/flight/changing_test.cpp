@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "flight/audit/audit.h"
-#include "flight/field/hull.h"
+#include "flight/field/field.h"
 #include "flight/plan/planner.h"
 #include "flight/plan/random.h"
 #include "tests/scenes.h"

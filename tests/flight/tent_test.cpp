@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "flight/film/tent.h"
+#include "flight/film/shrink.h"
 
 namespace mandelmarch {
 namespace {
