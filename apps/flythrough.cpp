@@ -140,7 +140,7 @@ void check_outputs(const Flythrough& options)
     for (const NamedFile& file : written) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
-    if (options.command != Command::plan && options.command != Command::film) return;
+    if (options.reads_path()) return;
     static_cast<void>(scene_of(options, true));
     schedule_of(options);
 }

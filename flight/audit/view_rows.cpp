@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace mandelmarch {
 namespace {
@@ -15,6 +14,24 @@ constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // a view with a smaller fraction of hit pixels mostly shows the background
 constexpr double shown = 0.05;      // with a smaller fraction of hits in the centre, the fractal is only at the edge
 constexpr double view_every = 0.5;  // seconds between the views compared for repetition
+
+// Returns an item whose value is the longest time, in seconds, during which is(v) is true for all views v.
+template <class Is>
+Row longest_row(const char* name, double bar, const Seen& seen, std::size_t stride, Is is)
+{
+    std::size_t longest = 0;
+    std::size_t where = 0;
+    std::size_t on_end = 0;
+    for (std::size_t v = 0; v < seen.views.size(); ++v) {
+        on_end = is(v) ? on_end + 1 : 0;
+        if (on_end > longest) {
+            longest = on_end;
+            where = seen.frames[v + 1 - on_end];
+        }
+    }
+    const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
+    return {name, seconds, bar, true, false, "s", longest > 0 ? at_frame(where) : ""};
+}
 
 }  // namespace
 
@@ -44,52 +61,30 @@ Row motion_row(const Path& path, const Seen& seen)
 
 std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
 {
-    std::array<std::size_t, 4> counts{};  // number of views, indexed by Dullness
-    std::size_t longest = 0;
-    std::size_t where = 0;
-    std::size_t on_end = 0;
-    for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        const Dullness dullness = seen.views[v].dullness(clearances[seen.frames[v]]);
-        ++counts[static_cast<std::size_t>(dullness)];
-        on_end = dullness != Dullness::lively ? on_end + 1 : 0;
-        if (on_end > longest) {
-            longest = on_end;
-            where = seen.frames[v + 1 - on_end];
-        }
-    }
-    const auto share = [&](Dullness dullness) {
-        return 100.0 * static_cast<double>(counts[static_cast<std::size_t>(dullness)]) /
-               static_cast<double>(seen.views.size());
+    std::vector<Dullness> dullness;
+    for (std::size_t v = 0; v < seen.views.size(); ++v)
+        dullness.push_back(seen.views[v].dullness(clearances[seen.frames[v]]));
+    const auto share = [&](Dullness kind) {
+        return 100.0 * static_cast<double>(std::ranges::count(dullness, kind)) / static_cast<double>(dullness.size());
     };
     const double dull = share(Dullness::empty) + share(Dullness::one_depth) + share(Dullness::wall);
     const std::string why = dull > 0
                                 ? fmt::format("empty {:.1f} %, one depth {:.1f} %, a wall {:.1f} %",
                                               share(Dullness::empty), share(Dullness::one_depth), share(Dullness::wall))
                                 : "";
-    const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
     return {{"dull frames", dull, 3, true, false, "%", why},
-            {"longest time of dull frames on end", seconds, 1, true, false, "s", longest > 0 ? at_frame(where) : ""}};
+            longest_row("longest time of dull frames on end", 1, seen, stride,
+                        [&](std::size_t v) { return dullness[v] != Dullness::lively; })};
 }
 
 std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
 {
-    std::size_t sky = 0;
-    std::size_t longest = 0;
-    std::size_t where = 0;
-    std::size_t on_end = 0;
-    for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        sky += seen.views[v].hit_share() < much_sky ? 1 : 0;
-        on_end = seen.views[v].middle_hit_share() < shown ? on_end + 1 : 0;
-        if (on_end > longest) {
-            longest = on_end;
-            where = seen.frames[v + 1 - on_end];
-        }
-    }
+    const auto sky =
+        std::ranges::count_if(seen.views, [](const DepthView& view) { return view.hit_share() < much_sky; });
     const double share = 100.0 * static_cast<double>(sky) / static_cast<double>(seen.views.size());
-    const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
     return {{"frames under 40 % of which something is hit", share, 10, true, false, "%", ""},
-            {"longest time with the subject at the edge only", seconds, 2, true, false, "s",
-             longest > 0 ? at_frame(where) : ""}};
+            longest_row("longest time with the subject at the edge only", 2, seen, stride,
+                        [&](std::size_t v) { return seen.views[v].middle_hit_share() < shown; })};
 }
 
 Row again_row(const Seen& seen)

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "flight/field/threads.h"
-
 namespace mandelmarch {
 namespace {
 
@@ -82,29 +80,20 @@ Dullness DepthView::dullness(double clearance) const
     return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
 
-std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames, int stride)
+DepthView view_of(const DistanceField& field, const Frame& frame)
 {
-    const auto every = static_cast<std::size_t>(stride);
-    std::vector<DepthView> views((frames.size() + every - 1) / every);
+    const Camera camera = camera_at(frame);
+    const std::vector<Vector> from(view_pixels, frame.eye);
+    std::vector<Vector> along;
+    for (int k = 0; k < view_pixels; ++k) along.push_back(direction_of(camera, k));
+    std::vector<double> t(view_pixels);
     const double end = far * field.bounds().size;
-    parallel(views.size(), 16, field.threads(), [&](std::size_t first, std::size_t last) {
-        std::vector<Vector> from(view_pixels);
-        std::vector<Vector> along(view_pixels);
-        std::vector<double> t(view_pixels);
-        for (std::size_t i = first; i < last; ++i) {
-            const Frame& frame = frames[i * every];
-            const Camera camera = camera_at(frame);
-            for (int k = 0; k < view_pixels; ++k) {
-                from[static_cast<std::size_t>(k)] = frame.eye;
-                along[static_cast<std::size_t>(k)] = direction_of(camera, k);
-            }
-            field.casts(from, along, {.floor = 0, .tolerance = coarse, .end = end, .steps = 90}, t);
-            for (std::size_t k = 0; k < view_pixels; ++k) {
-                views[i].depth[k] = t[k] < end ? static_cast<float>(t[k]) : std::numeric_limits<float>::infinity();
-            }
-        }
+    field.casts(from, along, {.floor = 0, .tolerance = coarse, .end = end, .steps = 90}, t);
+    DepthView view;
+    std::ranges::transform(t, view.depth.begin(), [end](double depth) {
+        return depth < end ? static_cast<float>(depth) : std::numeric_limits<float>::infinity();
     });
-    return views;
+    return view;
 }
 
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to)

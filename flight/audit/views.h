@@ -31,15 +31,13 @@ struct DepthView {
     double middle_hit_share() const;
     // `clearance`: the clearance of the view's camera.
     Dullness dullness(double clearance) const;
-    bool dull(double clearance) const { return dullness(clearance) != Dullness::lively; }
 };
 
 // Returns the unit vector from the camera through the centre of a view's pixel.
 Vector direction_of(const Camera& camera, int pixel);
 
-// Returns the views of frames[0], frames[stride], ..., using all of the field's threads. The field must have the
-// frames' shape.
-std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames, int stride);
+// Returns the view of a frame, whose shape must be that of the field.
+DepthView view_of(const DistanceField& field, const Frame& frame);
 
 // Returns the median motion of pixels from one frame to the next, in picture heights. `seen`: the view from the first
 // frame. Pixels of the background are left out, because the motion of a plain colour is invisible; but if at most 2 %

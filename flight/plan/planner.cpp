@@ -10,7 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/passages.h"
+#include "flight/audit/motion.h"
 #include "flight/plan/elastic_band.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"

@@ -10,7 +10,6 @@
 #include "flight/audit/views.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
-#include "flight/plan/panorama.h"
 #include "flight/plan/trajectory.h"
 #include "tests/scenes.h"
 

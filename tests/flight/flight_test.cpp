@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/passages.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/views.h"
 #include "flight/film/shrink.h"
 #include "flight/plan/planner.h"

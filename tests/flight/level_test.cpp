@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "flight/audit/turns.h"
+#include "flight/audit/motion.h"
 #include "flight/path/horizon.h"
 #include "flight/plan/gaze.h"
 #include "tests/scenes.h"

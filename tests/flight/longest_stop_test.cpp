@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "flight/audit/longest_stop.h"
+#include "flight/audit/motion.h"
 
 namespace mandelmarch {
 namespace {
