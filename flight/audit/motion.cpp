@@ -7,7 +7,7 @@
 
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
-#include "flight/path/horizon.h"
+#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "flight/audit/motion.h"
-#include "flight/path/horizon.h"
+#include "flight/path/path.h"
 #include "flight/plan/gaze.h"
 #include "tests/scenes.h"
 
