@@ -25,7 +25,7 @@
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
 #include "flight/film/description.h"
-#include "flight/path/rate.h"
+#include "flight/path/path.h"
 #include "flight/plan/planner.h"
 
 namespace {

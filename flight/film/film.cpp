@@ -17,7 +17,6 @@
 #include "flight/film/description.h"
 #include "flight/film/container.h"
 #include "flight/film/encoder.h"
-#include "flight/film/mp4.h"
 #include "flight/film/progress.h"
 #include "flight/film/title.h"
 #include "flight/film/segment_store.h"

@@ -29,7 +29,6 @@ struct Passing {
         ControlPoints line;
         for (int i = 0; i < 60; ++i) line.at.push_back({-2 + 4.0 * i / 59, 0.2, 1.5});
         line.clock.assign(60, 0);
-        line.value.assign(60, shapes.usual());
         track = track_of(shapes, {}, line);
         flown = ride(field.bounds(), track, 0.05, frames + look_ahead);
     }

@@ -6,7 +6,7 @@
 
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
-#include "flight/path/rate.h"
+#include "flight/path/path.h"
 #include "tests/flight/rows.h"
 
 namespace mandelmarch {
