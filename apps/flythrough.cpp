@@ -21,12 +21,11 @@
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
 #include "flight/plan/map.h"
-#include "flight/field/hull.h"
+#include "flight/field/field.h"
 #include "flight/film/film.h"
-#include "flight/film/ranks_one.h"
-#include "flight/film/summary.h"
 #include "flight/film/convergence.h"
-#include "flight/path/rate.h"
+#include "flight/film/description.h"
+#include "flight/path/path.h"
 #include "flight/plan/planner.h"
 
 namespace {
@@ -141,7 +140,7 @@ void check_outputs(const Flythrough& options)
     for (const NamedFile& file : written) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
-    if (options.command != Command::plan && options.command != Command::film) return;
+    if (options.reads_path()) return;
     static_cast<void>(scene_of(options, true));
     schedule_of(options);
 }

@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <tuple>
+#include <variant>
 
 #include "cli/backend_option.h"
 #include "cli/option_values.h"
 #include "apps/scene_options.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/film/encoder.h"
@@ -29,12 +31,32 @@ const std::string& name_of(Command command)
     return std::ranges::find(commands, command, &std::pair<std::string, Command>::second)->first;
 }
 
-// Options that mean different things in different commands, before they are parsed.
-struct Texts {
-    std::string frames, rate, size, segments;
+// Values of options that mean different things in different commands.
+struct Given {
+    std::optional<std::variant<int, Range>> frames;  // a number of frames, or a range of a path's frames
+    std::optional<int> rate;
+    std::optional<std::pair<int, int>> size;
 };
 
-void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Texts& texts)
+Range range_option(const std::string& name, const std::string& text, const std::string& expected)
+{
+    const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
+    if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
+    return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
+}
+
+std::variant<int, Range> frames_option(const std::string& text)
+{
+    const auto count = parse_whole(text);
+    if (count && *count >= 2 && *count <= most_frames) return static_cast<int>(*count);
+    return range_option(
+        "frames", text,
+        fmt::format("A-B, frames of the path to render, such as 100-160, or a whole number from 2 to {} "
+                    "to plan",
+                    most_frames));
+}
+
+void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
     std::string names;
     for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
@@ -50,11 +72,14 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
     add_estimate_option(app, options.conservative);
-    app.add_option("--frames", texts.frames,
-                   "plan, film: length without the title (default: 4 minutes); render: only frames A-B, from 0");
-    app.add_option("--fps", texts.rate, "plan, film: frames per second, recorded in the path file (default 30)");
-    app.add_option("--size", texts.size,
-                   "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080)");
+    app.add_option_function<std::string>(
+        "--frames", [&](const std::string& text) { given.frames = frames_option(text); },
+        "plan, film: length without the title (default: 4 minutes); render: only frames A-B, from 0");
+    app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
+        ->check(whole(1, most_frames_per_second));
+    app.add_option_function<std::string>(
+        "--size", [&](const std::string& text) { given.size = size_option(text); },
+        "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080)");
     add_projection_option(app, options.projection);
     app.add_flag("--stereo", options.stereo, "film, render: side-by-side stereo, the left eye on the left");
     app.add_option("--samples", options.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
@@ -82,7 +107,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
     app.add_option("--every", options.every, "with --stills: only every N-th frame")
         ->check(whole(1, most_frames))
         ->capture_default_str();
-    app.add_option("--segments", texts.segments, "render only segments A-B (60 frames each, from 0); do not join");
+    app.add_option_function<std::string>(
+        "--segments",
+        [&](const std::string& text) { options.segments = range_option("segments", text, "A-B, such as 0-9"); },
+        "render only segments A-B (60 frames each, from 0); do not join");
     app.add_flag("--force", options.force, "render although the path breaks a promise");
     app.footer(
         "Commands: plan writes a path file and prints its audit; audit prints the audit of a path file; render makes a "
@@ -92,38 +120,43 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, T
         "available.");
 }
 
-void take_size(const std::string& size, Flythrough& options)
+// Sets the pictures' size to that of --size or to the default, which depends on the other options.
+void set_size(const Given& given, Flythrough& options)
 {
+    const int pictures = options.stereo ? 2 : 1;
     const bool panorama = options.projection == Projection::equirectangular;
-    const char* usual = !panorama ? "1920x1080" : options.stereo ? "4320x1080" : "2160x1080";
-    std::tie(options.width, options.height) = size_option(size.empty() ? usual : size);
-    check_panorama(options.projection, options.width, options.height, options.stereo ? 2 : 1);
+    std::tie(options.width, options.height) =
+        given.size.value_or(panorama ? std::pair{pictures * 2160, 1080} : std::pair{1920, 1080});
+    check_panorama(options.projection, options.width, options.height, pictures);
+    if (options.stereo && options.width % 4 != 0) {
+        throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
+    }
 }
 
-Range range_option(const std::string& name, const std::string& text, const std::string& expected)
+// Sets the number of frames to plan, or the range of the path's frames to render.
+void set_frames(const Given& given, Flythrough& options)
 {
-    const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
-    if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
-    return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
-}
-
-// Reads the number of frames to plan, or the range of the path's frames to render.
-void take_frames(const Texts& texts, Flythrough& options)
-{
-    if (options.command == Command::plan || options.command == Command::film) {
+    if (!options.reads_path()) {
         constexpr int usual_seconds = 240;
-        if (!texts.rate.empty()) options.rate = whole_option("fps", texts.rate, 1, most_frames_per_second);
+        options.rate = given.rate.value_or(options.rate);
         options.frames = usual_seconds * options.rate;
-        if (!texts.frames.empty()) options.frames = whole_option("frames", texts.frames, 2, most_frames);
+        if (!given.frames) return;
+        const auto* const count = std::get_if<int>(&*given.frames);
+        if (count == nullptr) throw InputError("--frames: a range given, expected a whole number of frames to plan");
+        options.frames = *count;
         return;
     }
-    if (!texts.rate.empty()) {
+    if (given.rate) {
         throw InputError(fmt::format("--fps: {} takes the rate from the path file, expected plan or film",
                                      name_of(options.command)));
     }
-    if (texts.frames.empty()) return;
+    if (!given.frames) return;
     if (options.command == Command::audit) throw InputError("--frames: not supported by audit, which uses all frames");
-    options.chosen = range_option("frames", texts.frames, "A-B, frames of the path, such as 100-160");
+    const auto* const range = std::get_if<Range>(&*given.frames);
+    if (range == nullptr) {
+        throw InputError("--frames: a number given, expected A-B, frames of the path, such as 100-160");
+    }
+    options.chosen = *range;
 }
 
 }  // namespace
@@ -135,37 +168,30 @@ std::vector<NamedFile> Flythrough::written() const
     if (command == Command::plan || (command != Command::audit && stills.empty()))
         files.push_back({"--output", output});
     if (command != Command::render) files.push_back({"--json", json});
-    if (command == Command::plan || command == Command::film) files.push_back({"--map", map});
+    if (!reads_path()) files.push_back({"--map", map});
     if (command == Command::film || command == Command::render) files.push_back({"--summary", summary});
     return files;
 }
 
 std::vector<NamedFile> Flythrough::read() const
 {
-    if (command == Command::plan || command == Command::film) return {{"--params", parameters}};
-    return {{"PATH", path}};
+    return {reads_path() ? NamedFile{"PATH", path} : NamedFile{"--params", parameters}};
 }
 
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)
 {
     CLI::App app("flythrough: plans a flight through a fractal, audits it and renders it as a film.");
     Flythrough options;
-    Texts texts;
+    Given given;
     app.set_version_flag("--version", version_line("flythrough"));
-    add_options(app, registry, options, texts);
+    add_options(app, registry, options, given);
     done = parse_arguments(app, "flythrough", argc, argv);
     if (done) return options;
     fractal_named(options.fractal);
-    take_frames(texts, options);
-    take_size(texts.size, options);
-    if (options.stereo && options.width % 4 != 0) {
-        throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
-    }
+    set_frames(given, options);
+    set_size(given, options);
     if (options.device) options.renderer.device = *options.device;
-    if (!texts.segments.empty()) {
-        options.segments = range_option("segments", texts.segments, "A-B, such as 0-9");
-    }
-    const bool reads = options.command == Command::render || options.command == Command::audit;
+    const bool reads = options.reads_path();
     if (reads && options.path.empty()) {
         throw InputError(
             fmt::format("flythrough: no path file given, expected flythrough {} PATH", name_of(options.command)));

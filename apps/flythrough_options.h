@@ -46,6 +46,8 @@ struct Flythrough {
     std::optional<Range> segments;
     bool force = false;
 
+    // Returns true if the command reads the path from a file; false: it plans the path.
+    bool reads_path() const { return command == Command::render || command == Command::audit; }
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
     // Return the files that the command writes, and those that it reads, with their options. The name of a file is
     // empty if its option is not given.

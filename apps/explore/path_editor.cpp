@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "flight/film/film.h"
-#include "flight/film/ranks_one.h"
 #include "flight/plan/planner.h"
 
 namespace mandelmarch::explore {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/fractal.h"
-#include "flight/audit/turns.h"
+#include "flight/audit/motion.h"
 #include "flight/field/field.h"
 
 namespace mandelmarch::explore {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/audit/audit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/base/version.h"
 #include "core/scene/fractal.h"
-#include "flight/audit/passages.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/runs.h"
-#include "flight/audit/longest_stop.h"
-#include "flight/audit/turns.h"
-#include "flight/audit/view_rows.h"
+#include "flight/audit/views.h"
 #include "flight/field/threads.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr double in_solid = 1e-5;         // fractal sizes; points whose estimate is not larger count as solid
 constexpr double most_wall_step = 0.25;   // clearances per frame; limit on the change of DE caused by a changing shape
 constexpr double turn_cap = 1.2;          // degrees per frame; largest turn of the camera
 constexpr double aside = 60;              // degrees between gaze and motion; a larger angle counts as looking aside
@@ -89,19 +89,21 @@ private:
              hits > 0 ? at_frame(static_cast<std::size_t>(worst)) : ""});
     }
 
+    // Adds an item whose value is the largest of the frames' values.
+    void add_largest(const char* name, const std::vector<double>& values, double bar, const char* unit)
+    {
+        const auto worst = std::ranges::max_element(values);
+        add({name, *worst, bar, true, true, unit, at_frame(static_cast<std::size_t>(worst - values.begin()))});
+    }
+
     void steps(double bar)
     {
-        double worst = 0;
-        std::size_t where = 0;
+        std::vector<double> steps(places_.size(), 0);
         for (std::size_t i = 1; i < places_.size(); ++i) {
-            const double step =
+            steps[i] =
                 length(places_[i] - places_[i - 1]) / std::max(std::min(clearances_[i], clearances_[i - 1]), 1e-300);
-            if (step > worst) {
-                worst = step;
-                where = i;
-            }
         }
-        add({"largest step between frames / DE", worst, by_rate(bar), true, true, "", at_frame(where)});
+        add_largest("largest step between frames / DE", steps, by_rate(bar), "");
     }
 
     // Adds the largest relative change of DE between two frames that the change of shape alone causes.
@@ -111,9 +113,7 @@ private:
         parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) steps[i] = runs_.wall_step(i, clearances_);
         });
-        const auto worst = std::ranges::max_element(steps);
-        add({"largest change of DE between frames by the shape / DE", *worst, by_rate(most_wall_step), true, true, "",
-             at_frame(static_cast<std::size_t>(worst - steps.begin()))});
+        add_largest("largest change of DE between frames by the shape / DE", steps, by_rate(most_wall_step), "");
     }
 
     void turns()
@@ -122,10 +122,7 @@ private:
         const double cap = by_rate(turn_cap);
         turned_at_cap_ =
             static_cast<std::size_t>(std::ranges::count_if(turns, [cap](double t) { return t > 0.98 * cap; }));
-        const auto most = std::ranges::max_element(turns);
-        const double worst = *most;
-        const auto where = static_cast<std::size_t>(most - turns.begin());
-        add({"largest turn per frame", worst, cap, true, true, "deg", at_frame(where)});
+        add_largest("largest turn per frame", turns, cap, "deg");
     }
 
     // Adds the longest time for which the camera stays within a quarter of its clearance from one point.
@@ -175,7 +172,7 @@ private:
         parallel(seen.frames.size(), 16, runs_.threads(), [&](std::size_t first, std::size_t last) {
             for (std::size_t v = first; v < last; ++v) {
                 const std::size_t frame = seen.frames[v];
-                seen.views[v] = views_of(runs_.field(frame), std::span(path_.frames).subspan(frame, 1), 1).front();
+                seen.views[v] = view_of(runs_.field(frame), path_.frames[frame]);
             }
         });
         add(motion_row(path_, seen));
@@ -194,6 +191,8 @@ private:
 };
 
 }  // namespace
+
+std::string at_frame(std::size_t frame) { return fmt::format("frame {}", frame); }
 
 bool Audit::promises_kept() const
 {
@@ -220,6 +219,48 @@ Audit audit_promises(const Path& path, int threads)
     Auditor auditor(path, threads, 1);
     auditor.promises();
     return auditor.take();
+}
+
+std::string table_of(const Path& path, const Audit& audit)
+{
+    std::string text = fmt::format("{}, seed {}, {} frames ({:.1f} s); ! is a promise, the others are quality\n",
+                                   path.scene.fractal->name, path.seed, path.frames.size(),
+                                   static_cast<double>(path.frames.size()) / path.frames_per_second);
+    for (const Row& row : audit.rows) {
+        const auto value = [&](double v) {
+            return fmt::format("{:.4g}{}{}", v, row.unit.empty() ? "" : " ", row.unit);
+        };
+        text += fmt::format("{} {:<54} {:>10}  {} {:<8} {}{}{}\n", row.promise ? '!' : ' ', row.name, value(row.value),
+                            row.at_most ? "<=" : ">=", value(row.bar),
+                            row.kept()    ? "kept"
+                            : row.promise ? "BROKEN"
+                                          : "missed",
+                            row.worst.empty() ? "" : "  ", row.worst);
+    }
+    return text;
+}
+
+std::string json_of(const Path& path, const Audit& audit)
+{
+    nlohmann::ordered_json json{{"schema", 1},
+                                {"program", version_line("flythrough")},
+                                {"fractal", path.scene.fractal->name},
+                                {"seed", path.seed},
+                                {"frames", path.frames.size()},
+                                {"promises_kept", audit.promises_kept()},
+                                {"bars_missed", audit.bars_missed()},
+                                {"rows", nlohmann::ordered_json::array()}};
+    for (const Row& row : audit.rows) {
+        json["rows"].push_back({{"name", row.name},
+                                {"value", row.value},
+                                {"bar", row.bar},
+                                {"at_most", row.at_most},
+                                {"promise", row.promise},
+                                {"unit", row.unit},
+                                {"kept", row.kept()},
+                                {"worst", row.worst}});
+    }
+    return json.dump(2) + "\n";
 }
 
 }  // namespace mandelmarch

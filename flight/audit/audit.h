@@ -40,4 +40,7 @@ Audit audit_promises(const Path& path, int threads);
 std::string table_of(const Path& path, const Audit& audit);
 std::string json_of(const Path& path, const Audit& audit);
 
+// Returns "frame 12".
+std::string at_frame(std::size_t frame);
+
 }  // namespace mandelmarch

@@ -9,9 +9,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double solid = 1e-5;  // fractal sizes; points whose estimate is not larger count as solid
-constexpr int deepest = 7;      // limit on how often the time between two frames is halved
-constexpr double even = 0.25;   // see free_between(); in units of the smaller clearance of the interval's ends
+constexpr int deepest = 7;     // limit on how often the time between two frames is halved
+constexpr double even = 0.25;  // see free_between(); in units of the smaller clearance of the interval's ends
 
 Scene halfway(const Scene& from, const Scene& to)
 {
@@ -60,14 +59,14 @@ bool Runs::free_before(std::size_t frame, std::span<const double> clearances) co
     const double way = length(to - from);
     // Returns true if the segment from a to b meets no solid of `shape`. `clearance`: the estimate at a.
     const auto straight = [&](const DistanceField& shape, Vector a, Vector b, double clearance) {
-        const double floor = solid * shape.bounds().size;
+        const double floor = in_solid * shape.bounds().size;
         return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;
     };
     if (!straight(field(frame), to, from, clearances[frame])) return false;
     if (!changed(frame)) return true;
     if (!straight(field(frame - 1), from, to, clearances[frame - 1])) return false;
     const auto moment = [&](std::size_t i) { return Moment{scene_of(path_, path_.frames[i], 16, 9), clearances[i]}; };
-    return free_between(moment(frame - 1), moment(frame), solid * field(frame).bounds().size, 0);
+    return free_between(moment(frame - 1), moment(frame), in_solid * field(frame).bounds().size, 0);
 }
 
 bool Runs::free_between(const Moment& from, const Moment& to, double floor, int depth)

@@ -11,6 +11,9 @@
 
 namespace mandelmarch {
 
+// Fractal sizes; points whose estimate is not larger count as solid.
+inline constexpr double in_solid = 1e-5;
+
 // Consecutive frames whose shape, iterations and escape radius are the same, and their distance field.
 struct Run {
     std::size_t first, last;  // frames [first, last)
@@ -22,7 +25,6 @@ public:
     // `threads`: 0 for one per core.
     Runs(const Path& path, int threads);
 
-    std::span<const Run> all() const { return runs_; }
     bool changes() const { return runs_.size() > 1; }
     const DistanceField& field(std::size_t frame) const { return *runs_[of_[frame]].field; }
     // Returns true if the frame belongs to another run than the previous frame.

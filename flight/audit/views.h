@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views: small depth maps of what a camera sees.
+// Views, which are small depth maps of what a camera sees, and the audit's items about them: motion, dullness and
+// repetition.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "flight/audit/audit.h"
 #include "flight/field/field.h"
 #include "flight/path/path.h"
 
@@ -31,15 +33,13 @@ struct DepthView {
     double middle_hit_share() const;
     // `clearance`: the clearance of the view's camera.
     Dullness dullness(double clearance) const;
-    bool dull(double clearance) const { return dullness(clearance) != Dullness::lively; }
 };
 
 // Returns the unit vector from the camera through the centre of a view's pixel.
 Vector direction_of(const Camera& camera, int pixel);
 
-// Returns the views of frames[0], frames[stride], ..., using all of the field's threads. The field must have the
-// frames' shape.
-std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames, int stride);
+// Returns the view of a frame, whose shape must be that of the field.
+DepthView view_of(const DistanceField& field, const Frame& frame);
 
 // Returns the median motion of pixels from one frame to the next, in picture heights. `seen`: the view from the first
 // frame. Pixels of the background are left out, because the motion of a plain colour is invisible; but if at most 2 %
@@ -53,5 +53,25 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
 // Returns the correlation of the logarithms of two views' depths. It is computed with `b` as it is and with `b`
 // mirrored left to right; the larger value is returned.
 double likeness(const DepthView& a, const DepthView& b);
+
+// Views of some frames: `views[i]` belongs to frame `frames[i]`.
+struct Seen {
+    int frames_per_second;
+    std::vector<std::size_t> frames;
+    std::vector<DepthView> views;
+};
+
+Row motion_row(const Path& path, const Seen& seen);
+
+// Returns the percentage of dull frames, and the longest time during which all frames are dull. `clearances`: one for
+// each frame of the path; `stride`: frames from one view to the next.
+std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
+
+// Returns the percentage of frames that mostly show the background, and the longest time in which the fractal is only
+// at the picture's edge.
+std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
+
+// Returns the number of views that are seen again within a minute, after a different view in between.
+Row again_row(const Seen& seen);
 
 }  // namespace mandelmarch

@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
+#include <numbers>
+#include <optional>
+#include <vector>
 
 #include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch {
@@ -41,6 +46,35 @@ std::size_t padded(std::size_t count, int lanes)
 
 double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
+// Returns a sphere around the origin that contains the fractal. Rays are cast from far outside towards the origin; the
+// radius is that of the outermost hit plus 2 %, and at least 0.1.
+Bounds sphere_by_rays(const DistanceField& field)
+{
+    constexpr int rays = 4000;
+    constexpr double far = 20;
+    const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+    std::vector<Vector> from;
+    std::vector<Vector> towards;
+    for (int i = 0; i < rays; ++i) {
+        const double z = 1 - (2 * i + 1.0) / rays;
+        const double rho = std::sqrt(1 - z * z);
+        const Vector direction{rho * std::cos(golden * i), rho * std::sin(golden * i), z};
+        from.push_back(far * direction);
+        towards.push_back(-1 * direction);
+    }
+    std::vector<double> t(from.size());
+    field.casts(from, towards, {.floor = 1e-3, .tolerance = 0, .end = far, .steps = 1000}, t);
+    const double nearest = *std::ranges::min_element(t);
+    return {Bounds::Shape::sphere, std::max(1.02 * (far - nearest), 0.1)};
+}
+
+double processor_seconds()
+{
+    timespec spent{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
+    return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
+}
+
 }  // namespace
 
 field::Kernel field::kernel_of(std::string_view fractal)
@@ -50,15 +84,27 @@ field::Kernel field::kernel_of(std::string_view fractal)
     return make();
 }
 
+Budget::Budget(double seconds) : seconds_(seconds), start_(processor_seconds()) {}
+
+void Budget::check() const
+{
+    if (processor_seconds() - start_ <= seconds_) return;
+    throw InputError(fmt::format(
+        "no path within {:.0f} s of processor time: this shape's distances cost too much, expected fewer iterations, "
+        "fewer frames or another shape (another seed does not help)",
+        seconds_));
+}
+
 DistanceField::DistanceField(const Scene& scene, int threads, const Budget* budget)
     : scene_(scene),
       kernel_(field::kernel_of(scene.fractal->name)),
       data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
       safety_(scene.fractal->flight.trust_of(scene).safety),
       threads_(threads > 0 ? threads : usable_threads()),
-      budget_(budget),
-      bounds_(bounds_of(scene, *this))
+      budget_(budget)
 {
+    const std::optional<Bounds> known = scene.fractal->flight.body(scene);
+    bounds_ = known ? *known : sphere_by_rays(*this);
 }
 
 double DistanceField::distance(Vector p) const
@@ -122,6 +168,23 @@ double DistanceField::least_between(Vector a, Vector b, double floor) const
         least = std::min(least, here);
     }
     return least;
+}
+
+std::string flight_objection(const Scene& scene)
+{
+    const Fractal& fractal = *scene.fractal;
+    // A fractal's own `body` returns nullopt if the shape is unbounded or has no inside.
+    if (fractal.flight.body == defaults::unknown_body || fractal.flight.body(scene)) return {};
+    const Scene official = official_scene(fractal);
+    for (std::size_t i = 0; i < fractal.shape.size(); ++i) {
+        Scene other = scene;
+        other.shape[i] = official.shape[i];
+        if (!fractal.flight.body(other)) continue;
+        const std::string_view name = fractal.shape[i].name;
+        return fmt::format("a {} with {} {:.6g} cannot be flown through, expected another {}, {:.6g}, say",
+                           fractal.name, name, scene.shape[i], name, official.shape[i]);
+    }
+    return fmt::format("this {} cannot be flown through, expected another shape", fractal.name);
 }
 
 }  // namespace mandelmarch

@@ -4,15 +4,28 @@
 #pragma once
 
 #include <span>
-#include <vector>
+#include <string>
 
 #include "core/render/kernel_scene.h"
+#include "core/scene/fractal.h"
 #include "core/scene/scene.h"
-#include "flight/field/budget.h"
-#include "flight/field/hull.h"
 #include "flight/field/kernel.h"
 
 namespace mandelmarch {
+
+// A time limit for searches, so that every search ends.
+class Budget {
+public:
+    // `seconds`: limit on the processor time of all threads of the program, measured from the construction. Other load
+    // on the machine therefore does not shorten a search.
+    explicit Budget(double seconds);
+
+    // Throws InputError if the time is used up.
+    void check() const;
+
+private:
+    double seconds_, start_;
+};
 
 class DistanceField {
 public:
@@ -21,6 +34,8 @@ public:
     DistanceField(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
+    // The bounds that the fractal's descriptor gives, or else a sphere found by casting rays from far outside. The unit
+    // "fractal sizes" of many lengths is their size.
     const Bounds& bounds() const { return bounds_; }
     int threads() const { return threads_; }
     const Budget* budget() const { return budget_; }
@@ -61,5 +76,14 @@ private:
     const Budget* budget_;
     Bounds bounds_;
 };
+
+// Returns a message of one line that says why the scene's fractal cannot be flown through and which input is expected;
+// empty if it can be flown through. Only the scene's shape matters; distances are not computed.
+std::string flight_objection(const Scene& scene);
+
+// Returns the clearance above which the camera does not fly faster: 0.1 fractal sizes. The camera's speed is
+// proportional to m = min(clearance, fastest_clearance). Planning therefore measures the cost of a way by its duration,
+// the integral of ds / m: its length in clearances.
+inline double fastest_clearance(const Bounds& bounds) { return 0.1 * bounds.size; }
 
 }  // namespace mandelmarch

@@ -25,14 +25,6 @@ const DistanceField& Shapes::at(double value, std::optional<DistanceField>& room
     return room.emplace(scene(value), field_.threads(), field_.budget());
 }
 
-Bounds Shapes::bounds(double value) const
-{
-    if (value == usual()) return field_.bounds();
-    const Scene there = scene(value);
-    if (const auto known = there.fractal->flight.body(there)) return *known;
-    return DistanceField(there, field_.threads()).bounds();
-}
-
 void Shapes::distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const
 {
     if (std::ranges::all_of(values, [this](double value) { return value == usual(); })) {

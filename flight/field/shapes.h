@@ -17,7 +17,6 @@ public:
     // Returns the distance field of the shape with the usual value.
     const DistanceField& field() const { return field_; }
     double usual() const { return field_.scene().shape[number_]; }
-    std::size_t number() const { return number_; }
     int threads() const { return field_.threads(); }
     const Budget* budget() const { return field_.budget(); }
 
@@ -25,7 +24,6 @@ public:
     // Returns the distance field of the shape with this value. If that is not the usual value, the field is built in
     // `room`, and the returned reference is valid as long as `room` is.
     const DistanceField& at(double value, std::optional<DistanceField>& room) const;
-    Bounds bounds(double value) const;
 
     // Writes the estimate at each point. `values`: for each point, the parameter's value.
     void distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/image/compare.h"
-#include "flight/audit/view_rows.h"
+#include "flight/audit/views.h"
 #include "flight/plan/random.h"
 
 namespace mandelmarch {

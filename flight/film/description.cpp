@@ -7,18 +7,28 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
+#include "core/base/version.h"
+#include "core/scene/fractal.h"
 #include "flight/film/stamp.h"
 
 namespace mandelmarch {
+namespace {
+
+Device device_of(const Backend& backend, const RendererOptions& renderer)
+{
+    const auto devices = backend.devices();
+    const auto number = static_cast<std::size_t>(renderer.device);
+    return number < devices.size() ? devices[number] : Device{};
+}
+
+}  // namespace
 
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more)
 {
-    const auto devices = backend.devices();
-    const auto number = static_cast<std::size_t>(renderer.device);
     const char* instructions = std::getenv("MANDELMARCH_INSTRUCTIONS");
-    const Device device = number < devices.size() ? devices[number] : Device{};
+    const Device device = device_of(backend, renderer);
     nlohmann::ordered_json json{
         {"path", digest(to_text(path))},
         {"frames", path.frames.size()},
@@ -59,6 +69,36 @@ std::string differences(const std::string& theirs, const std::string& ours)
         text += fmt::format("{}{}: {}, here {}", text.empty() ? "" : "; ", key, shown(a, key), shown(b, key));
     }
     return text.empty() && theirs != ours ? "other keys" : text;
+}
+
+std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
+                       int processes)
+{
+    const Device device = device_of(backend, options.renderer);
+    nlohmann::ordered_json json{
+        {"schema", "mandelmarch-film"},
+        {"version", 1},
+        {"program", version_line("flythrough")},
+        {"fractal", path.scene.fractal->name},
+        {"seed", path.seed},
+        {"frames", path.frames.size()},
+        {"frames_per_second", path.frames_per_second},
+        {"width", options.picture.width},
+        {"height", options.picture.height},
+        {"samples", options.picture.samples},
+        {"backend", backend.name()},
+        {"device", {{"name", device.name}, {"driver", device.driver}, {"is_gpu", device.is_gpu}}},
+        {"precision", name_of(options.renderer.precision)},
+        {"mode", name_of(options.renderer.mode)},
+        {"threads", options.renderer.threads},
+        {"processes", processes},
+        {"frames_rendered", report.frames},
+        {"seconds", report.seconds},
+    };
+    json["seconds_per_frame"] = report.frames > 0
+                                    ? nlohmann::ordered_json(report.seconds / static_cast<double>(report.frames))
+                                    : nlohmann::ordered_json();
+    return json.dump(2) + "\n";
 }
 
 }  // namespace mandelmarch

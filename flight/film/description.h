@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of the inputs of a film or of stills. A finished file is reused only if its description is the same.
+// Descriptions of the inputs of a film or of stills, and summaries of films, as JSON. A finished file is reused only if
+// its description is the same.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "core/render/backend.h"
-#include "flight/film/frames.h"
+#include "flight/film/film.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -21,5 +22,10 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
 // Returns the differences between two descriptions as text for a message, for example "instructions: 'SCALAR', here
 // 'AVX2'; ...". The value after "here" is that of `ours`. Empty if the descriptions are equal.
 std::string differences(const std::string& theirs, const std::string& ours);
+
+// Returns the summary of a rendered film: JSON with the device, the size, the mode and the frames of this run with
+// their times. `processes`: number of ranks. The time per frame is null if this run did not render a frame.
+std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
+                       int processes);
 
 }  // namespace mandelmarch

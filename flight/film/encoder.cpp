@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/film/encoder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
@@ -11,11 +16,21 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "flight/film/ffmpeg_process.h"
 #include "flight/film/title.h"
 
 namespace mandelmarch {
 namespace {
+
+constexpr const char* no_space = "No space left on device";
+
+// Returns the line of ffmpeg's errors that names the cause: the message of a full disk, if it is among them, else the
+// first line, as later ones are more general.
+std::string cause_of(const std::string& errors)
+{
+    if (errors.find(no_space) != std::string::npos) return no_space;
+    const std::size_t begin = std::min(errors.find_first_not_of('\n'), errors.size());
+    return errors.substr(begin, errors.find('\n', begin) - begin);
+}
 
 // Returns ffmpeg's options for the encoded file. bitexact leaves out metadata that changes from run to run.
 std::vector<std::string> encoding()
@@ -40,6 +55,54 @@ constexpr double check_seconds = 30;
 std::vector<std::string> quietly() { return joined({ffmpeg()}, words_of("-hide_banner -nostdin -loglevel error -y")); }
 
 }  // namespace
+
+FfmpegProcess::FfmpegProcess(const std::vector<std::string>& command, const std::string& folder, double limit)
+    : limit_(limit)
+{
+    auto [theirs, ours] = make_pipe();
+    fcntl(ours.number(), F_SETFL, O_NONBLOCK);
+    child_.emplace(ChildSetup{.words = command,
+                              .folder = folder,
+                              .input = theirs.number(),
+                              .output = output_.number(),
+                              .errors = errors_.number()});
+    input_ = std::move(ours);
+}
+
+bool FfmpegProcess::write(const void* data, std::size_t size)
+{
+    const char* next = static_cast<const char*>(data);
+    while (size > 0) {
+        pollfd pipe{.fd = input_.number(), .events = POLLOUT, .revents = 0};
+        const int ready = poll(&pipe, 1, static_cast<int>(std::ceil(std::min(1e3 * limit_, 1e9))));
+        if (ready == 0) {
+            hung_ = true;
+            kill();
+            return false;
+        }
+        const ssize_t written = ::write(input_.number(), next, size);
+        if (written < 0 && errno != EINTR && errno != EAGAIN) return false;
+        if (written <= 0) continue;
+        next += written;
+        size -= static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+FfmpegProcess::Result FfmpegProcess::finish()
+{
+    input_ = Descriptor();
+    const Ended& ended = child_->end(limit_);
+    Result result{.output = output_.text(), .cause = cause_of(errors_.text())};
+    if (hung_ || ended.timed_out) {
+        result.cause = fmt::format("no answer in {:.6g} s", limit_);
+    } else if (ended.code == 0 && result.cause != no_space) {
+        result.cause.clear();  // ffmpeg may return exit code 0 although it could not write the end of its file
+    } else if (ended.signal != 0 || result.cause.empty()) {
+        result.cause = ended.text();
+    }
+    return result;
+}
 
 std::vector<std::string> words_of(const std::string& text)
 {
@@ -113,10 +176,6 @@ std::int64_t frames_in(const std::string& progress)
     return parse_whole(number).value_or(-1);
 }
 
-struct Encoder::Pipe {
-    FfmpegProcess process;
-};
-
 Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
                  const Coding& coding)
     : file_(file)
@@ -129,14 +188,14 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
     auto command = joined(quietly(), input, std::vector{filters}, video_codec(coding.container), encoding(),
                           time_scale(coding.frames_per_second), std::vector{file});
     std::erase(command, "-nostdin");
-    pipe_.reset(new Pipe{.process = {command, folder, ffmpeg_timeout(encoding_seconds)}});
+    process_.emplace(command, folder, ffmpeg_timeout(encoding_seconds));
 }
 
 Encoder::~Encoder()
 {
     // The writer may be blocked in write(); killing the child makes it return.
     if (writer_.joinable()) {
-        pipe_->process.kill();
+        process_->kill();
         writer_.join();
     }
 }
@@ -145,7 +204,7 @@ void Encoder::wait()
 {
     if (writer_.joinable()) writer_.join();
     if (!broken_) return;
-    const auto result = pipe_->process.finish();
+    const auto result = process_->finish();
     throw Error(fmt::format("{}: the encoder failed: {}", file_,
                             result.cause.empty() ? "it stopped reading frames" : result.cause));
 }
@@ -155,13 +214,13 @@ void Encoder::add(std::vector<std::uint8_t> frame)
     wait();
     frame_ = std::move(frame);
     ++frames_;
-    writer_ = std::jthread([this] { broken_ = !pipe_->process.write(frame_.data(), frame_.size()); });
+    writer_ = std::jthread([this] { broken_ = !process_->write(frame_.data(), frame_.size()); });
 }
 
 void Encoder::finish()
 {
     wait();
-    const auto result = pipe_->process.finish();
+    const auto result = process_->finish();
     if (!result.cause.empty()) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
     if (frames_in(result.output) != frames_) {
         throw Error(fmt::format("{}: the encoder wrote {} frames of {}", file_, frames_in(result.output), frames_));

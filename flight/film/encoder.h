@@ -2,13 +2,15 @@
 // Encoding of raw frames to video files with ffmpeg.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "flight/film/container.h"
 #include "flight/path/path.h"
 
@@ -36,6 +38,35 @@ std::vector<std::string> time_scale(int rate);
 // Returns ffmpeg's version line. Two films of the same inputs are bit-identical only if this line is the same.
 std::string ffmpeg_version();
 
+// A child process that reads its input from a pipe. It starts in the constructor; its output is kept.
+class FfmpegProcess {
+public:
+    // `folder`: working directory; empty: the caller's. `limit`: seconds after which the child is killed if it does not
+    // read or does not end; finish() reports that. Throws Error if it cannot be started.
+    FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
+                  double limit = ChildProcess::no_limit);
+
+    // Passes the data to the child. Returns false if the child has stopped reading; finish() then reports the cause.
+    bool write(const void* data, std::size_t size);
+    // Kills the child. A write() in another thread then returns.
+    void kill() const { child_->kill(); }
+
+    struct Result {
+        std::string output;  // stdout
+        std::string cause;   // in one line: an error from stderr, the signal or the exit code; empty after success
+    };
+    // Closes the pipe and waits for the child's end.
+    Result finish();
+
+private:
+    double limit_;
+    bool hung_ = false;
+    Descriptor input_;
+    MemoryFile output_;
+    MemoryFile errors_;
+    std::optional<ChildProcess> child_;
+};
+
 // The container and the frame rate of a film.
 struct Coding {
     Container container = Container::mp4;
@@ -62,10 +93,9 @@ public:
     void finish();
 
 private:
-    struct Pipe;
     void wait();
 
-    std::unique_ptr<Pipe> pipe_;
+    std::optional<FfmpegProcess> process_;
     std::string file_;
     std::jthread writer_;
     std::vector<std::uint8_t> frame_;

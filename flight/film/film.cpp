@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <tuple>
@@ -18,9 +17,7 @@
 #include "flight/film/description.h"
 #include "flight/film/container.h"
 #include "flight/film/encoder.h"
-#include "flight/film/parts.h"
 #include "flight/film/progress.h"
-#include "flight/film/spherical.h"
 #include "flight/film/title.h"
 #include "flight/film/segment_store.h"
 
@@ -65,27 +62,25 @@ public:
     std::pair<std::size_t, std::size_t> render()
     {
         const auto [first, last] = chosen_segments(options_.segments, work_.frames());
-        // Rank 0 alone lists the missing segments, so that all ranks have the same list.
-        std::string missing;
-        std::size_t finished = 0;
+        // Rank 0 alone looks for finished segments, so that all ranks have the same list.
+        std::string found(last - first + 1, '-');  // for each segment; x: finished
         for (std::size_t s = first; s <= last && ranks_.rank() == 0; ++s) {
-            if (is_finished(work_.segment_file(s))) {
-                finished += work_.last(s) - work_.first(s);
-            } else {
-                missing += fmt::format("{} ", s);
-            }
+            if (is_finished(work_.segment_file(s))) found[s - first] = 'x';
         }
-        missing = ranks_.share(missing);
+        found = ranks_.share(found);
         if (!fs::is_directory(work_.folder())) {
             throw Error(work_.folder() + ": the folder is missing on a rank, expected one that all ranks share");
         }
         std::vector<std::size_t> todo;
-        for (const char* at = missing.c_str(); *at != '\0';) {
-            char* end = nullptr;
-            todo.push_back(std::strtoull(at, &end, 10));
-            at = end + 1;
+        std::size_t finished = 0;
+        for (std::size_t s = first; s <= last; ++s) {
+            if (found[s - first] == 'x') {
+                finished += work_.last(s) - work_.first(s);
+            } else {
+                todo.push_back(s);
+            }
         }
-        FilmProgress progress(work_.last(last) - work_.first(first), finished);
+        FilmProgress progress(work_.last(last) - work_.first(first), ranks_.rank() == 0 ? finished : 0);
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
         if (ranks_.rank() == 0 && todo.size() >= worth_a_forecast) foretell(*maker, todo);

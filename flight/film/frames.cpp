@@ -11,12 +11,8 @@
 #include "core/render/stereo.h"
 #include "flight/field/field.h"
 #include "flight/film/shrink.h"
-#include "flight/film/sun.h"
-#include "flight/film/tent.h"
-#include "core/image/image.h"
 
 namespace mandelmarch {
-
 namespace {
 
 constexpr double eyes_distance = 1.0 / 30;  // clearances; the 1/30 rule of stereo for objects one clearance away
@@ -32,6 +28,41 @@ Frame looking_everywhere(const Path& path, Frame frame)
     frame.up = {0, 1, 0};
     frame.field_of_view = 2 * std::atan(std::numbers::pi / 2) * 180 / std::numbers::pi / degrees_per_field;
     return frame;
+}
+
+constexpr int directions = 24;            // of the sun that are compared
+constexpr std::size_t frames_apart = 30;  // frames from one compared frame to the next
+constexpr double against = 0.5;           // weight of a sun in front of the camera; one behind it has weight 1
+
+// Returns the quality of a frame's light: 1 for a sun at right angles to the gaze, 0 for one along it.
+double worth(Vector sun, Vector gaze)
+{
+    const double cosine = dot(sun, gaze);
+    return (1 - cosine * cosine) * (cosine > 0 ? against : 1);
+}
+
+// Returns the unit vector towards the sun for a path's film. The sun is as high as the default sun of Scene. Its
+// horizontal direction is chosen so that most frames are lit from the side, which shows relief best, and rather from
+// behind the camera than from the front.
+Vector sun_of(const Path& path)
+{
+    const Vector usual = Scene{}.sun;
+    const double level = std::hypot(usual.x, usual.z);
+    Vector best = usual;
+    double most = 0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const Vector sun{level * std::sin(angle), usual.y, level * std::cos(angle)};
+        double sum = 0;
+        for (std::size_t frame = 0; frame < path.frames.size(); frame += frames_apart) {
+            sum += worth(sun, unit(path.frames[frame].target - path.frames[frame].eye));
+        }
+        if (sum > most) {
+            most = sum;
+            best = sun;
+        }
+    }
+    return best;
 }
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }

@@ -36,4 +36,10 @@ public:
 // if it was started by mpirun but built without MPI.
 std::unique_ptr<Ranks> make_ranks();
 
+// Returns the ranks of a program that is a single process.
+std::unique_ptr<Ranks> one_rank();
+
+// Returns true if environment variables show that mpirun, or srun with MPI, started this process.
+bool started_by_mpi();
+
 }  // namespace mandelmarch

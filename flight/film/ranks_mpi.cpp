@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "flight/film/ranks_one.h"
+#include "flight/film/ranks.h"
 
 namespace mandelmarch {
 namespace {

@@ -37,6 +37,27 @@ bool still_there(int descriptor, const std::string& name)
 
 }  // namespace
 
+std::string parts_folder(const std::string& film, const std::string& made_of)
+{
+    if (!OutputFile::is_stream(film)) return end_of_links(film) + ".parts";
+    std::error_code error;
+    const auto scratch = std::filesystem::temp_directory_path(error);
+    if (error)
+        throw InputError(fmt::format("TMPDIR: {}, expected a folder for the parts of {}", error.message(), film));
+    return fmt::format("{}/mandelmarch-film-{}-{}", scratch.string(), geteuid(), made_of);
+}
+
+void make_private_folder(const std::string& folder)
+{
+    if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) {
+        throw Error(fmt::format("{}: cannot make the folder: {}", folder, std::strerror(errno)));
+    }
+    struct stat status {};
+    const bool own = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() &&
+                     (status.st_mode & 022) == 0;
+    if (!own) throw Error(fmt::format("{}: not a folder that only this user can change", folder));
+}
+
 SegmentStore::SegmentStore(const std::string& film, const std::string& parts, const std::string& description,
                            std::size_t frames)
     : film_(film),

@@ -13,6 +13,15 @@ namespace mandelmarch {
 
 inline constexpr std::size_t segment_frames = 60;
 
+// Returns the path FILM.parts, where FILM is the file that `film` names or links to. If `film` is a pipe or device,
+// returns a path in TMPDIR (or /tmp) that contains the user's number and `made_of`, the digest of the film's
+// description. Throws InputError if TMPDIR is not a folder.
+std::string parts_folder(const std::string& film, const std::string& made_of);
+
+// Creates a folder that only this user can access. An existing folder is used if it belongs to this user and other
+// users cannot write to it; otherwise throws Error.
+void make_private_folder(const std::string& folder);
+
 class SegmentStore {
 public:
     // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description; does not create it. `film`: the

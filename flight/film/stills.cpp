@@ -14,7 +14,6 @@
 #include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
-#include "flight/film/ffmpeg_process.h"
 #include "flight/film/progress.h"
 #include "flight/film/segment_store.h"
 

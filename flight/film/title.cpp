@@ -2,18 +2,65 @@
 #include "flight/film/title.h"
 
 #include <fmt/format.h>
+#include <ft2build.h>
+#include FT_FREETYPE_H
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/output_file.h"
-#include "flight/film/lettering.h"
 
 namespace mandelmarch {
 namespace {
+
+constexpr int least_letter = 8;          // pixels; smallest legible size, but a smaller wanted size is allowed
+constexpr double rather_broken = 0.6;    // of the wanted size; if letters are smaller, the line is broken in two
+constexpr int tab_blanks = 4;            // as in ffmpeg's drawtext
+constexpr std::size_t most_lacking = 8;  // letters listed in a message
+constexpr std::string_view line_ends = "\n\r\f\v";
+
+// Removes the first letter from a UTF-8 text and returns it; nullopt if the bytes are invalid.
+std::optional<char32_t> take_letter(std::string_view& text)
+{
+    const auto first = static_cast<unsigned char>(text.front());
+    const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    if (length == 0 || first > 0xf4 || length > text.size()) return std::nullopt;
+    char32_t letter = length == 1 ? first : first & (0x7fU >> length);
+    for (const char c : text.substr(1, length - 1)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte & 0xc0) != 0x80) return std::nullopt;
+        letter = letter << 6 | (byte & 0x3f);
+    }
+    text.remove_prefix(length);
+    return letter;
+}
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(line_ends, begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+    }
+    return lines;
+}
+
+// Returns the largest size of letters, in pixels, at which the lines fit; at most the wanted size.
+int fitting(const Font& font, const std::vector<std::string>& lines, int wanted, double width, double height)
+{
+    double widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, font.width(line));
+    const double high = line_height * static_cast<double>(lines.size());
+    return static_cast<int>(std::min({static_cast<double>(wanted), width / std::max(widest, 1e-3), height / high}));
+}
 
 // Returns the text with a backslash before each character that is one of `characters`.
 std::string escaped(const std::string& text, std::string_view characters)
@@ -77,6 +124,93 @@ std::string line_filter(const std::string& file, const TitleLine& line, int cent
 }
 
 }  // namespace
+
+struct Font::Face {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+
+    Face() = default;
+    Face(const Face&) = delete;
+    Face& operator=(const Face&) = delete;
+    ~Face()
+    {
+        if (face != nullptr) FT_Done_Face(face);
+        if (library != nullptr) FT_Done_FreeType(library);
+    }
+};
+
+Font::Font(const std::string& file) : face_(std::make_unique<Face>()), file_(file)
+{
+    const bool read =
+        FT_Init_FreeType(&face_->library) == 0 && FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
+    if (!read || !FT_IS_SCALABLE(face_->face)) {
+        throw Error(fmt::format("{}: not a font file with scalable letters", file));
+    }
+}
+
+Font::~Font() = default;
+
+void Font::check(const std::string& option, std::string_view text) const
+{
+    std::vector<std::string> lacking;
+    while (!text.empty()) {
+        const std::string_view before = text;
+        const auto letter = take_letter(text);
+        if (!letter) throw InputError(fmt::format("{}: the text is not valid UTF-8", option));
+        const std::string_view bytes = before.substr(0, before.size() - text.size());
+        if (*letter == '\t' || line_ends.find(bytes) != std::string_view::npos) continue;
+        if (FT_Get_Char_Index(face_->face, *letter) != 0) continue;
+        const auto code = static_cast<std::uint32_t>(*letter);
+        std::string name = *letter < ' ' ? fmt::format("U+{:04X}", code) : fmt::format("{} (U+{:04X})", bytes, code);
+        if (std::ranges::find(lacking, name) == lacking.end()) lacking.push_back(std::move(name));
+    }
+    if (lacking.empty()) return;
+    const std::size_t named = std::min(lacking.size(), most_lacking);
+    const std::span first(lacking.data(), named);
+    throw InputError(
+        fmt::format("{}: the font {} lacks {}{}, expected letters that it has, or another font in "
+                    "MANDELMARCH_FONT",
+                    option, file_, fmt::join(first, ", "),
+                    named < lacking.size() ? fmt::format(" and {} more", lacking.size() - named) : ""));
+}
+
+double Font::width(std::string_view line) const
+{
+    FT_Pos units = 0;
+    FT_UInt before = 0;
+    while (!line.empty()) {
+        const auto letter = take_letter(line);
+        if (!letter) break;
+        const FT_UInt index = FT_Get_Char_Index(face_->face, *letter == '\t' ? ' ' : *letter);
+        if (FT_Load_Glyph(face_->face, index, FT_LOAD_NO_SCALE) != 0) continue;
+        FT_Vector kerning{};
+        FT_Get_Kerning(face_->face, before, index, FT_KERNING_UNSCALED, &kerning);
+        units += kerning.x + face_->face->glyph->metrics.horiAdvance * (*letter == '\t' ? tab_blanks : 1);
+        before = index;
+    }
+    return static_cast<double>(units) / face_->face->units_per_EM;
+}
+
+Lettering lettering(const Font& font, const std::string& option, const std::string& text, int wanted, double width,
+                    double height)
+{
+    font.check(option, text);
+    Lettering best{lines_of(text), 0};
+    best.size = fitting(font, best.lines, wanted, width, height);
+    if (best.lines.size() == 1 && best.size < rather_broken * wanted) {
+        const std::string& line = text;
+        for (std::size_t at = line.find(' '); at != std::string::npos; at = line.find(' ', at + 1)) {
+            Lettering broken{{line.substr(0, at), line.substr(at + 1)}, 0};
+            broken.size = fitting(font, broken.lines, wanted, width, height);
+            if (broken.size > best.size) best = std::move(broken);
+        }
+    }
+    if (best.size < std::min(least_letter, wanted)) {
+        throw InputError(fmt::format("{}: a text of {} bytes needs letters of {} pixels to fit, expected a shorter one",
+                                     option, text.size(), best.size));
+    }
+    return best;
+}
 
 std::string title_font()
 {

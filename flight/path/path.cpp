@@ -2,8 +2,11 @@
 #include "flight/path/path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "core/render/stepping.h"
 #include "core/scene/fractal.h"
@@ -22,6 +25,46 @@ int iterations_in_sight(const Scene& scene)
     const double growth = std::max(scene.fractal->flight.growth(scene), 1.1);
     const double smallest = std::pow(10.0, scene.detail) * least_clearance;
     return static_cast<int>(std::ceil(-std::log(smallest) / std::log(growth))) + spare_iterations;
+}
+
+constexpr std::size_t camera_numbers = 10;  // location, look_at, up, field of view
+using CameraNumbers = std::array<double, camera_numbers>;
+
+CameraNumbers numbers_of(const Frame& frame)
+{
+    return {frame.eye.x,    frame.eye.y, frame.eye.z, frame.target.x, frame.target.y,
+            frame.target.z, frame.up.x,  frame.up.y,  frame.up.z,     frame.field_of_view};
+}
+
+Frame with_numbers(Frame frame, const CameraNumbers& n)
+{
+    frame.eye = {n[0], n[1], n[2]};
+    frame.target = {n[3], n[4], n[5]};
+    frame.up = {n[6], n[7], n[8]};
+    frame.field_of_view = n[9];
+    return frame;
+}
+
+// Returns the second derivatives M (per frame squared) of the natural cubic spline through the values v. They satisfy
+// M[i-1] + 4 M[i] + M[i+1] = 6 (v[i-1] - 2 v[i] + v[i+1]), which is solved by Thomas's algorithm.
+std::vector<CameraNumbers> bends(const std::vector<CameraNumbers>& values)
+{
+    const std::size_t count = values.size();
+    std::vector<CameraNumbers> bend(count, CameraNumbers{});
+    if (count < 3) return bend;
+    std::vector<double> share(count, 0);  // coefficient of M[i+1] in equation i after elimination
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+        const double whole = 4 - share[i - 1];
+        share[i] = 1 / whole;
+        for (std::size_t k = 0; k < camera_numbers; ++k) {
+            const double second = 6 * (values[i - 1][k] - 2 * values[i][k] + values[i + 1][k]);
+            bend[i][k] = (second - bend[i - 1][k]) / whole;
+        }
+    }
+    for (std::size_t i = count - 2; i > 0; --i) {
+        for (std::size_t k = 0; k < camera_numbers; ++k) bend[i][k] -= share[i] * bend[i + 1][k];
+    }
+    return bend;
 }
 
 }  // namespace
@@ -58,6 +101,70 @@ Scene picture_of(const Path& path, const Frame& frame, int width, int height)
     scene.limits = film_limits(scene);
     scene.smooth = true;
     return scene;
+}
+
+Tilt tilt_of(const Frame& frame, Vector upward)
+{
+    const Vector gaze = unit(frame.target - frame.eye);
+    const Vector up = unit(frame.up - dot(frame.up, gaze) * gaze);
+    const Vector level = upward - dot(upward, gaze) * gaze;
+    return {std::atan2(dot(cross(up, level), gaze), dot(up, level)), dot(level, level)};
+}
+
+Tilt tilt_of(const Frame& frame, const Fractal& fractal)
+{
+    return tilt_of(frame, fractal.flight.upward(frame.eye, frame.up));
+}
+
+Frame rolled(Frame frame, double angle)
+{
+    const Vector gaze = unit(frame.target - frame.eye);
+    frame.up = std::cos(angle) * frame.up + std::sin(angle) * cross(gaze, frame.up);
+    return frame;
+}
+
+int frames_at_rate(int frames, int from, int to)
+{
+    const auto steps = static_cast<std::int64_t>(frames - 1) * from;
+    return static_cast<int>((steps + to - 1) / to) + 1;
+}
+
+Path at_rate(const Path& path, int frames, int rate)
+{
+    Path result = path;
+    if (rate == path.frames_per_second) {
+        result.frames.resize(std::min(path.frames.size(), static_cast<std::size_t>(frames)));
+        return result;
+    }
+    std::vector<CameraNumbers> values;
+    for (const Frame& frame : path.frames) values.push_back(numbers_of(frame));
+    const std::vector<CameraNumbers> bend = bends(values);
+    result.frames_per_second = rate;
+    result.frames.clear();
+    for (int f = 0; f < frames; ++f) {
+        const double at = static_cast<double>(f) * path.frames_per_second / rate;
+        const auto first = std::min(static_cast<std::size_t>(at), path.frames.size() - 1);
+        const std::size_t second = std::min(first + 1, path.frames.size() - 1);
+        const double b = std::clamp(at - static_cast<double>(first), 0.0, 1.0);
+        const double a = 1 - b;
+        CameraNumbers between{};
+        for (std::size_t k = 0; k < camera_numbers; ++k) {
+            between[k] = a * values[first][k] + b * values[second][k] +
+                         ((a * a * a - a) * bend[first][k] + (b * b * b - b) * bend[second][k]) / 6;
+        }
+        Frame frame = with_numbers(path.frames[first], between);
+        const auto& from = path.frames[first].changes.shape;
+        const auto& to = path.frames[second].changes.shape;
+        if (from || to) {
+            auto shape = from.value_or(path.scene.shape);
+            const auto& next = to ? *to : path.scene.shape;
+            for (std::size_t k = 0; k < shape.size(); ++k) shape[k] = static_cast<float>(a * shape[k] + b * next[k]);
+            frame.changes.shape = shape;
+        }
+        result.frames.push_back(frame);
+    }
+    cut_digits(result);
+    return result;
 }
 
 }  // namespace mandelmarch

@@ -65,4 +65,27 @@ std::string to_text(const Path& path);
 Path path_from_text(const std::string& text, const std::string& name);
 Path read_path(const std::string& file);
 
+// The camera's roll relative to a level horizon, for fractals that have an up and a down.
+struct Tilt {
+    double angle;    // rolling the frame by this angle makes it level; radians, -pi to pi, see rolled()
+    double horizon;  // squared sine of the angle between gaze and vertical; 0: vertical gaze, `angle` is undefined
+};
+
+// Returns the tilt of a frame. `upward`: the unit vector that counts as upward.
+Tilt tilt_of(const Frame& frame, Vector upward);
+// Returns the tilt of a frame, with the upward direction that the fractal defines at the frame's eye.
+Tilt tilt_of(const Frame& frame, const Fractal& fractal);
+
+// Returns the frame with its camera rolled about its gaze by `angle` radians (right-hand rule).
+Frame rolled(Frame frame, double angle);
+
+// Returns how many frames at `from` frames per second cover the time of `frames` frames at `to` frames per second.
+int frames_at_rate(int frames, int from, int to);
+
+// Returns the flight of `path` as `frames` frames at `rate` frames per second. It must not last longer than the path.
+// The camera follows a cubic spline through the path's frames, so that its speed and acceleration are continuous. A
+// changing shape is interpolated linearly between two frames. Camera numbers are rounded as in a path file. If `rate`
+// is the path's rate, only the number of frames changes.
+Path at_rate(const Path& path, int frames, int rate);
+
 }  // namespace mandelmarch

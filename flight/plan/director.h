@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses the camera's gaze over time.
+// Panoramas (the depths from a point in a fixed set of directions), and the choice of the camera's gaze from them.
 #pragma once
 
 #include <span>
@@ -11,7 +11,30 @@
 
 namespace mandelmarch {
 
-// Panoramas (depths in all directions) at points along a curve. Each direction has a cost: it is high if a camera that
+// Directions spread evenly over the sphere, and for each of them the directions near it. The directions are a Fibonacci
+// lattice (Gonzalez, "Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices", Mathematical
+// Geosciences 42, 2010).
+class Sphere {
+public:
+    // `apart`: two directions are near each other if the angle between them, in radians, is smaller.
+    Sphere(int count, double apart);
+
+    const std::vector<Vector>& directions() const { return directions_; }
+    // Returns the indices of the directions near a direction: first its own index, then the others in ascending order.
+    std::span<const int> near(int direction) const { return near_[static_cast<std::size_t>(direction)]; }
+    int nearest(Vector unit_vector) const;
+
+private:
+    std::vector<Vector> directions_;
+    std::vector<std::vector<int>> near_;
+};
+
+// Returns the depths along all of the sphere's directions, place after place, in the scene's units. A depth is
+// +infinity if the ray hits nothing within the length `end`. `values`: the shape parameter's value at each place.
+std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
+                             std::span<const double> values, double end);
+
+// Panoramas at points along a curve. Each direction has a cost: it is high if a camera that
 // looks there sees little.
 class Director {
 public:

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "flight/field/threads.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {
@@ -237,7 +236,7 @@ ControlPoints smooth(const Shapes& shapes, const Polyline& way, const Schedule& 
         take_back(shapes, band, home, least);
         band = resampled(shapes, band);
     }
-    return {std::move(band.at), std::move(band.clock), std::move(band.value)};
+    return {std::move(band.at), std::move(band.clock)};
 }
 
 }  // namespace mandelmarch

@@ -12,8 +12,7 @@ namespace mandelmarch {
 // the point's shape time.
 struct ControlPoints {
     std::vector<Vector> at;
-    // The shape time in frames of the schedule, and the shape parameter's value at that time.
-    std::vector<double> clock, value;
+    std::vector<double> clock;  // shape time, in frames of the schedule
 };
 
 // Returns the smallest estimate on a polyline after its points have been moved with the walls, as smooth() moves them,

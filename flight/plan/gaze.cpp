@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "flight/path/horizon.h"
+#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {

@@ -9,9 +9,8 @@
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/passages.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/runs.h"
-#include "flight/audit/turns.h"
 
 namespace mandelmarch {
 namespace {

@@ -10,9 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/passages.h"
-#include "flight/field/budget.h"
-#include "flight/field/hull.h"
+#include "flight/audit/motion.h"
 #include "flight/plan/elastic_band.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
@@ -232,7 +230,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     };
     Scene first = scene;
     if (!schedule.knots().empty()) first.shape[schedule.number()] = schedule.value(0);
-    check_flown(first);
+    if (const std::string objection = flight_objection(first); !objection.empty()) throw InputError(objection);
     const Budget budget(most_seconds > 0 ? most_seconds : usual_seconds + seconds_a_frame * frames);
     Planner planner(first, schedule, seed, frames, threads, budget);
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),

@@ -11,7 +11,7 @@
 #include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "core/base/number.h"
-#include "flight/field/hull.h"
+#include "flight/field/field.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/plan/search.h"
-#include "flight/field/hull.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "flight/plan/tour.h"
-#include "flight/field/hull.h"
 
 namespace mandelmarch {
 namespace {

@@ -2,43 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # film_test.sh FLYTHROUGH: which files films and stills create and keep, kinds of output files, and errors that must be
 # reported before the work.
-set -uo pipefail
-program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$(dirname "$0")/films.sh"
 mkdir tmp
 export TMPDIR=$PWD/tmp
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
-# run CODE ARGUMENTS...: runs flythrough; with codes 2 and 77 it must print one line on stderr and change no file.
-run() {
-    local code=$1 got before after
-    shift
-    before=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null
-    got=$?
-    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
-    [ "$code" = 0 ] && return
-    after=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
-    [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $* : $(head -c 300 stderr)"
-    [ "$code" = 1 ] || [ "$before" = "$after" ] || fail "files changed: $*"
-}
-says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
-same() { cmp -s "$1" "$2" || fail "$1 is not $2: $3"; }
 
-# Two paths, straight flights next to the Mandelbulb: path.json, of two segments, and other.json, at another speed.
-python3 - <<'PY'
-import json
-for name, step in ("path", 0.02), ("other", 0.03):
-    frames = [{"location": [4 + step * i, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1} for i in range(64)]
-    scene = {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2}
-    json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "scene": scene, "frames": frames}, open(name + ".json", "w"))
-PY
-small="--size 32x16 --samples 1 --backend openmp --threads 1"
+make_path path.json 30 0.02
+make_path other.json 30 0.03
 run 0 render path.json $small --output whole.mp4
 run 0 render other.json $small --output other.mp4
 
@@ -209,5 +178,4 @@ says 'no answer in 0.5 s'
 sed -i 's/sleep 0.05/exec sleep 100/' slow
 MANDELMARCH_FFMPEG=./slow run 1 render path.json $small --output none.mp4
 says 'no answer in 0.5 s'
-[ $failures = 0 ] && echo "all well"
-exit $((failures > 0))
+finish

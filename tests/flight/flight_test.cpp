@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "core/base/error.h"
-#include "flight/audit/audit.h"
-#include "flight/audit/passages.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/views.h"
-#include "flight/film/shrink.h"
 #include "flight/plan/planner.h"
+#include "tests/flight/rows.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -22,22 +21,6 @@ const Path& planned()
 {
     static const Path path = plan(official_scene("bulb", 16, 9), {}, 3, frames, 0).path;
     return path;
-}
-
-const Row& row_of(const Audit& audit, const std::string& name)
-{
-    const auto row = std::ranges::find_if(audit.rows, [&](const Row& r) { return r.name.starts_with(name); });
-    if (row == audit.rows.end()) throw Error("no row " + name);
-    return *row;
-}
-
-// Returns the audit of the planned path after `spoil` has changed its frames.
-template <class Spoil>
-Audit spoilt(Spoil spoil)
-{
-    Path path = planned();
-    spoil(path.frames);
-    return audit(path, 0, 0, 5);
 }
 
 void move_to(Frame& frame, Vector place)
@@ -87,106 +70,146 @@ TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
     EXPECT_NE(to_text(path), to_text(planned()));
 }
 
-TEST(Audit, EveryRowCanFail)
+using Frames = std::vector<Frame>;
+
+// The audit with views of every fifth frame, without changes.
+const Audit& sound()
 {
-    const Audit sound = audit(planned(), 0, 0, 5);
-    const auto fails = [&](const Audit& result, const std::string& name) {
-        EXPECT_TRUE(row_of(sound, name).kept()) << name << " fails unspoilt";
-        EXPECT_FALSE(row_of(result, name).kept()) << name;
-        return result.promises_kept();
-    };
-    // Items of the audit that are promises.
-    EXPECT_FALSE(fails(spoilt([](auto& f) { move_to(f[200], {0, 0, 0.1}); }), "frames inside solid"));
+    static const Audit result = audit(planned(), 0, 0, 5);
+    return result;
+}
+
+void look_outwards(Frame& frame) { frame.target = frame.eye + unit(frame.eye); }
+
+void look_outwards(Frames& all)
+{
+    for (Frame& frame : all) look_outwards(frame);
+}
+
+// Stops the camera at every tenth frame.
+void stumble(Frames& all)
+{
+    for (std::size_t i = 0; i < all.size(); i += 10) all[i + 1] = all[i];
+}
+
+// A change of the planned path's frames that makes an item of the audit fail.
+struct Fault {
+    const char* row;
+    std::function<void(Frames&)> spoil;
+};
+
+class Faults : public testing::TestWithParam<Fault> {
+protected:
+    // Returns the audit of the planned path after the change.
+    static Audit spoilt()
+    {
+        Path path = planned();
+        GetParam().spoil(path.frames);
+        EXPECT_TRUE(row_of(sound(), GetParam().row).kept()) << "fails unspoilt";
+        return audit(path, 0, 0, 5);
+    }
+};
+
+class BrokenPromises : public Faults {};
+
+TEST_P(BrokenPromises, AreFound)
+{
+    const Audit result = spoilt();
+    EXPECT_FALSE(row_of(result, GetParam().row).kept());
+    EXPECT_FALSE(result.promises_kept());
+}
+
+const Fault broken_promises[] = {
+    {"frames inside solid",
+     [](Frames& f) {
+         move_to(f[200], {0, 0, 0.1});
+     }},
     // Both frames are outside the solid, but the straight line between them is not.
-    EXPECT_FALSE(fails(spoilt([](auto& f) {
-                           move_to(f[0], {0, 0, 2});
-                           move_to(f[1], {0, 0, -2});
-                       }),
-                       "frames inside solid"));
-    EXPECT_FALSE(fails(spoilt([](auto& f) { f.erase(f.begin() + 300, f.begin() + 330); }), "largest step"));
-    EXPECT_FALSE(
-        fails(spoilt([](auto& f) { f[250].target = f[250].eye + unit(f[250].target - f[250].eye + 0.05 * f[250].up); }),
-              "largest turn"));
-    EXPECT_FALSE(
-        fails(spoilt([](auto& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }), "longest time standing"));
-    // Items of the audit that describe quality.
-    const DistanceField field(planned().scene, 0);
-    fails(spoilt([&](auto& f) {
-              Vector place = f[300].eye;
-              while (field.distance(place) > 0.002)
-                  place = place - 0.3 * field.distance(place) * field.uphill(place, 1e-4);
-              move_to(f[300], place);
-          }),
-          "least DE");
-    // The first 300 frames of this short flight are outside the hull, the others inside. Without the first ones the
-    // item is kept; it is not kept if the others are moved outside.
-    const std::string in_hull = "frames inside the hull";
-    EXPECT_TRUE(row_of(spoilt([](auto& f) { f.erase(f.begin(), f.begin() + 300); }), in_hull).kept());
-    EXPECT_FALSE(row_of(spoilt([](auto& f) {
-                            f.erase(f.begin(), f.begin() + 300);
-                            for (auto& frame : f) move_to(frame, unit(frame.eye) + unit(frame.eye));
-                        }),
-                        in_hull)
-                     .kept());
-    const auto all_turned = [](auto& f, auto turn) {
-        for (auto& frame : f) frame.target = frame.eye + turn(frame.target - frame.eye);
-    };
-    fails(spoilt([&](auto& f) { all_turned(f, [](Vector v) { return -1 * v; }); }), "frames looking more than 60");
-    fails(spoilt([&](auto& f) {
-              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
-          }),
-          "dull frames");
-    fails(spoilt([&](auto& f) {
-              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
-          }),
-          "longest time of dull");
-    fails(spoilt([](auto& f) {
-              for (std::size_t i = 0; i < f.size(); i += 10) f[i + 1] = f[i];
-          }),
-          "frames with apparent motion");
-    fails(spoilt([](auto& f) {
-              for (std::size_t i = 0; i < f.size(); i += 10) f[i + 1] = f[i];
-          }),
-          "jerk, 95 of 100");
-    fails(spoilt([](auto& f) {
-              for (std::size_t i = 0; i < f.size(); i += 10) f[i].target = f[i].target + 0.01 * f[i].up;
-          }),
-          "angular jerk");
-    fails(spoilt([](auto& f) {
-              for (auto& frame : f) frame.up = cross(frame.target - frame.eye, frame.up);
-          }),
-          "frames with a horizon");
-    fails(spoilt([](auto& f) {
-              for (auto& frame : f) frame.target = frame.eye + unit(frame.eye);
-          }),
-          "frames under 40 %");
+    {"frames inside solid",
+     [](Frames& f) {
+         move_to(f[0], {0, 0, 2});
+         move_to(f[1], {0, 0, -2});
+     }},
+    {"largest step", [](Frames& f) { f.erase(f.begin() + 300, f.begin() + 330); }},
+    {"largest turn",
+     [](Frames& f) { f[250].target = f[250].eye + unit(f[250].target - f[250].eye + 0.05 * f[250].up); }},
+    {"longest time standing", [](Frames& f) { std::fill(f.begin() + 300, f.begin() + 390, f[300]); }},
+};
+INSTANTIATE_TEST_SUITE_P(Of, BrokenPromises, testing::ValuesIn(broken_promises));
+
+class LowQuality : public Faults {};
+
+TEST_P(LowQuality, IsFound) { EXPECT_FALSE(row_of(spoilt(), GetParam().row).kept()); }
+
+const Fault low_quality[] = {
+    {"least DE",
+     [](Frames& f) {
+         const DistanceField field(planned().scene, 0);
+         Vector place = f[300].eye;
+         while (field.distance(place) > 0.002) place = place - 0.3 * field.distance(place) * field.uphill(place, 1e-4);
+         move_to(f[300], place);
+     }},
+    {"frames looking more than 60",
+     [](Frames& f) {
+         for (Frame& frame : f) frame.target = frame.eye - (frame.target - frame.eye);
+     }},
+    {"dull frames", [](Frames& f) { look_outwards(f); }},
+    {"longest time of dull", [](Frames& f) { look_outwards(f); }},
+    {"frames under 40 %", [](Frames& f) { look_outwards(f); }},
+    {"frames with apparent motion", stumble},
+    {"jerk, 95 of 100", stumble},
+    {"angular jerk",
+     [](Frames& f) {
+         for (std::size_t i = 0; i < f.size(); i += 10) f[i].target = f[i].target + 0.01 * f[i].up;
+     }},
+    {"frames with a horizon",
+     [](Frames& f) {
+         for (Frame& frame : f) frame.up = cross(frame.target - frame.eye, frame.up);
+     }},
     // Seen from far away, with its direction 30 degrees off the picture's middle, the fractal is in the corner.
-    fails(spoilt([](auto& f) {
-              for (auto& frame : f) {
-                  move_to(frame, {0, 0, 12});
-                  frame.target = frame.eye + Vector{0.8, 0.4, -1};
-              }
-          }),
-          "longest time with the subject at the edge");
-    fails(spoilt([](auto& f) {
-              // First the camera looks at the sky, then the same part of the path is repeated.
-              for (std::size_t i = 200; i < 290; ++i) f[i].target = f[i].eye + unit(f[i].eye);
-              std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
-          }),
-          "the same view again");
-    // A flight of ten seconds need not have a passage. A film of full length needs some, and has none if the camera
-    // stands still.
-    Path long_path = planned();
-    long_path.frames.assign(7200, planned().frames[0]);
-    fails(audit(long_path, 0, 0, 300), "distinct passages");
-    fails(spoilt([](auto& f) {
-              for (std::size_t i = 0; i + 1 < f.size(); ++i) {
-                  const double angle = 1.19 * std::acos(-1.0) / 180 * static_cast<double>(i);
-                  f[i].target = f[i].eye + Vector{std::cos(angle), std::sin(angle), 0};
-                  f[i].up = {0, 0, 1};
-              }
-          }),
-          "frames at the cap");
+    {"longest time with the subject at the edge",
+     [](Frames& f) {
+         for (Frame& frame : f) {
+             move_to(frame, {0, 0, 12});
+             frame.target = frame.eye + Vector{0.8, 0.4, -1};
+         }
+     }},
+    // First the camera looks at the sky, then the same part of the path is repeated.
+    {"the same view again",
+     [](Frames& f) {
+         for (std::size_t i = 200; i < 290; ++i) look_outwards(f[i]);
+         std::copy(f.begin() + 110, f.begin() + 200, f.begin() + 290);
+     }},
+    {"frames at the cap",
+     [](Frames& f) {
+         for (std::size_t i = 0; i + 1 < f.size(); ++i) {
+             const double angle = 1.19 * std::acos(-1.0) / 180 * static_cast<double>(i);
+             f[i].target = f[i].eye + Vector{std::cos(angle), std::sin(angle), 0};
+             f[i].up = {0, 0, 1};
+         }
+     }},
+};
+INSTANTIATE_TEST_SUITE_P(Of, LowQuality, testing::ValuesIn(low_quality));
+
+// The first 300 frames of this short flight are outside the hull, the others inside. Without the first ones the item is
+// kept; it is not kept if the others are moved outside.
+TEST(Audit, FramesOutsideTheHullAreFound)
+{
+    Path path = planned();
+    path.frames.erase(path.frames.begin(), path.frames.begin() + 300);
+    EXPECT_TRUE(row_of(audit(path, 0, 0, 5), "frames inside the hull").kept());
+    for (Frame& frame : path.frames) move_to(frame, unit(frame.eye) + unit(frame.eye));
+    EXPECT_FALSE(row_of(audit(path, 0, 0, 5), "frames inside the hull").kept());
+}
+
+// A flight of ten seconds need not have a passage. A film of full length needs some, and has none if the camera stands
+// still.
+TEST(Audit, MissingPassagesAndSlowPlanningAreFound)
+{
+    EXPECT_TRUE(row_of(sound(), "distinct passages").kept());
+    Path path = planned();
+    path.frames.assign(7200, planned().frames[0]);
+    EXPECT_FALSE(row_of(audit(path, 0, 0, 300), "distinct passages").kept());
     EXPECT_FALSE(row_of(audit(planned(), 0, 1000, 50), "planning").kept());
 }
 
@@ -244,51 +267,19 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(asked.limits.root_share, 0);
 }
 
-// The picture has 3 x 3 samples for 2 x 2 pixels, so that a pixel is one and a half samples wide, and the middle
-// samples belong to both of their neighbours by halves. Row 0 of an image is its bottom row.
-TEST(Shrunk, IsTheMeanOverAPixelsArea)
-{
-    Image picture(3, 3, Image::Layers::bytes);
-    for (std::size_t i = 0; i < 9; ++i) {
-        for (std::size_t c = 0; c < 3; ++c) picture.bytes()[3 * i + c] = static_cast<std::uint8_t>(10 * i + 80 * c);
-    }
-    // In both directions the weights of the samples are 2/3 1/3 0 and 0 1/3 2/3. The samples are, from the bottom,
-    // 0 10 20 / 30 40 50 / 60 70 80.
-    const std::vector<std::uint8_t> red{53, 67, 13, 27};
-    for (const int threads : {1, 3}) {
-        const auto rgb = shrunk(picture, 2, 2, threads);
-        ASSERT_EQ(rgb.size(), 12U);
-        for (std::size_t i = 0; i < 4; ++i) {
-            EXPECT_EQ(rgb[3 * i], red[i]);
-            EXPECT_EQ(rgb[3 * i + 2], red[i] + 160);
-        }
-    }
-    EXPECT_EQ(shrunk(picture, 1, 1, 1)[0], 40);
-    EXPECT_EQ(shrunk(picture, 3, 3, 1)[6], 80);
-}
-
-TEST(Shrunk, LeavesALargeEvenPictureEven)
-{
-    for (const auto& [width, height] : {std::pair{1919, 7}, {640, 1081}, {97, 13}}) {
-        Image picture(width, height, Image::Layers::bytes);
-        std::ranges::fill(picture.bytes(), 255);
-        for (const std::uint8_t byte : shrunk(picture, width * 2 / 3, height - 5, 2)) ASSERT_EQ(byte, 255);
-    }
-}
-
 TEST(Views, KnowThemselvesAndTheirMirrorImages)
 {
     const DistanceField field(planned().scene, 0);
-    const auto views = views_of(field, planned().frames, 100);
-    ASSERT_EQ(views.size(), 4U);
-    DepthView mirrored = views[2];
+    const auto view = [&](std::size_t frame) { return view_of(field, planned().frames[frame]); };
+    const DepthView seen = view(200);
+    DepthView mirrored = seen;
     for (int k = 0; k < view_pixels; ++k) {
         mirrored.depth[static_cast<std::size_t>(k)] =
-            views[2].depth[static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width)];
+            seen.depth[static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width)];
     }
-    EXPECT_NEAR(likeness(views[2], mirrored), 1, 1e-9);
-    EXPECT_LT(likeness(views[0], views[3]), 0.95);
-    EXPECT_LT(median_motion(views[2], planned().frames[200], planned().frames[200]), 1e-12);
+    EXPECT_NEAR(likeness(seen, mirrored), 1, 1e-9);
+    EXPECT_LT(likeness(view(0), view(300)), 0.95);
+    EXPECT_LT(median_motion(seen, planned().frames[200], planned().frames[200]), 1e-12);
 }
 
 }  // namespace

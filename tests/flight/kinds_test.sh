@@ -2,46 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # kinds_test.sh FLYTHROUGH: tests kinds of films: containers, frame rates, parts of a path, titles, tags for players,
 # and job arrays.
-set -uo pipefail
-program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
-# run CODE ARGUMENTS...: runs flythrough and expects this exit code; with code 2, one line on stderr and no new file.
-run() {
-    local code=$1 got before
-    shift
-    before=$(ls -A)
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null
-    got=$?
-    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
-    [ "$code" != 2 ] || [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $*"
-    [ "$code" != 2 ] || [ "$before" = "$(ls -A)" ] || fail "files are left: $*"
-}
-says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+. "$(dirname "$0")/films.sh"
 # probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
-# make_path FILE RATE: writes a path of two segments with this frame rate, a straight flight next to the Mandelbulb.
-make_path() {
-    python3 - "$@" <<'PY'
-import json, sys
-name, rate = sys.argv[1], int(sys.argv[2])
-frames = [{"location": [4 + 0.02 * i, 3, 3], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 1} for i in range(64)]
-scene = {"detail": "by size", "shape": [0, 4, 8], "iterations": 100, "escape": 100, "colouring": 3, "brightness": 1.2}
-json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "frames_per_second": rate, "scene": scene, "frames": frames},
-          open(name, "w"))
-PY
-}
-make_path path.json 30
-: >stdout # exists before the first run
-: >stderr
-small="--size 32x16 --samples 1 --backend openmp --threads 1"
+make_path path.json 30 0.02
 run 0 render path.json $small --output whole.mp4
 
 # The file extension selects the container. Each film has all of its frames, at the frame rate of the path.
@@ -54,7 +19,7 @@ for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
     cp "$film" first
     rm "$film" "$film.made"
     run 0 render path.json $small --frames 50-59 --output "$film"
-    cmp -s "$film" first || fail "$film is another one the second time"
+    same "$film" first "the second time"
 done
 [ "$(head -c 4 kind.mkv | xxd -p)" = 1a45dfa3 ] || fail "kind.mkv is no Matroska file"
 [ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
@@ -65,7 +30,7 @@ done
 
 # Frame rates: films of paths at different rates, and paths that are planned at a rate.
 for rate in 24 25 50 60; do
-    make_path rate.json $rate
+    make_path rate.json $rate 0.02
     run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
     got=$(probe rate.mp4 r_frame_rate,nb_read_frames)
     [ "$got" = "$rate/1,$((2 + 4 * rate))" ] || fail "a path of $rate frames a second gives $got"
@@ -96,7 +61,7 @@ run 0 render path.json $small --stills stills --frames 10-12
 [ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
     fail "--frames 10-12 gives $(ls stills)"
 run 0 render path.json $small --stills all
-cmp -s stills/frame-000011.png all/frame-000011.png || fail "a frame of --frames is another one"
+same stills/frame-000011.png all/frame-000011.png "a frame of --frames"
 run 0 render path.json $small --stills one --frames 63-63
 [ "$(ls one | grep -vc made)" = 1 ] || fail "--frames 63-63 gives $(ls one)"
 run 0 render path.json ${small} --output part.mkv --frames 30-33
@@ -113,7 +78,7 @@ run 0 render path.json $small --output array.mp4 --segments 1-9
 says '1 of 2 segments'
 run 0 render path.json $small --output array.mp4
 says '0 of 2 segments'
-cmp -s array.mp4 whole.mp4 || fail "the film of an array that overhangs is another one"
+same array.mp4 whole.mp4 "the film of an array that overhangs"
 run 0 render path.json $small --stills array --segments 1-9
 [ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
 run 2 render path.json $small --output array2.mp4 --segments 2-9
@@ -180,5 +145,4 @@ run 2 render path.json --size 128x64 --projection equirectangular --stereo --out
 says '128 x 64 pixels given, expected 4 times as wide as high'
 grep -q sv3d sphere.mp4 || fail "sphere.mp4 has no box sv3d"
 [ -z "$(tags whole.mp4)" ] || fail "a usual film is tagged: $(tags whole.mp4)"
-[ $failures = 0 ] && echo "all well"
-exit $((failures > 0))
+finish

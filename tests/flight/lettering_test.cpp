@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Titles fit into the picture, and use only letters that the font has.
-#include "flight/film/lettering.h"
 
 #include <gtest/gtest.h>
 

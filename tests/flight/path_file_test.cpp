@@ -53,6 +53,9 @@ TEST(PathFile, SaysWhatIsWrong)
     says("\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
     says("\"seed\": 3", "\"seed\": -3", "seed");
     says("{\"location\"", "{{\"location\"", "JSON");
+    says("\"seed\"", "\"sede\"", "unknown key \"sede\", expected some of format, fractal, seed");
+    says("\"detail\"", "\"look_at\"", "a.json: scene: unknown key \"look_at\", expected some of detail");
+    says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
 }
 
 // Older path files do not name an estimate: they were planned with the original estimate.
@@ -68,20 +71,13 @@ TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
     says("100, \"col", "100, \"estimate\": 1, \"col", "\"estimate\" is 1");
 }
 
-TEST(PathFile, NamesKeysThatMeanNothing)
-{
-    says("\"seed\"", "\"sede\"", "unknown key \"sede\", expected some of format, fractal, seed");
-    says("\"detail\"", "\"look_at\"", "a.json: scene: unknown key \"look_at\", expected some of detail");
-    says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
-}
-
 TEST(PathFile, NeedsEveryKeyButSeedAndRate)
 {
-    says("\"detail\": \"by size\", ", "", "a.json: scene: \"detail\" is missing");
-    says("\"shape\": [0, 4, 8], ", "", "a.json: scene: \"shape\" is missing");
-    says("\"iterations\": 100, ", "", "a.json: scene: \"iterations\" is missing");
-    says("\"escape\": 100, ", "", "a.json: scene: \"escape\" is missing");
-    says("\"colouring\": 3, ", "", "a.json: scene: \"colouring\" is missing");
+    for (const char* member : {"\"detail\": \"by size\", ", "\"shape\": [0, 4, 8], ", "\"iterations\": 100, ",
+                               "\"escape\": 100, ", "\"colouring\": 3, "}) {
+        const std::string key = std::string(member).substr(0, std::string(member).find(':'));
+        says(member, "", "a.json: scene: " + key + " is missing");
+    }
     says(", \"brightness\": 1.2", "", "a.json: scene: \"brightness\" is missing");
     says("\"up\": [0, 0, 1], ", "", "a.json: frame 0: \"up\" is missing");
     says("\"fractal\": \"mandelbulb\", ", "", "\"fractal\" is missing");

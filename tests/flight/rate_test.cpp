@@ -2,13 +2,12 @@
 // At another frame rate a flight is the same, and keeps the same promises, which are given per second.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
-#include "flight/audit/audit.h"
-#include "flight/path/rate.h"
+#include "flight/path/path.h"
+#include "tests/flight/rows.h"
 
 namespace mandelmarch {
 namespace {
@@ -33,18 +32,6 @@ Path circle(int frames)
     for (int i = 0; i < frames; ++i) path.frames.push_back(on_circle(a_frame * i));
     cut_digits(path);
     return path;
-}
-
-double bar_of(const Audit& audit, const std::string& name)
-{
-    const auto row = std::ranges::find(audit.rows, name, &Row::name);
-    return row == audit.rows.end() ? NAN : row->bar;
-}
-
-double value_of(const Audit& audit, const std::string& name)
-{
-    const auto row = std::ranges::find(audit.rows, name, &Row::name);
-    return row == audit.rows.end() ? NAN : row->value;
 }
 
 class Rates : public testing::TestWithParam<int> {};
@@ -76,12 +63,14 @@ TEST_P(Rates, PromisesHoldBySecond)
     const Audit other =
         audit_promises(at_rate(circle(frames_at_rate(frames, frames_per_second, rate)), frames, rate), 1);
     for (const std::string name : {"largest step between frames / DE", "largest turn per frame"}) {
-        EXPECT_NEAR(bar_of(other, name) * rate, bar_of(usual, name) * frames_per_second, 1e-9) << name;
-        EXPECT_NEAR(value_of(other, name) * rate, value_of(usual, name) * frames_per_second,
-                    0.01 * value_of(usual, name) * frames_per_second)
+        const Row& found = row_of(other, name);
+        const Row& wanted = row_of(usual, name);
+        EXPECT_NEAR(found.bar * rate, wanted.bar * frames_per_second, 1e-9) << name;
+        EXPECT_NEAR(found.value * rate, wanted.value * frames_per_second, 0.01 * wanted.value * frames_per_second)
             << name;
     }
-    EXPECT_NEAR(value_of(other, "longest time standing still"), value_of(usual, "longest time standing still"), 0.1);
+    const std::string standing = "longest time standing still";
+    EXPECT_NEAR(row_of(other, standing).value, row_of(usual, standing).value, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Rates, testing::Values(24, 25, 50, 60, 120));

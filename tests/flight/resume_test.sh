@@ -1,19 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# resume_test.sh FLYTHROUGH KILLS [FOLDER]: a film that is killed at random moments and resumed equals the undisturbed
-# film, and no finished segment is rendered twice. Also tests a full disk, a missing or failing encoder, and array jobs.
-set -uo pipefail
-program=$(realpath "$1")
+# resume_test.sh FLYTHROUGH KILLS: a film that is killed at random moments and resumed equals the undisturbed film, and
+# no finished segment is rendered twice. Also tests a full disk, a missing or failing encoder, and array jobs.
 kills=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
-says() { grep -Eq "$1" stderr || fail "stderr does not say '$1': $(head -c 300 stderr)"; }
+. "$(dirname "$0")/films.sh"
 # Many kills need a longer film.
 frames=330
 [ "$kills" -gt 5 ] && frames=2400
@@ -21,7 +11,7 @@ segments=$(((frames + 59) / 60))
 small="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
 md5() { ffmpeg -v error -i "$1" -f framemd5 - | grep -v '^#'; }
 
-"$program" plan path.json --frames $frames --seed 2 --map map.json >audit.txt 2>stderr || fail "plan: $(cat stderr)"
+run 0 plan path.json --frames $frames --seed 2 --map map.json
 python3 - $frames <<'PY' || fail "the map is not what it should be"
 import json, sys
 path, found, frames = json.load(open("path.json")), json.load(open("map.json")), int(sys.argv[1])
@@ -30,7 +20,7 @@ assert all(abs(found["x"][i] - path["frames"][i]["location"][0]) < 1e-3 for i in
 assert 0 < min(found["clearance"]) and max(found["turn"]) <= 1.2
 assert 0 < len(found["balls"]) <= found["ball_count"] and all(len(ball) == 4 for ball in found["balls"])
 PY
-"$program" render path.json $small --output whole.mp4 --summary summary.json 2>stderr || fail "render: $(cat stderr)"
+run 0 render path.json $small --output whole.mp4 --summary summary.json
 says "$segments of $segments segments"
 python3 - $frames <<'PY' || fail "the summary is not what it should be"
 import json, sys
@@ -40,7 +30,7 @@ assert abs(found["seconds_per_frame"] * frames - found["seconds"]) < 1e-6
 PY
 [ "$(md5 whole.mp4 | wc -l)" = $((frames + 120)) ] || fail "whole.mp4 has $(md5 whole.mp4 | wc -l) frames, not 120 + $frames"
 [ -e whole.mp4.parts ] && fail "parts are left"
-"$program" render path.json $small --output whole.mp4 --summary summary.json 2>stderr || fail "a second run: $(cat stderr)"
+run 0 render path.json $small --output whole.mp4 --summary summary.json
 says "0 of $segments segments"
 grep -q '"seconds_per_frame": null' summary.json || fail "a film that was there has seconds a frame"
 
@@ -64,17 +54,17 @@ for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
     mv now before
 done
 [ $hits = "$kills" ] || fail "only $hits of $kills kills met a running program"
-"$program" render path.json $small --output killed.mp4 2>stderr || fail "after $kills kills: $(cat stderr)"
-cmp whole.mp4 killed.mp4 || fail "the film killed $kills times is another one"
+run 0 render path.json $small --output killed.mp4
+same killed.mp4 whole.mp4 "killed $kills times"
 
 # Two array jobs render different segments at the same time; then the film is joined.
 "$program" render path.json $small --output array.mp4 --segments 0-2 2>stderr0 &
-"$program" render path.json $small --output array.mp4 --segments 3-$((segments - 1)) 2>stderr || fail "the other segments: $(cat stderr)"
+run 0 render path.json $small --output array.mp4 --segments 3-$((segments - 1))
 wait %1 || fail "segments 0-2: $(cat stderr0)"
 says 'not joined'
-"$program" render path.json $small --output array.mp4 2>stderr || fail "joining: $(cat stderr)"
+run 0 render path.json $small --output array.mp4
 says "0 of $segments segments"
-cmp whole.mp4 array.mp4 || fail "the film of array jobs is another one"
+same array.mp4 whole.mp4 "of array jobs"
 
 # The disk, simulated by a limit on file sizes, is full; then there is space again.
 (ulimit -f 12; exec "$program" render path.json ${small/64x36/320x180} --output full.mp4 2>stderr)
@@ -95,15 +85,13 @@ chmod +x halving
 MANDELMARCH_FFMPEG=$PWD/halving "$program" render path.json $small --output half.mp4 2>stderr
 [ $? = 1 ] || fail "half a file gives another exit code than 1"
 says 'an incomplete file'
-"$program" render path.json $small --output half.mp4 2>stderr || fail "after half a file: $(cat stderr)"
-cmp whole.mp4 half.mp4 || fail "the film after half a file is another one"
+run 0 render path.json $small --output half.mp4
+same half.mp4 whole.mp4 "after half a file"
 
 # A missing encoder and a failing one are detected before the first frame.
-MANDELMARCH_FFMPEG=/nowhere/ffmpeg "$program" render path.json $small --output none.mp4 2>stderr
-[ $? = 1 ] || fail "a missing ffmpeg gives another exit code than 1"
+MANDELMARCH_FFMPEG=/nowhere/ffmpeg run 1 render path.json $small --output none.mp4
 says '/nowhere/ffmpeg'
-MANDELMARCH_FFMPEG=false "$program" render path.json $small --output none.mp4 2>stderr
-[ $? = 1 ] || fail "a failing ffmpeg gives another exit code than 1"
+MANDELMARCH_FFMPEG=false run 1 render path.json $small --output none.mp4
 says 'does not work'
 [ -e none.mp4.parts ] && fail "work was begun without an encoder"
 
@@ -118,5 +106,4 @@ if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
         rm -f mpi.mp4*
     done
 fi
-[ $failures = 0 ] && echo "all well; $hits kills of a running program in $try tries"
-exit $((failures > 0))
+finish

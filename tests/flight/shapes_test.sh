@@ -2,25 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # shapes_test.sh FLYTHROUGH SOURCE: shapes that cannot be flown through are refused before planning, whatever input they
 # come from.
-set -uo pipefail
-program=$(realpath "$1")
-source=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-fail() {
-    echo "FAILED: $*"
-    failures=$((failures + 1))
-}
-says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 500 stderr)"; }
-# refused ARGUMENT...: expects exit code 2, one line on stderr, and no output file.
-refused() {
-    timeout 30 "$program" "$@" --output new.json >stdout 2>stderr </dev/null
-    [ $? = 2 ] || fail "not refused: $*: $(head -c 300 stderr)"
-    [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines: $*: $(head -c 500 stderr)"
-    [ ! -e new.json ] || fail "a file is left: $*"
-}
+source=$(realpath "$2")
+. "$(dirname "$0")/films.sh"
+refused() { run 2 "$@" --output new.json; }
 params() { sed "s/^2 0.5 1$/$1/" "$source/paramsBox.dat"; }
 for scale in 0.5 0.9 0.3 -0.5 -1; do
     params "$scale 0.5 1" >p.dat
@@ -39,8 +23,7 @@ for power in 0.5 1 1.1 1.2; do
     refused plan --frames 120 --power "8:$power"
 done
 # A number on the command line replaces that of the parameter file.
-timeout 60 "$program" plan --frames 120 --params p.dat --power 8 --output new.json >stdout 2>stderr || fail "$(cat stderr)"
-rm -f new.json
+run 0 plan --frames 120 --params p.dat --power 8
 # If a Mandelbox's file is read as a Mandelbulb's, there is a warning about the file before the shape is refused.
 timeout 30 "$program" plan --frames 120 --params "$source/paramsBox.dat" --output new.json >stdout 2>stderr
 [ $? = 2 ] || fail "paramsBox.dat for a Mandelbulb: $(cat stderr)"
@@ -54,5 +37,4 @@ for seed in 1 2; do
     [ $? = 2 ] || fail "a Julia set: $(tail -1 stderr)"
     tail -1 stderr | grep -Eq 'this julia has no .*; another seed does not help, expected another shape' || fail "$(tail -1 stderr)"
 done
-[ $failures = 0 ] && echo "shapes that cannot be flown through: as expected"
-exit $((failures > 0))
+finish

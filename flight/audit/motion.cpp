@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "flight/audit/turns.h"
+#include "flight/audit/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
-#include "flight/path/horizon.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -17,6 +16,10 @@ constexpr double most_jerk = 0.3;         // threshold, as a multiple of the cub
 constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
 constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
+
+constexpr double narrowing = 2;        // ratio of the clearances outside and inside a passage
+constexpr double same_clearances = 2;  // clearances; passages closer to each other than this count as one
+constexpr double same_size = 0.02;     // fractal sizes; the same limit again: the larger of the two applies
 
 // Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
 // is the axis, its length is the angle in radians.
@@ -93,6 +96,63 @@ Row level_row(const Path& path)
     }
     const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
     return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%", ""};
+}
+
+std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
+                                       std::span<const double> clearances)
+{
+    std::vector<Passage> passages;
+    std::vector<Vector> known;
+    // When the clearance has fallen to half of `widest` or less, `least` becomes the frame with the smallest clearance
+    // from there on. That frame is a passage as soon as the clearance has grown to twice its clearance.
+    double widest = 0;  // the largest clearance since the last passage
+    bool narrowed = false;
+    Passage least{0, 0};
+    for (std::size_t i = 0; i < clearances.size(); ++i) {
+        const double here = clearances[i];
+        if (!narrowed) {
+            widest = std::max(widest, here);
+            if (narrowing * here > widest) continue;
+            narrowed = true;
+            least = {i, here};
+            continue;
+        }
+        if (here < least.clearance) least = {i, here};
+        if (here < narrowing * least.clearance) continue;
+        narrowed = false;
+        widest = here;
+        const DistanceField& there = field(least.frame);
+        if (!there.bounds().contains(places[least.frame])) continue;
+        const Vector place = there.representative(places[least.frame]);
+        const double apart = std::max(same_clearances * least.clearance, same_size * there.bounds().size);
+        if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
+        known.push_back(place);
+        passages.push_back(least);
+    }
+    return passages;
+}
+
+Stand longest_stand(std::span<const Vector> places, std::span<const double> radii)
+{
+    Stand longest;
+    std::size_t outside = 0;  // index of the first place outside the last stand's radius
+    for (std::size_t i = 0; i + longest.steps + 1 < places.size(); ++i) {
+        const auto within = [&](std::size_t j) {
+            ++longest.distances;
+            return length(places[j] - places[i]) <= radii[i];
+        };
+        // A stand from i that is longer than the longest so far includes `far`. The place that ended the last stand
+        // probably ends this one, too, and is therefore tested first.
+        const std::size_t far = i + longest.steps + 1;
+        if (!within(far) || (outside > i && outside < far && !within(outside))) continue;
+        outside = i + 1;
+        while (outside < places.size() && within(outside)) ++outside;
+        if (outside - 1 - i > longest.steps) {
+            longest.steps = outside - 1 - i;
+            longest.first = i;
+        }
+    }
+    return longest;
 }
 
 }  // namespace mandelmarch
