@@ -231,8 +231,7 @@ private:
 
     // Returns why a program has no valid picture of a configuration in this run; empty if it has one. `first`: the
     // configurations of the same program in the first run.
-    std::string failure_of(const std::string& name, const DuelProcess& now,
-                           const DuelProcess::Rows& first) const
+    std::string failure_of(const std::string& name, const DuelProcess& now, const DuelProcess::Rows& first) const
     {
         const auto found = now.rows().find(name);
         if (found == now.rows().end()) return "there is no such row";

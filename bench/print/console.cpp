@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "bench/print/study_tables.h"
+#include "bench/print/printers.h"
 #include "bench/base/table.h"
 #include "bench/result/figures.h"
 #include "bench/judge/winners.h"
