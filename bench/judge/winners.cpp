@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/base/table.h"
+#include "bench/judge/differences.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -61,7 +62,7 @@ std::string line_of(const Contest& contest)
     text +=
         fmt::format("{} {}, {} times as fast as {}", name, won ? "won" : "leads", digits(d.ratio), label_of(*next.row));
     if (next.judged.verdict == Verdict::no_speed) return text + ": too few pictures to be certain";
-    text += fmt::format(" [{}, {}]", digits(d.interval.low), digits(d.interval.high));
+    text += " " + interval_text(d.interval);
     if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.judged.p);
     if (next.judged.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
     return text + ": undecided, more runs would tell";
@@ -70,11 +71,9 @@ std::string line_of(const Contest& contest)
 // Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
 std::string free_processors(const Result& result)
 {
-    using Pointer = nlohmann::ordered_json::json_pointer;
-    const auto known = [&](const char* place) -> std::optional<double> {
-        const Pointer pointer(place);
-        if (!result.environment.contains(pointer) || !result.environment.at(pointer).is_number()) return std::nullopt;
-        return result.environment.at(pointer).get<double>();
+    const auto known = [&](const char* place) {
+        const auto value = value_at(result.environment, place);
+        return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
     };
     const auto cores = known("/cpu/cores_usable");
     const auto others = known("/during/others_share");

@@ -22,8 +22,7 @@ std::string short_name(const std::string& fractal)
 // Returns the interval, "[12.30, 12.45]", or the number of values, "n = 3", if there is no interval.
 std::string interval(const Summary& s, double unit)
 {
-    if (!s.interval) return fmt::format("n = {}", s.count);
-    return fmt::format("[{}, {}]", digits(unit * s.interval->low), digits(unit * s.interval->high));
+    return s.interval ? interval_text(*s.interval, unit) : fmt::format("n = {}", s.count);
 }
 
 std::string percent(const std::optional<double>& share)
@@ -160,9 +159,8 @@ std::string point_of(const Result& result, const Row& row)
 std::string cells(const std::optional<Quotient>& quotient)
 {
     if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
-    const auto& i = quotient->interval;
     return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
-                       i                        ? fmt::format("[{}, {}]", digits(i->low), digits(i->high))
+                       quotient->interval       ? interval_text(*quotient->interval)
                        : quotient->ratio == 1.0 ? "beside itself"
                                                 : "too few samples");
 }
