@@ -32,28 +32,21 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# Makes two results from one: in the first all times are equal, in the second they are doubled. This is a regression.
+# Makes three results from one: in the first all times are equal, in the second they are doubled, in the third a row is
+# missing. The latter two are regressions.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
-for name, seconds in ('even', 0.1), ('slow', 0.2):
+for name, seconds, first in ('even', 0.1, 0), ('slow', 0.2, 0), ('gone', 0.1, 1):
     for row in result['rows']:
         for sample in row['samples']:
             sample['kernel'] = seconds * (1 + 0.002 * sample['run'])
-    json.dump(result, open(name + '.json', 'w'))
+    json.dump(result | {'rows': result['rows'][first:]}, open(name + '.json', 'w'))
 PY
 expect 1 compare even.json slow.json
 grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
-
-# If a row is missing in the new result, this is a regression.
-python3 - <<'PY'
-import json
-result = json.load(open('even.json'))
-del result['rows'][0]
-json.dump(result, open('gone.json', 'w'))
-PY
 expect 1 compare even.json gone.json
 grep -q MISSING out || fail "a row that is gone is not named"
 expect 0 compare gone.json even.json
@@ -88,8 +81,7 @@ expect 2 "${quick[@]}" --json nosuch/x.json
 expect 2 "${quick[@]}" --json - --csv -
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
-expect 2 "${quick[@]}" --budget nan
-expect 2 "${quick[@]}" --budget inf
+expect 2 "${quick[@]}" --json .
 expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
@@ -164,14 +156,11 @@ expect 2 equivalence --backend nosuch
 expect 2 equivalence --fractal nosuch
 expect 2 equivalence --scenes 0
 
-expect 2 --nosuch
-expect 2 --size 10
 expect 2 compare a.json
 expect 2 compare a.json nosuch.json
 echo '{"schema": "mandelmarch-bench", "version": 99}' >future.json
 expect 2 compare a.json future.json
 grep -q 'version 99' err || fail "the version is not named"
-expect 1 "${quick[@]}" --fractal box --json /dev/full
 echo "not JSON" >bad.json
 expect 2 portability bad.json
 python3 -c 'print("{\"version\": " + 300000 * "[")' >deep.json
@@ -179,29 +168,4 @@ expect 2 compare a.json deep.json
 [ "$(wc -l <err)" = 1 ] || fail "more than a line for brackets that are too deep"
 expect 2 portability deep.json
 
-# Checks the schema if the pinned Python package is installed (make python).
-python=$source/build/venv/bin/python3
-if [ -x "$python" ] && "$python" -c 'import jsonschema, referencing' 2>/dev/null; then
-    "$python" - "$source/bench/schemas" a.json study.json <<'PY'
-import json, sys, jsonschema, referencing
-schema, environment = (json.load(open(f'{sys.argv[1]}/{kind}.schema.json')) for kind in ('result', 'environment'))
-jsonschema.Draft202012Validator.check_schema(schema)
-registry = referencing.Registry().with_resource(environment['$id'], referencing.Resource.from_contents(environment))
-validator = jsonschema.Draft202012Validator(schema, registry=registry)
-for path in sys.argv[2:]:
-    validator.validate(json.load(open(path)))
-# Negative control: the schema must reject these changes.
-def refused(change):
-    result = json.load(open(sys.argv[2]))
-    change(result)
-    return not validator.is_valid(result)
-assert refused(lambda r: r['rows'][0].pop('samples'))
-assert refused(lambda r: r['rows'][0]['verification'].update(passed=0))
-assert refused(lambda r: r.update(version=1))
-assert refused(lambda r: r.update(extra=1))
-PY
-else
-    echo "the schema is not checked: run make python" >&2
-    [ -z "${MANDELMARCH_NEED_PYTHON:-}" ] || exit 1
-fi
 echo fine
