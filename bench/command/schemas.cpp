@@ -30,12 +30,15 @@ Json properties_of(Json& definitions)
     return record_schema<Record>(definitions);
 }
 
-// A portability file is a list of the same entries as `portability` in a result.
+// The schema of a result also has what is computed from several rows. A portability file is a list of the same entries
+// as `portability` in a result.
 Json result_properties(Json& definitions)
 {
     Json schema = record_schema<Result>(definitions);
     schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
     schema["required"].push_back("portability");
+    schema["properties"]["winners"] = schema_of<std::vector<Contest>>({}, definitions);
+    schema["properties"]["winners"]["description"] = "Of a standard study. Missing in results of older builds.";
     return schema;
 }
 

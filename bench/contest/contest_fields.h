@@ -16,12 +16,6 @@ struct Names<DuelClock> {
     static constexpr std::array values{DuelClock::wall, DuelClock::processor};
 };
 template <>
-struct Names<Verdict> {
-    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
-                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
-                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
-};
-template <>
 struct Names<RaceVerdict> {
     static constexpr std::array values{RaceVerdict::same,       RaceVerdict::close,      RaceVerdict::wrong,
                                        RaceVerdict::wrong_size, RaceVerdict::no_picture, RaceVerdict::no_image,

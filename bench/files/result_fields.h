@@ -6,6 +6,7 @@
 
 #include "bench/files/fields.h"
 #include "bench/judge/portability.h"
+#include "bench/judge/winners.h"
 #include "bench/result/result.h"
 
 namespace mandelmarch::bench {
@@ -38,6 +39,13 @@ struct Names<Precision> {
 template <>
 struct Names<Mode> {
     static constexpr std::array values{Mode::exact, Mode::fast};
+};
+
+template <>
+struct Names<Verdict> {
+    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
+                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
+                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
 };
 
 template <>
@@ -321,6 +329,36 @@ struct Fields<Portability> {
         field("not_measured", &Portability::not_measured, "",
               {.about = "Platforms that occur only in results without this application; they are not in H."}),
         field("cascade", &Portability::cascade)};
+};
+
+template <>
+struct Fields<Rival> {
+    static bool is_tested(const Rival& rival) { return rival.judged.verdict != Verdict::no_speed; }
+
+    static constexpr const char* name = "rival";
+    static constexpr std::tuple list{
+        derived_field("name", [](const Rival& rival) { return rival.judged.name; }),
+        derived_field("verdict", [](const Rival& rival) { return rival.judged.verdict; }, "",
+                      {.about = "SLOWER, same or undecided; no speed: too few pictures for a test."}),
+        derived_field("ratio", [](const Rival& rival) { return rival.judged.difference.ratio; }, "",
+                      {.about = "This kernel time / the fastest row's."}),
+        derived_field("interval",
+                      [](const Rival& rival) {
+                          return is_tested(rival) ? std::optional(rival.judged.difference.interval) : std::nullopt;
+                      },
+                      "", {.about = "95 %, of the ratio."}),
+        derived_field(
+            "p", [](const Rival& rival) { return is_tested(rival) ? std::optional(rival.judged.p) : std::nullopt; }, "",
+            {.about = "After Holm's correction over all rivals of the result."})};
+};
+
+template <>
+struct Fields<Contest> {
+    static constexpr const char* name = "contest";
+    static constexpr std::tuple list{
+        derived_field("fastest", [](const Contest& contest) { return contest.fastest->name(); }, "",
+                      {.about = "Name of the row with the shortest kernel time in its fractal, precision and mode."}),
+        derived_field("rivals", &Contest::rivals, "", {.about = "The other applications' rows, fastest first."})};
 };
 
 template <>

@@ -71,6 +71,7 @@ Json json_of(const Result& result)
 {
     Json json = document(result_schema, schema_version, result);
     json["portability"] = json_of(portability({&result, 1}));
+    json["winners"] = to_json(contests_of(result));
     return json;
 }
 

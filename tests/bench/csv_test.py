@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """csv_test.py BIN SOURCE: a pivot of a standard study's CSV, by the column `application` or by the column `backend`, has
-the kernel times of its JSON: no cell is the mean of several rows."""
+the kernel times of its JSON: no cell is the mean of several rows. The CSV has a line for each row."""
 import csv
 import io
 import json
@@ -12,6 +12,7 @@ import sys
 
 BIN, SOURCE = map(pathlib.Path, sys.argv[1:3])
 STUDY = SOURCE / "report" / "results" / "bench.json"
+STORED = json.loads(STUDY.read_text())
 
 
 def pivot(rows, *keys):
@@ -24,11 +25,13 @@ def pivot(rows, *keys):
 
 expected = {
     (row["fractal"], row["precision"], row["mode"], row["application"], str(row["device"])): row["figures"]["kernel_seconds"]["median"]
-    for row in json.loads(STUDY.read_text())["rows"] if row["figures"] is not None
+    for row in STORED["rows"] if row["figures"] is not None
 }
 problems = {key[:3] for key in expected}
 made = subprocess.run([BIN / "bench", "csv", STUDY], capture_output=True, text=True, check=True).stdout
 for origin, text in ("bench csv", made), ("report/results/bench.csv", STUDY.with_suffix(".csv").read_text()):
+    lines = list(csv.reader(io.StringIO(text)))
+    assert all(len(line) == len(lines[0]) for line in lines) and len(lines) == 1 + len(STORED["rows"]), origin
     rows = [row for row in csv.DictReader(io.StringIO(text)) if row["fom"]]
     for column in "application", "backend":
         found = pivot(rows, "fractal", "precision", "mode", column, "device")

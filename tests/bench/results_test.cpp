@@ -107,6 +107,7 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
         {"/warnings", "[1]"},
         {"/environment", "[]"},
         {"/version", "\"1\""},
+        {"/version", "3"},
         {"/rows", "\"none\""}};
     for (const auto& [place, value] : changes) {
         Json json = whole();
@@ -199,6 +200,10 @@ TEST(ResultFile, WhatItMustNotHoldIsRefused)
 {
     const std::string deep = "{\"version\": " + std::string(1'000'000, '[');
     EXPECT_NE(refusal_of(deep).find("nested"), std::string::npos) << "before it is parsed";
+    Json lacking = whole();
+    lacking["rows"][0].erase("samples");
+    EXPECT_NE(refusal_of(text_of(lacking)).find("rows[0]: 'samples' is missing"), std::string::npos);
+    EXPECT_NE(refusal_of("[]"), "");
     Json twice = whole();
     twice["rows"].push_back(twice["rows"][0]);
     EXPECT_NE(refusal_of(text_of(twice)).find("mandelbox/float/exact/openmp/0 is there twice"), std::string::npos);

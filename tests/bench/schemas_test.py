@@ -64,7 +64,8 @@ def check_twins(kind, data):
         return not validator(kind).is_valid([twin, *data[1:]] if isinstance(data, list) else twin)
 
     for key in whole:
-        assert refused({other: value for other, value in whole.items() if other != key}), f"{kind} without {key}"
+        without = {other: value for other, value in whole.items() if other != key}
+        assert refused(without) or key == "winners", f"{kind} without {key}"  # results of older builds have none
         assert refused(whole | {key: [None]}), f"{kind} with a list as {key}"
     assert refused(whole | {"nosuch": 1}), f"{kind} with a key too many"
 
