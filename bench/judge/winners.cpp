@@ -18,7 +18,7 @@ bool same_contest(const Row& a, const Row& b)
            a.setting.picture() == b.setting.picture();
 }
 
-double kernel_median(const Row* row) { return median(kernel_times(*row)); }
+double kernel_median(const Row* row) { return row->figures->kernel.median; }
 
 Rival rival_of(const Row& row, const Row& fastest)
 {
@@ -92,8 +92,7 @@ std::vector<Contest> contests_of(const Result& result)
     if (result.study != standard_study) return {};
     std::vector<std::vector<const Row*>> groups;
     for (const Row& row : result.rows) {
-        const std::vector<double> times = row.timed() ? kernel_times(row) : std::vector<double>{};
-        if (times.empty() || row.backend == result.reference() || *std::ranges::min_element(times) <= 0) continue;
+        if (!row.figures || row.backend == result.reference() || row.figures->kernel.min <= 0) continue;
         const auto same =
             std::ranges::find_if(groups, [&](const auto& rows) { return same_contest(*rows.front(), row); });
         if (same == groups.end()) {
