@@ -13,7 +13,6 @@
 #include <random>
 
 #include "bench/contest/duel.h"
-#include "bench/contest/line_socket.h"
 #include "bench/contest/on_demand.h"
 #include "bench/machine/steadiness.h"
 #include "core/base/child_process.h"
