@@ -73,9 +73,10 @@ Json schema_json(const Kind& kind)
                 {"title", fmt::format("{}, version {}", kind.title, kind.version)},
                 {"description", kind.about}};
     Json record = kind.properties(definitions);
-    Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
-    properties.update(record["properties"]);
-    schema.update(object_schema(std::move(properties)));
+    Json whole = object_schema({{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}});
+    whole["properties"].update(record["properties"]);
+    for (Json& key : record["required"]) whole["required"].push_back(std::move(key));
+    schema.update(whole);
     schema["$defs"] = std::move(definitions);
     return schema;
 }

@@ -50,28 +50,6 @@ struct Fields<DuelRow> {
 };
 
 template <>
-struct Fields<Judged> {
-    template <class Value>
-    static std::optional<Value> if_tested(const Judged& row, const Value& value)
-    {
-        return row.why.empty() ? std::optional(value) : std::nullopt;
-    }
-
-    static constexpr const char* name = "verdict";
-    static constexpr std::tuple list{
-        field("name", &Judged::name, "", {.about = "Name of a row, or `all rows` for the geometric mean of the rows."}),
-        field("verdict", &Judged::verdict),
-        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why nothing was tested; null if it was."}),
-        derived_field("ratio", [](const Judged& row) { return if_tested(row, row.difference.ratio); }, "",
-                      {.about = "Ratio of times, new / old."}),
-        derived_field("interval", [](const Judged& row) { return if_tested(row, row.difference.interval); }, "",
-                      {.about = "95 %, of the ratio."}),
-        derived_field("p", [](const Judged& row) { return if_tested(row, row.p); }, "",
-                      {.about = "After Holm's correction."}),
-        field("runs", &Judged::new_units)};
-};
-
-template <>
 struct Fields<Duel> {
     static constexpr const char* name = "duel";
     static constexpr std::tuple list{

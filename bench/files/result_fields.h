@@ -332,24 +332,25 @@ struct Fields<Portability> {
 };
 
 template <>
-struct Fields<Rival> {
-    static bool is_tested(const Rival& rival) { return rival.judged.verdict != Verdict::no_speed; }
+struct Fields<Judged> {
+    template <class Value>
+    static std::optional<Value> if_tested(const Judged& row, const Value& value)
+    {
+        return row.why.empty() ? std::optional(value) : std::nullopt;
+    }
 
-    static constexpr const char* name = "rival";
+    static constexpr const char* name = "verdict";
     static constexpr std::tuple list{
-        derived_field("name", [](const Rival& rival) { return rival.judged.name; }),
-        derived_field("verdict", [](const Rival& rival) { return rival.judged.verdict; }, "",
-                      {.about = "SLOWER, same or undecided; no speed: too few pictures for a test."}),
-        derived_field("ratio", [](const Rival& rival) { return rival.judged.difference.ratio; }, "",
-                      {.about = "This kernel time / the fastest row's."}),
-        derived_field("interval",
-                      [](const Rival& rival) {
-                          return is_tested(rival) ? std::optional(rival.judged.difference.interval) : std::nullopt;
-                      },
-                      "", {.about = "95 %, of the ratio."}),
-        derived_field(
-            "p", [](const Rival& rival) { return is_tested(rival) ? std::optional(rival.judged.p) : std::nullopt; }, "",
-            {.about = "After Holm's correction over all rivals of the result."})};
+        field("name", &Judged::name, "", {.about = "Name of a row, or `all rows` for the geometric mean of the rows."}),
+        field("verdict", &Judged::verdict),
+        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why nothing was tested; null if it was."}),
+        derived_field("ratio", [](const Judged& row) { return if_tested(row, row.difference.ratio); }, "",
+                      {.about = "Ratio of times, new / old."}),
+        derived_field("interval", [](const Judged& row) { return if_tested(row, row.difference.interval); }, "",
+                      {.about = "95 %, of the ratio."}),
+        derived_field("p", [](const Judged& row) { return if_tested(row, row.p); }, "",
+                      {.about = "After Holm's correction."}),
+        field("runs", &Judged::new_units)};
 };
 
 template <>
@@ -358,7 +359,8 @@ struct Fields<Contest> {
     static constexpr std::tuple list{
         derived_field("fastest", [](const Contest& contest) { return contest.fastest->name(); }, "",
                       {.about = "Name of the row with the shortest kernel time in its fractal, precision and mode."}),
-        derived_field("rivals", &Contest::rivals, "", {.about = "The other applications' rows, fastest first."})};
+        field("rivals", &Contest::rivals, "",
+              {.about = "The other applications' rows, fastest first. ratio: their kernel time / the fastest's."})};
 };
 
 template <>
