@@ -43,6 +43,9 @@ Result random_result(std::mt19937_64& random, const std::function<double(int)>& 
     return result;
 }
 
+// The case with the most alarms: every row differs by exactly the margin.
+double at_the_margin(int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); }
+
 // Returns in how many of 100 comparisons of two results alarm(before, after) is true. In the second result, the times
 // of row i are factor(i) times as long.
 template <class Alarm>
@@ -85,15 +88,12 @@ bool pooled_alarms(const Result& before, const Result& after)
 TEST(Compare, RaisesFewFalseAlarms)
 {
     EXPECT_LE(alarms(same, compare_alarms), 5) << "builds that are the same";
-    // The case with the most alarms: every row differs by exactly the margin.
-    const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
 
 // Negative controls: each of these simpler methods raises many alarms in the same test.
 TEST(Compare, ShortcutsRaiseMany)
 {
-    const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_GT(alarms(at_the_margin, uncorrected_alarms), 30) << "without Holm's correction";
     EXPECT_GT(alarms(at_the_margin, pooled_alarms), 30) << "samples of one run taken for independent";
 }
