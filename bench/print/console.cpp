@@ -84,12 +84,13 @@ std::string main_table(const Result& result, bool sweep)
 // Returns a table with all columns, one line per configuration.
 std::string wide_table(const Result& result)
 {
-    std::string text = fmt::format(
+    constexpr const char* line =
         "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
-        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-        "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build",
-        "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms",
-        "speed-up", "thr", "SIMD", "set");
+        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n";
+    std::string text =
+        fmt::format(fmt::runtime(line), "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms",
+                    "wall ms", "context", "build", "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s",
+                    "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up", "thr", "SIMD", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
             text += fmt::format("{:<46} {}\n", row.name(),
@@ -98,16 +99,14 @@ std::string wide_table(const Result& result)
             continue;
         }
         const Figures& f = *row.figures;
-        text += fmt::format(
-            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
-            "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-            row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median),
-            interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context),
-            digits(1e3 * row.build), digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
-            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
-            row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
-            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.simd_width,
-            row.instruction_set);
+        text += fmt::format(fmt::runtime(line), row.name(), row.verification.text, row.samples.size(),
+                            digits(1e3 * f.kernel.median), interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad),
+                            digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
+                            digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
+                            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
+                            digits(1e-6 * f.iteration_rate), row.operations > 0 ? digits(1e-9 * row.operations) : "-",
+                            of(f.operation_rate, 1e-9), of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3),
+                            of(ratio_of(f.speed_up), 1), row.threads, row.simd_width, row.instruction_set);
     }
     return text;
 }
