@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/text.h"
+
 namespace mandelmarch::bench {
 
 std::string digits(double value)
@@ -15,6 +17,18 @@ std::string digits(double value)
     if (size >= 1e6) return fmt::format("{:.2e}", value);
     const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4;
     return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string interval_text(const Interval& interval, double unit)
+{
+    return fmt::format("[{}, {}]", digits(unit * interval.low), digits(unit * interval.high));
+}
+
+std::string notes(const std::string& start, const std::vector<std::string>& texts)
+{
+    std::string lines;
+    for (const std::string& text : texts) lines += printable(start + text, longest_note) + "\n";
+    return lines;
 }
 
 std::string clipped(const std::string& line, std::size_t most)

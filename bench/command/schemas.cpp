@@ -30,12 +30,15 @@ Json properties_of(Json& definitions)
     return record_schema<Record>(definitions);
 }
 
-// A portability file is a list of the same entries as `portability` in a result.
+// The schema of a result also has what is computed from several rows. A portability file is a list of the same entries
+// as `portability` in a result.
 Json result_properties(Json& definitions)
 {
     Json schema = record_schema<Result>(definitions);
     schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
     schema["required"].push_back("portability");
+    schema["properties"]["winners"] = schema_of<std::vector<Contest>>({}, definitions);
+    schema["properties"]["winners"]["description"] = "Of a standard study. Missing in results of older builds.";
     return schema;
 }
 
@@ -70,9 +73,10 @@ Json schema_json(const Kind& kind)
                 {"title", fmt::format("{}, version {}", kind.title, kind.version)},
                 {"description", kind.about}};
     Json record = kind.properties(definitions);
-    Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
-    properties.update(record["properties"]);
-    schema.update(object_schema(std::move(properties)));
+    Json whole = object_schema({{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}});
+    whole["properties"].update(record["properties"]);
+    for (Json& key : record["required"]) whole["required"].push_back(std::move(key));
+    schema.update(whole);
     schema["$defs"] = std::move(definitions);
     return schema;
 }

@@ -16,12 +16,6 @@ struct Names<DuelClock> {
     static constexpr std::array values{DuelClock::wall, DuelClock::processor};
 };
 template <>
-struct Names<Verdict> {
-    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
-                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
-                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
-};
-template <>
 struct Names<RaceVerdict> {
     static constexpr std::array values{RaceVerdict::same,       RaceVerdict::close,      RaceVerdict::wrong,
                                        RaceVerdict::wrong_size, RaceVerdict::no_picture, RaceVerdict::no_image,
@@ -53,28 +47,6 @@ struct Fields<DuelRow> {
                                      field("same_picture", &DuelRow::same_picture, "",
                                            {.about = "The pictures of the two programs are equal byte for byte."}),
                                      field("pairs", &DuelRow::pairs)};
-};
-
-template <>
-struct Fields<Judged> {
-    template <class Value>
-    static std::optional<Value> if_tested(const Judged& row, const Value& value)
-    {
-        return row.why.empty() ? std::optional(value) : std::nullopt;
-    }
-
-    static constexpr const char* name = "verdict";
-    static constexpr std::tuple list{
-        field("name", &Judged::name, "", {.about = "Name of a row, or `all rows` for the geometric mean of the rows."}),
-        field("verdict", &Judged::verdict),
-        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why nothing was tested; null if it was."}),
-        derived_field("ratio", [](const Judged& row) { return if_tested(row, row.difference.ratio); }, "",
-                      {.about = "Ratio of times, new / old."}),
-        derived_field("interval", [](const Judged& row) { return if_tested(row, row.difference.interval); }, "",
-                      {.about = "95 %, of the ratio."}),
-        derived_field("p", [](const Judged& row) { return if_tested(row, row.p); }, "",
-                      {.about = "After Holm's correction."}),
-        field("runs", &Judged::new_units)};
 };
 
 template <>

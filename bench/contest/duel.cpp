@@ -9,7 +9,6 @@
 
 #include "bench/base/table.h"
 #include "bench/judge/differences.h"
-#include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -101,10 +100,8 @@ std::string to_console(const Duel& duel)
     std::string text = table_of(duel.verdicts, 4);
     text += fmt::format("{} runs of each program, {} pictures of each row in each, {}\n", duel.runs, duel.rounds,
                         duel.clock == DuelClock::wall ? "kernel time" : "processor time");
-    for (const std::string& difference : differences_of(duel.old_side.environment, duel.new_side.environment)) {
-        text += printable("differs: " + difference, longest_note) + "\n";
-    }
-    for (const std::string& warning : duel.warnings) text += printable("warning: " + warning, longest_note) + "\n";
+    text += notes("differs: ", differences_of(duel.old_side.environment, duel.new_side.environment));
+    text += notes("warning: ", duel.warnings);
     std::vector<Judged> rows = duel.verdicts;
     std::erase_if(rows, [](const Judged& row) { return row.name == all_rows; });
     return text + summary_of(rows, duel.margin);

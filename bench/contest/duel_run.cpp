@@ -1,21 +1,142 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/contest/duel_run.h"
-
 #include <fmt/format.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <map>
 #include <random>
 
-#include "bench/contest/contender.h"
+#include "bench/contest/duel.h"
+#include "bench/contest/on_demand.h"
 #include "bench/machine/steadiness.h"
+#include "core/base/child_process.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double last_wait = 2;  // seconds for a program that has closed its socket
+
+// One of the two bench processes.
+class DuelProcess {
+public:
+    // State of a configuration, as reported by the process before the rounds.
+    struct Ready {
+        std::string fingerprint;  // hash of its picture
+        std::string failure;      // why it has no speed; empty if it has one
+        bool in_process = true;   // false: a driver renders in another process
+    };
+    using Rows = std::map<std::string, Ready>;
+
+    // Time of a picture by the duel's clock, or the reason why there is none.
+    struct Drawn {
+        std::optional<double> seconds;
+        std::string failure;
+    };
+
+    // Starts `program` with the arguments and `--on-demand`. Throws Error if it cannot be started.
+    DuelProcess(const std::string& program, const std::vector<std::string>& arguments, DuelClock clock) : clock_(clock)
+    {
+        std::array<int, 2> pair{};
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
+            throw Error(fmt::format("a socket: {}", std::strerror(errno)));
+        }
+        socket_.emplace(Descriptor(pair[0]));
+        const Descriptor theirs(pair[1]);
+        // Waiting threads sleep. OpenMP's would otherwise spin on the cores that the other program uses, and count as
+        // processor time.
+        setenv("OMP_WAIT_POLICY", "passive", 1);
+        std::vector<std::string> words{program};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        words.emplace_back("--on-demand");
+        process_.emplace(ChildSetup{.words = std::move(words), .program = program, .input = theirs.number()});
+    }
+
+    // Closes the socket, at which the process exits; kills it if it has not ended soon after.
+    ~DuelProcess()
+    {
+        socket_.reset();
+        process_->end(last_wait);
+    }
+
+    // Waits until the configurations are ready. Throws Error if the process ends first or sends an invalid message.
+    void wait()
+    {
+        const Json hello = receive();
+        try {
+            if (hello.at("version") != on_demand_version) throw Error("is a bench whose duels are of another version");
+            environment_ = hello.at("environment");
+            for (const Json& row : hello.at("rows")) {
+                const Json& failure = row.at("failure");
+                rows_[row.at("name")] = {row.at("fingerprint"), failure.is_null() ? "" : failure.get<std::string>(),
+                                         row.at("in_process")};
+            }
+        } catch (const nlohmann::json::exception&) {
+            throw Error(no_answer);
+        }
+    }
+
+    const Rows& rows() const { return rows_; }
+    const Json& environment() const { return environment_; }
+
+    // Makes the process render one picture of the configuration named `row`, and returns its time. Throws Error if the
+    // process ends.
+    Drawn draw(const std::string& row)
+    {
+        try {
+            socket_->send(row);
+        } catch (const Error&) {
+            throw Error(how_it_ended());
+        }
+        const Json answer = receive();
+        if (const auto seconds = answer.find(clock_ == DuelClock::processor ? "processor" : "kernel");
+            seconds != answer.end() && seconds->is_number()) {
+            return {.seconds = seconds->get<double>(), .failure = {}};
+        }
+        const auto failure = answer.find("failure");
+        if (failure == answer.end() || !failure->is_string()) throw Error(no_answer);
+        return {.seconds = std::nullopt, .failure = failure->get<std::string>()};
+    }
+
+private:
+    static constexpr const char* no_answer = "does not answer as bench does";
+
+    Json receive()
+    {
+        std::string line;
+        if (!socket_->receive(line, [this] { return process_->ends_within(0); })) throw Error(how_it_ended());
+        check_json_depth(line, "its answer");
+        Json json = Json::parse(line, nullptr, false);
+        if (!json.is_object()) throw Error(no_answer);
+        return json;
+    }
+
+    std::string how_it_ended()
+    {
+        if (!process_->ends_within(last_wait)) return "closed its socket";
+        const Ended& ended = process_->end();
+        if (ended.signal != 0) return fmt::format("was ended by signal {}", ended.signal);
+        return fmt::format(
+            "ended with {}{}", ended.code,
+            ended.code == exit_usage ? ", as a bench without duels does that has no option --on-demand" : "");
+    }
+
+    DuelClock clock_;
+    std::optional<ChildProcess> process_;
+    std::optional<LineSocket> socket_;
+    Rows rows_;
+    Json environment_;
+};
 
 void check_program(const std::string& program)
 {
@@ -109,8 +230,7 @@ private:
 
     // Returns why a program has no valid picture of a configuration in this run; empty if it has one. `first`: the
     // configurations of the same program in the first run.
-    std::string failure_of(const std::string& name, const DuelProcess& now,
-                           const std::map<std::string, DuelProcess::Ready>& first) const
+    std::string failure_of(const std::string& name, const DuelProcess& now, const DuelProcess::Rows& first) const
     {
         const auto found = now.rows().find(name);
         if (found == now.rows().end()) return "there is no such row";
@@ -154,7 +274,7 @@ private:
     const std::function<void(double)>& progress_;
     std::mt19937_64 random_;
     Duel duel_;
-    std::pair<std::map<std::string, DuelProcess::Ready>, std::map<std::string, DuelProcess::Ready>> first_;
+    std::pair<DuelProcess::Rows, DuelProcess::Rows> first_;
 };
 
 }  // namespace

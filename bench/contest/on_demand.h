@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the pictures of a study at another process's request: one side of `bench duel`.
+// The protocol of `bench duel`, and the side that renders the pictures of a study at the other side's request.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+
 #include "bench/study/options.h"
+#include "core/base/descriptor.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::bench {
+
+// Exchanges lines of text over a socket between two processes.
+class LineSocket {
+public:
+    explicit LineSocket(Descriptor socket) : socket_(std::move(socket)) {}
+
+    // Sends a line, given without its newline. Throws Error if the peer is gone.
+    void send(const std::string& line);
+
+    // Waits for a line. Returns false if the peer has closed the socket, or once gone(), which is polled, returns true.
+    // Throws Error for a line of more than 16 MiB.
+    bool receive(
+        std::string& line, const std::function<bool()>& gone = [] { return false; });
+
+private:
+    Descriptor socket_;
+    std::string left_;  // received part of later lines
+};
 
 inline constexpr int on_demand_version = 1;  // of the protocol below
 

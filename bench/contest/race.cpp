@@ -90,8 +90,7 @@ std::string to_console(const Race& race)
         const Summary& s = *racer.wall;
         const auto& ratio = racer.times_ours;
         const auto interval = [](const std::optional<Interval>& i, double unit, int count) {
-            return i ? fmt::format("[{}, {}]", digits(unit * i->low), digits(unit * i->high))
-                     : fmt::format("n = {}", count);
+            return i ? interval_text(*i, unit) : fmt::format("n = {}", count);
         };
         line(fmt::format("{:<28} {:<13} {:>9} {:<20} {:>8} {:<16} {:>7.0f} {:>5}", name_in_table(racer), verdict,
                          digits(1e3 * s.median), interval(s.interval, 1e3, s.count), ratio ? digits(ratio->ratio) : "",
@@ -100,8 +99,7 @@ std::string to_console(const Race& race)
     }
     text += fmt::format("{}, {} x {} pixels, {} runs of each whole process in alternation, {:g} s at most\n",
                         race.fractal, race.width, race.height, race.rounds, race.limit);
-    for (const std::string& warning : race.warnings) text += printable("warning: " + warning, longest_note) + "\n";
-    return text;
+    return text + notes("warning: ", race.warnings);
 }
 
 }  // namespace mandelmarch::bench

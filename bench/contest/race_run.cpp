@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/contest/race_run.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,6 +11,7 @@
 #include <tuple>
 
 #include "cli/option_values.h"
+#include "bench/contest/race.h"
 #include "bench/machine/environment.h"
 #include "bench/harness/verify.h"
 #include "bench/machine/steadiness.h"

@@ -6,6 +6,7 @@
 
 #include "bench/files/fields.h"
 #include "bench/judge/portability.h"
+#include "bench/judge/winners.h"
 #include "bench/result/result.h"
 
 namespace mandelmarch::bench {
@@ -38,6 +39,13 @@ struct Names<Precision> {
 template <>
 struct Names<Mode> {
     static constexpr std::array values{Mode::exact, Mode::fast};
+};
+
+template <>
+struct Names<Verdict> {
+    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
+                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
+                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
 };
 
 template <>
@@ -321,6 +329,38 @@ struct Fields<Portability> {
         field("not_measured", &Portability::not_measured, "",
               {.about = "Platforms that occur only in results without this application; they are not in H."}),
         field("cascade", &Portability::cascade)};
+};
+
+template <>
+struct Fields<Judged> {
+    template <class Value>
+    static std::optional<Value> if_tested(const Judged& row, const Value& value)
+    {
+        return row.why.empty() ? std::optional(value) : std::nullopt;
+    }
+
+    static constexpr const char* name = "verdict";
+    static constexpr std::tuple list{
+        field("name", &Judged::name, "", {.about = "Name of a row, or `all rows` for the geometric mean of the rows."}),
+        field("verdict", &Judged::verdict),
+        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why nothing was tested; null if it was."}),
+        derived_field("ratio", [](const Judged& row) { return if_tested(row, row.difference.ratio); }, "",
+                      {.about = "Ratio of times, new / old."}),
+        derived_field("interval", [](const Judged& row) { return if_tested(row, row.difference.interval); }, "",
+                      {.about = "95 %, of the ratio."}),
+        derived_field("p", [](const Judged& row) { return if_tested(row, row.p); }, "",
+                      {.about = "After Holm's correction."}),
+        field("runs", &Judged::new_units)};
+};
+
+template <>
+struct Fields<Contest> {
+    static constexpr const char* name = "contest";
+    static constexpr std::tuple list{
+        derived_field("fastest", [](const Contest& contest) { return contest.fastest->name(); }, "",
+                      {.about = "Name of the row with the shortest kernel time in its fractal, precision and mode."}),
+        field("rivals", &Contest::rivals, "",
+              {.about = "The other applications' rows, fastest first. ratio: their kernel time / the fastest's."})};
 };
 
 template <>

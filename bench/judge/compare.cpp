@@ -152,12 +152,8 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
 
 std::string to_console(const ComparedResults& comparison)
 {
-    std::string text = table_of(comparison.rows, 3);
-    for (const std::string& difference : comparison.differences)
-        text += printable("differs: " + difference, longest_note) + "\n";
-    for (const std::string& warning : comparison.warnings)
-        text += printable("warning: " + warning, longest_note) + "\n";
-    return text + summary_of(comparison.rows, margin);
+    return table_of(comparison.rows, 3) + notes("differs: ", comparison.differences) +
+           notes("warning: ", comparison.warnings) + summary_of(comparison.rows, margin);
 }
 
 }  // namespace mandelmarch::bench

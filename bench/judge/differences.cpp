@@ -34,13 +34,6 @@ constexpr std::array<std::pair<const char*, const char*>, 18> facts{{{"revision"
                                                                      {"kernel", "/os/kernel"},
                                                                      {"variables", "/variables"}}};
 
-// Returns the value at a JSON pointer, or null if it is missing.
-Json value_at(const Json& json, const std::string& pointer)
-{
-    const Json::json_pointer place(pointer);
-    return json.contains(place) ? json.at(place) : Json();
-}
-
 std::string words(const Json& value)
 {
     if (value.is_null()) return "unknown";
@@ -77,6 +70,12 @@ std::map<std::string, Json> backends_of(const Json& environment)
 }
 
 }  // namespace
+
+Json value_at(const Json& environment, const std::string& pointer)
+{
+    const Json::json_pointer place(pointer);
+    return environment.contains(place) ? environment.at(place) : Json();
+}
 
 std::vector<std::string> differences_of(const Json& old_environment, const Json& new_environment)
 {

@@ -7,12 +7,11 @@
 #include <map>
 #include <set>
 
+#include "bench/judge/differences.h"
 #include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::set<std::string> platforms_of(const Result& result)
 {
@@ -30,19 +29,16 @@ bool is_cpu(const Result& result, const std::string& platform)
 // Returns true if both results contain the boot ID of their system, and the IDs are equal.
 bool same_boot(const Result& a, const Result& b)
 {
-    const Json::json_pointer boot("/os/boot");
-    return a.environment.contains(boot) && b.environment.contains(boot) && a.environment.at(boot).is_string() &&
-           a.environment.at(boot) == b.environment.at(boot);
+    const auto boot = value_at(a.environment, "/os/boot");
+    return boot.is_string() && boot == value_at(b.environment, "/os/boot");
 }
 
 // Returns true if both results have the same facts of the CPU. A fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {
-        const Json::json_pointer place(fact);
-        if (!a.environment.contains(place) || !b.environment.contains(place)) continue;
-        const Json& one = a.environment.at(place);
-        const Json& other = b.environment.at(place);
+        const auto one = value_at(a.environment, fact);
+        const auto other = value_at(b.environment, fact);
         if (!one.is_null() && !other.is_null() && one != other) return false;
     }
     return true;

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
 #include <set>
-#include <tuple>
+#include <string>
+#include <utility>
 
 #include "bench/result/figures.h"
 #include "bench/judge/platforms.h"
@@ -31,16 +34,10 @@ struct Problem {
     Precision precision;
     Mode mode;
     int width, height;
-    bool operator<(const Problem& other) const
-    {
-        return std::tie(fractal, precision, mode, width, height) <
-               std::tie(other.fractal, other.precision, other.mode, other.width, other.height);
-    }
+    auto operator<=>(const Problem&) const = default;
 };
 
-struct Efficiencies {
-    double application = 0, architecture = 0;
-};
+using Seconds = std::map<std::pair<std::string, std::string>, double>;  // by application and platform
 
 // Returns a random value of the time that the configuration may really have.
 // With several runs: its logarithm is the mean of the runs' logarithms plus Student's t times the mean's standard
@@ -90,8 +87,6 @@ public:
         if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
     }
 
-    const std::set<std::string>& platforms() const { return platforms_; }
-
     // Returns true if there is a result that contains both the platform and the application, even if not together.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
@@ -100,60 +95,68 @@ public:
         });
     }
 
-    // Returns the platforms on which the application was measured.
-    std::vector<std::string> measured(const std::string& application) const
+    std::vector<std::string> not_measured(const std::string& application) const
     {
-        std::vector<std::string> found;
-        for (const std::string& platform : platforms_) {
-            if (is_measured(application, platform)) found.push_back(platform);
-        }
+        std::vector<std::string> found(platforms_.begin(), platforms_.end());
+        std::erase_if(found, [&](const std::string& platform) { return is_measured(application, platform); });
         return found;
     }
 
     // Returns the kernel time of each application on each platform: the median, or, if `random` is given, a random
     // value (drawn()).
-    std::map<std::pair<std::string, std::string>, double> seconds(std::mt19937_64* random) const
+    Seconds seconds(std::mt19937_64* random) const
     {
-        std::map<std::pair<std::string, std::string>, double> found;
+        Seconds found;
         for (const auto& [key, entry] : entries_) {
             found[key] = random != nullptr ? drawn(entry, *random) : median(entry.times);
         }
         return found;
     }
 
-    Efficiencies efficiencies(const std::map<std::pair<std::string, std::string>, double>& seconds,
-                              const std::string& application, const std::string& platform) const
+    // Returns the application's efficiencies on the platforms on which it was measured.
+    std::vector<OnPlatform> efficiencies(const std::string& application, const Seconds& seconds) const
     {
-        const auto mine = seconds.find({application, platform});
-        if (mine == seconds.end() || !(mine->second > 0)) return {};
-        double best = mine->second;
-        for (const std::string& other : applications_) {
-            const auto theirs = seconds.find({other, platform});
-            if (theirs != seconds.end()) best = std::min(best, theirs->second);
+        std::vector<OnPlatform> found;
+        for (const std::string& platform : platforms_) {
+            if (!is_measured(application, platform)) continue;
+            OnPlatform on{.platform = platform};
+            const auto mine = seconds.find({application, platform});
+            if (mine != seconds.end()) on.seconds = mine->second;
+            if (on.seconds > 0) {
+                on.application = best(platform, seconds) / on.seconds;
+                const Entry& entry = entries_.at({application, platform});
+                const Peak* peak = peak_of(*entry.result, platform, entry.row->precision);
+                if (peak != nullptr && peak->rate > 0) {
+                    on.architecture = entry.row->operations / on.seconds / peak->rate;
+                }
+            }
+            found.push_back(std::move(on));
         }
-        const Entry& entry = entries_.at({application, platform});
-        const Peak* peak = peak_of(*entry.result, platform, entry.row->precision);
-        const double rate = entry.row->operations / mine->second;
-        return {best / mine->second, peak != nullptr && peak->rate > 0 ? rate / peak->rate : 0};
+        return found;
     }
 
 private:
+    // Returns the shortest time of any application on the platform.
+    double best(const std::string& platform, const Seconds& seconds) const
+    {
+        double best = std::numeric_limits<double>::infinity();
+        for (const std::string& application : applications_) {
+            const auto found = seconds.find({application, platform});
+            if (found != seconds.end()) best = std::min(best, found->second);
+        }
+        return best;
+    }
+
     std::set<std::string> platforms_, applications_;
     std::map<const Result*, std::set<std::string>> platforms_of_, applications_of_;  // in each result with the problem
     std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
 };
 
-Efficiencies means(const PlatformTimes& field, const std::string& application,
-                   const std::map<std::pair<std::string, std::string>, double>& seconds)
+double mean_of(const std::vector<OnPlatform>& platforms, double OnPlatform::*efficiency)
 {
-    std::vector<double> by_application;
-    std::vector<double> by_architecture;
-    for (const std::string& platform : field.measured(application)) {
-        const Efficiencies e = field.efficiencies(seconds, application, platform);
-        by_application.push_back(e.application);
-        by_architecture.push_back(e.architecture);
-    }
-    return {performance_portability(by_application), performance_portability(by_architecture)};
+    std::vector<double> efficiencies;
+    for (const OnPlatform& on : platforms) efficiencies.push_back(on.*efficiency);
+    return performance_portability(efficiencies);
 }
 
 // Returns the middle 95 % of the values, widened to contain `value`.
@@ -186,27 +189,18 @@ Portability of(const Problem& problem, const PlatformTimes& field, const std::st
     p.width = problem.width;
     p.height = problem.height;
     p.application = application;
-    const auto seconds = field.seconds(nullptr);
-    for (const std::string& platform : field.platforms()) {
-        if (!field.is_measured(application, platform)) {
-            p.not_measured.push_back(platform);
-            continue;
-        }
-        const Efficiencies e = field.efficiencies(seconds, application, platform);
-        const auto mine = seconds.find({application, platform});
-        p.platforms.push_back({platform, mine == seconds.end() ? 0 : mine->second, e.application, e.architecture});
-    }
-    const Efficiencies mean = means(field, application, seconds);
-    p.application_portability = mean.application;
-    p.architecture_portability = mean.architecture;
+    p.not_measured = field.not_measured(application);
+    p.platforms = field.efficiencies(application, field.seconds(nullptr));
+    p.application_portability = mean_of(p.platforms, &OnPlatform::application);
+    p.architecture_portability = mean_of(p.platforms, &OnPlatform::architecture);
     // The intervals are percentiles of the metric, computed many times from random values of all times.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;
     for (int i = 0; i < draws; ++i) {
-        const Efficiencies again = means(field, application, field.seconds(&random));
-        by_application.push_back(again.application);
-        by_architecture.push_back(again.architecture);
+        const std::vector<OnPlatform> again = field.efficiencies(application, field.seconds(&random));
+        by_application.push_back(mean_of(again, &OnPlatform::application));
+        by_architecture.push_back(mean_of(again, &OnPlatform::architecture));
     }
     p.application_interval = middle_of(std::move(by_application), p.application_portability);
     p.architecture_interval = middle_of(std::move(by_architecture), p.architecture_portability);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/base/table.h"
+#include "bench/judge/differences.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -17,18 +18,20 @@ bool same_contest(const Row& a, const Row& b)
            a.setting.picture() == b.setting.picture();
 }
 
-double kernel_median(const Row* row) { return median(kernel_times(*row)); }
+double kernel_median(const Row* row) { return row->figures->kernel.median; }
 
-Rival rival_of(const Row& row, const Row& fastest)
+Judged rival_of(const Row& row, const Row& fastest)
 {
-    Rival rival{.row = &row, .judged = {.name = row.name(), .verdict = Verdict::no_speed}};
+    Judged rival{.name = row.name(), .verdict = Verdict::no_speed};
     const ValuesByRun by_run = ratios_by_run(row, fastest);
     const std::vector<double> units = by_run.size() == 1 ? group_medians(by_run.begin()->second) : medians_of(by_run);
+    rival.old_units = rival.new_units = static_cast<int>(units.size());
     if (units.size() > 1) {
-        rival.judged.verdict = Verdict::undecided;
-        rival.judged.difference = paired_difference(units, margin);
+        rival.verdict = Verdict::undecided;
+        rival.difference = paired_difference(units, margin);
     } else {
-        rival.judged.difference.ratio = kernel_median(&row) / kernel_median(&fastest);
+        rival.why = "too few pictures to be certain";
+        rival.difference.ratio = kernel_median(&row) / kernel_median(&fastest);
     }
     return rival;
 }
@@ -46,35 +49,33 @@ std::string label_of(const Row& row)
     return row.application + (row.device > 0 ? fmt::format(" {}", row.device) : "");
 }
 
-std::string line_of(const Contest& contest)
+std::string line_of(const Result& result, const Contest& contest)
 {
     const Row& first = *contest.fastest;
     const std::string name = label_of(first);
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (contest.rivals.empty()) return text + name + " alone was timed";
     // Name the first rival that is not slower than the winner or, if all are slower, the fastest of them.
-    const auto slower = [](const Rival& rival) { return rival.judged.verdict == Verdict::slower; };
+    const auto slower = [](const Judged& rival) { return rival.verdict == Verdict::slower; };
     const auto open = std::ranges::find_if_not(contest.rivals, slower);
     const bool won = open == contest.rivals.end();
-    const Rival& next = won ? contest.rivals.front() : *open;
-    const Difference& d = next.judged.difference;
-    text +=
-        fmt::format("{} {}, {} times as fast as {}", name, won ? "won" : "leads", digits(d.ratio), label_of(*next.row));
-    if (next.judged.verdict == Verdict::no_speed) return text + ": too few pictures to be certain";
-    text += fmt::format(" [{}, {}]", digits(d.interval.low), digits(d.interval.high));
-    if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.judged.p);
-    if (next.judged.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
+    const Judged& next = won ? contest.rivals.front() : *open;
+    const Difference& d = next.difference;
+    text += fmt::format("{} {}, {} times as fast as {}", name, won ? "won" : "leads", digits(d.ratio),
+                        label_of(result.row(next.name)));
+    if (next.verdict == Verdict::no_speed) return text + ": " + next.why;
+    text += " " + interval_text(d.interval);
+    if (won) return text + fmt::format(", the next of {}, p {:.2g}", contest.rivals.size(), next.p);
+    if (next.verdict == Verdict::same) return text + fmt::format(": the same within {:.3g} %", 100 * margin);
     return text + ": undecided, more runs would tell";
 }
 
 // Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
 std::string free_processors(const Result& result)
 {
-    using Pointer = nlohmann::ordered_json::json_pointer;
-    const auto known = [&](const char* place) -> std::optional<double> {
-        const Pointer pointer(place);
-        if (!result.environment.contains(pointer) || !result.environment.at(pointer).is_number()) return std::nullopt;
-        return result.environment.at(pointer).get<double>();
+    const auto known = [&](const char* place) {
+        const auto value = value_at(result.environment, place);
+        return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
     };
     const auto cores = known("/cpu/cores_usable");
     const auto others = known("/during/others_share");
@@ -93,8 +94,7 @@ std::vector<Contest> contests_of(const Result& result)
     if (result.study != standard_study) return {};
     std::vector<std::vector<const Row*>> groups;
     for (const Row& row : result.rows) {
-        const std::vector<double> times = row.timed() ? kernel_times(row) : std::vector<double>{};
-        if (times.empty() || row.backend == result.reference() || *std::ranges::min_element(times) <= 0) continue;
+        if (!row.figures || row.backend == result.reference() || row.figures->kernel.min <= 0) continue;
         const auto same =
             std::ranges::find_if(groups, [&](const auto& rows) { return same_contest(*rows.front(), row); });
         if (same == groups.end()) {
@@ -107,12 +107,12 @@ std::vector<Contest> contests_of(const Result& result)
     for (auto& rows : groups) contests.push_back(contest_of(std::move(rows)));
     std::vector<Judged> all;
     for (const Contest& contest : contests) {
-        for (const Rival& rival : contest.rivals) all.push_back(rival.judged);
+        all.insert(all.end(), contest.rivals.begin(), contest.rivals.end());
     }
     judge(all, margin);
     auto judged = all.begin();
     for (Contest& contest : contests) {
-        for (Rival& rival : contest.rivals) rival.judged = *judged++;
+        for (Judged& rival : contest.rivals) rival = *judged++;
     }
     return contests;
 }
@@ -123,7 +123,7 @@ std::string winners(const Result& result)
     std::size_t comparisons = 0;
     for (const Contest& contest : contests_of(result)) {
         comparisons += contest.rivals.size();
-        text += clipped(line_of(contest), console_columns) + "\n";
+        text += clipped(line_of(result, contest), console_columns) + "\n";
     }
     if (comparisons > 0) {
         text = fmt::format("Who won, by kernel time; p after Holm's correction for {} comparisons{}\n{}", comparisons,

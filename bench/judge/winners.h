@@ -10,18 +10,12 @@
 
 namespace mandelmarch::bench {
 
-// A configuration that is slower than the fastest one, or whose difference from it is not significant.
-struct Rival {
-    const Row* row = nullptr;
-    // Kernel times, this configuration's / the fastest's: slower, same or undecided; no_speed, with the ratio only,
-    // unless both have two runs in common, or six rounds of a single run.
-    Judged judged{};
-};
-
 // The timed configurations of one fractal in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
-    std::vector<Rival> rivals;     // all other configurations, fastest first
+    // All other configurations, fastest first: their kernel times / the fastest's. Verdicts are slower, same or
+    // undecided; no_speed, with the ratio only, unless both have two runs in common, or six rounds of a single run.
+    std::vector<Judged> rivals;
 };
 
 // Returns the contests among a standard study's timed configurations, without the reference, which is not an

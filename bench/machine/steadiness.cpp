@@ -5,12 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
-#include "bench/machine/family_time.h"
 #include "bench/result/figures.h"
 #include "core/base/cores.h"
 #include "core/base/files.h"
@@ -36,6 +39,74 @@ double fastest_clock()
         if (value >> megahertz) fastest = std::max(fastest, megahertz);
     }
     return fastest;
+}
+
+struct Usage {
+    int parent = 0;
+    double ticks = 0;
+};
+
+// Parses /proc/PID/stat. The name in parentheses may contain any character. After it, the parent is field 4; user and
+// system time, of the process and of children waited for, are fields 14 to 17 (proc(5)).
+Usage usage_of(const std::filesystem::path& process)
+{
+    std::ifstream file(process / "stat");
+    std::string line;
+    std::getline(file, line);
+    const auto bracket = line.rfind(')');
+    if (bracket == std::string::npos) return {};
+    std::istringstream fields(line.substr(bracket + 1));
+    Usage usage;
+    std::string skipped;
+    fields >> skipped >> usage.parent;
+    for (int field = 5; field < 14; ++field) fields >> skipped;
+    for (int field = 14; field < 18; ++field) {
+        double ticks = 0;
+        fields >> ticks;
+        usage.ticks += ticks;
+    }
+    return usage;
+}
+
+// Returns seconds of user and system time of this process and all its descendants since they started. Ended processes
+// count once their parent has waited for them.
+double process_tree_seconds()
+{
+    std::map<int, Usage> all;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+        const std::string name = entry.path().filename().string();
+        int id = 0;
+        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
+        if (error == std::errc() && end == name.data() + name.size()) all[id] = usage_of(entry.path());
+    }
+    std::set<int> family{getpid()};
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (const auto& [id, usage] : all) {
+            if (family.contains(usage.parent)) grown = family.insert(id).second || grown;
+        }
+    }
+    double ticks = 0;
+    for (const int id : family) ticks += all[id].ticks;
+    return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+// Returns a warning of configurations whose samples spread; empty if there are none.
+std::string spread_of(const Result& result)
+{
+    int count = 0;
+    std::pair<double, std::string> worst;
+    for (const Row& row : result.rows) {
+        if (!row.timed() || row.samples.size() < 3) continue;
+        const Summary s = summary(kernel_times(row));
+        if (s.mad <= much_spread * s.median) continue;
+        ++count;
+        worst = std::max(worst, {s.mad / s.median, row.name()});
+    }
+    if (count == 0) return {};
+    return fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %", count,
+                       result.rows.size(), 100 * much_spread, worst.second, 100 * worst.first);
 }
 
 // Returns the numbers of threads of those CPU backends that used their default, "openmp 1, opencl 2"; empty if all are
@@ -135,24 +206,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     if (!governor.empty() && governor != "performance") {
         found.push_back(fmt::format("frequency: the governor is {}, not performance", governor));
     }
-    int spread = 0;
-    const Row* worst = nullptr;
-    double most = much_spread;
-    for (const Row& row : result.rows) {
-        if (!row.timed() || row.samples.size() < 3) continue;
-        const Summary s = summary(kernel_times(row));
-        if (s.mad <= much_spread * s.median) continue;
-        ++spread;
-        if (s.mad > most * s.median) {
-            most = s.mad / s.median;
-            worst = &row;
-        }
-    }
-    if (worst != nullptr) {
-        found.push_back(
-            fmt::format("spread: {} of {} rows deviate by more than {:.0f} % of their median, {} by {:.0f} %", spread,
-                        result.rows.size(), 100 * much_spread, worst->name(), 100 * most));
-    }
+    if (const std::string spread = spread_of(result); !spread.empty()) found.push_back(spread);
     return found;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "bench/print/study_tables.h"
+#include "bench/print/printers.h"
 #include "bench/base/table.h"
 #include "bench/result/figures.h"
 #include "bench/judge/winners.h"
@@ -22,8 +22,7 @@ std::string short_name(const std::string& fractal)
 // Returns the interval, "[12.30, 12.45]", or the number of values, "n = 3", if there is no interval.
 std::string interval(const Summary& s, double unit)
 {
-    if (!s.interval) return fmt::format("n = {}", s.count);
-    return fmt::format("[{}, {}]", digits(unit * s.interval->low), digits(unit * s.interval->high));
+    return s.interval ? interval_text(*s.interval, unit) : fmt::format("n = {}", s.count);
 }
 
 std::string percent(const std::optional<double>& share)
@@ -85,12 +84,13 @@ std::string main_table(const Result& result, bool sweep)
 // Returns a table with all columns, one line per configuration.
 std::string wide_table(const Result& result)
 {
-    std::string text = fmt::format(
+    constexpr const char* line =
         "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
-        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-        "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms", "wall ms", "context", "build",
-        "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s", "GFLOP", "GFLOP/s", "peak", "share", "bound ms",
-        "speed-up", "thr", "SIMD", "set");
+        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n";
+    std::string text =
+        fmt::format(fmt::runtime(line), "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms",
+                    "wall ms", "context", "build", "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s",
+                    "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up", "thr", "SIMD", "set");
     for (const Row& row : result.rows) {
         if (!row.timed()) {
             text += fmt::format("{:<46} {}\n", row.name(),
@@ -99,16 +99,14 @@ std::string wide_table(const Result& result)
             continue;
         }
         const Figures& f = *row.figures;
-        text += fmt::format(
-            "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
-            "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n",
-            row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median),
-            interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context),
-            digits(1e3 * row.build), digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
-            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
-            row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9), of(f.peak, 1e-9),
-            percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads, row.simd_width,
-            row.instruction_set);
+        text += fmt::format(fmt::runtime(line), row.name(), row.verification.text, row.samples.size(),
+                            digits(1e3 * f.kernel.median), interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad),
+                            digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
+                            digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
+                            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
+                            digits(1e-6 * f.iteration_rate), row.operations > 0 ? digits(1e-9 * row.operations) : "-",
+                            of(f.operation_rate, 1e-9), of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3),
+                            of(ratio_of(f.speed_up), 1), row.threads, row.simd_width, row.instruction_set);
     }
     return text;
 }
@@ -160,9 +158,8 @@ std::string point_of(const Result& result, const Row& row)
 std::string cells(const std::optional<Quotient>& quotient)
 {
     if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
-    const auto& i = quotient->interval;
     return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
-                       i                        ? fmt::format("[{}, {}]", digits(i->low), digits(i->high))
+                       quotient->interval       ? interval_text(*quotient->interval)
                        : quotient->ratio == 1.0 ? "beside itself"
                                                 : "too few samples");
 }

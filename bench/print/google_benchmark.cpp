@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "bench/print/printers.h"
-#include "bench/base/statistics.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
@@ -48,23 +47,17 @@ Run run_of(const Row& row, const Sample& sample)
     return run;
 }
 
-double median_of(const Row& row, double Sample::*part)
-{
-    std::vector<double> values;
-    for (const Sample& sample : row.samples) values.push_back(sample.*part);
-    return median(std::move(values));
-}
-
 // Returns the medians of a configuration's repetitions, like Google Benchmark's aggregates. The number of iterations is
 // that of the repetitions. The reporters divide times by it, so the median time is multiplied by it; they do not divide
 // counters.
 Run median_of(const Row& row)
 {
-    Run run = run_of(row, {.kernel = median_of(row, &Sample::kernel) * static_cast<double>(row.samples.size()),
-                           .wall = median_of(row, &Sample::wall),
-                           .upload = median_of(row, &Sample::upload),
-                           .readback = median_of(row, &Sample::readback),
-                           .host = median_of(row, &Sample::host)});
+    const Figures& f = *row.figures;
+    Run run = run_of(row, {.kernel = f.kernel.median * static_cast<double>(row.samples.size()),
+                           .wall = f.wall.median,
+                           .upload = f.upload,
+                           .readback = f.readback,
+                           .host = f.host});
     run.run_type = Run::RT_Aggregate;
     run.aggregate_name = "median";
     run.iterations = static_cast<benchmark::IterationCount>(row.samples.size());

@@ -13,6 +13,9 @@ namespace mandelmarch::bench {
 // columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
+// Returns the tables of the studies profile and box-vs-bulb; empty for other studies.
+std::string study_tables(const Result& result);
+
 // Returns one line per configuration. The first columns are problem, application, platform and fom (pixels per second
 // of kernel time, higher is better; empty without a speed). The columns application and backend both hold
 // Row::application, so that a pivot by either one compares the same programs. p3-analysis-library needs the CSV of

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/print/study_tables.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "bench/base/table.h"
+#include "bench/print/printers.h"
 #include "bench/result/figures.h"
 
 namespace mandelmarch::bench {

@@ -95,8 +95,6 @@ bool is_scalar(const Result& result, const Row& row)
 
 std::vector<double> kernel_times(const Row& row) { return times(row, &Sample::kernel); }
 
-std::vector<double> wall_times(const Row& row) { return times(row, &Sample::wall); }
-
 ValuesByRun kernel_runs(const Row& row) { return times_by_run(row, &Sample::kernel); }
 
 ValuesByRun wall_runs(const Row& row) { return times_by_run(row, &Sample::wall); }

@@ -11,9 +11,8 @@
 
 namespace mandelmarch::bench {
 
-// Return the samples' kernel or wall times, in seconds per picture.
+// Returns the samples' kernel times, in seconds per picture.
 std::vector<double> kernel_times(const Row& row);
-std::vector<double> wall_times(const Row& row);
 // Return the samples' kernel or wall times, in seconds per picture, grouped by run.
 ValuesByRun kernel_runs(const Row& row);
 ValuesByRun wall_runs(const Row& row);

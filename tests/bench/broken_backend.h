@@ -12,7 +12,18 @@
 
 namespace mandelmarch::bench {
 
-enum class Defect { none, one_byte, not_a_number, upside_down, wrong_later, stale, dies_later, refuses, hidden };
+enum class Defect {
+    none,
+    one_byte,
+    not_a_number,
+    upside_down,
+    wrong_later,
+    stale,
+    dies_later,
+    refuses,
+    hidden,
+    exact_when_fast
+};
 
 class BrokenRenderer : public Renderer {
 public:
@@ -65,7 +76,9 @@ public:
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
     {
         if (defect_ == Defect::refuses && options.precision == Precision::f64) throw Unavailable("it has no double");
-        return std::make_unique<BrokenRenderer>(inner_->create(options), defect_);
+        RendererOptions changed = options;
+        if (defect_ == Defect::exact_when_fast) changed.mode = Mode::exact;
+        return std::make_unique<BrokenRenderer>(inner_->create(changed), defect_);
     }
 
 private:

@@ -10,8 +10,8 @@
 #include <functional>
 #include <random>
 
-#include "bench/result/figures.h"
 #include "core/base/error.h"
+#include "made.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -20,17 +20,7 @@ constexpr int rows = 24;
 constexpr int runs = 5;
 constexpr int samples = 10;
 
-Row numbered_row(int index)
-{
-    Row row;
-    row.fractal = "mandelbulb";
-    row.backend = fmt::format("backend{}", index);
-    row.platform = "machine";
-    row.device_name = "device";
-    row.verification.drawn = row.verification.passed = true;
-    row.setting.width = row.setting.height = 540;
-    return row;
-}
+Row numbered_row(int index) { return made_row(fmt::format("backend{}", index), {}); }
 
 // Returns a result with realistic times: each run has its own speed (standard deviation 1.5 %), and each sample a
 // disturbance (1 %). The times of row i are multiplied by factor(i).
@@ -53,14 +43,8 @@ Result random_result(std::mt19937_64& random, const std::function<double(int)>& 
     return result;
 }
 
-double same(int) { return 1; }
-
-int called(const ComparedResults& compared)
-{
-    return static_cast<int>(std::ranges::count_if(compared.rows, [](const Judged& row) {
-        return row.verdict == Verdict::faster || row.verdict == Verdict::slower;
-    }));
-}
+// The case with the most alarms: every row differs by exactly the margin.
+double at_the_margin(int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); }
 
 // Returns in how many of 100 comparisons of two results alarm(before, after) is true. In the second result, the times
 // of row i are factor(i) times as long.
@@ -77,7 +61,10 @@ int alarms(const std::function<double(int)>& factor, Alarm alarm)
     return count;
 }
 
-bool compare_alarms(const Result& before, const Result& after) { return called(compare_results(before, after)) > 0; }
+bool compare_alarms(const Result& before, const Result& after)
+{
+    return called(compare_results(before, after).rows) > 0;
+}
 
 // Judges like compare, but without Holm's correction.
 bool uncorrected_alarms(const Result& before, const Result& after)
@@ -95,21 +82,18 @@ bool pooled_alarms(const Result& before, const Result& after)
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
         p.push_back(difference(kernel_times(before.rows[i]), kernel_times(after.rows[i]), margin).p);
     }
-    return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
+    return any_significant(p);
 }
 
 TEST(Compare, RaisesFewFalseAlarms)
 {
     EXPECT_LE(alarms(same, compare_alarms), 5) << "builds that are the same";
-    // The case with the most alarms: every row differs by exactly the margin.
-    const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
 
 // Negative controls: each of these simpler methods raises many alarms in the same test.
 TEST(Compare, ShortcutsRaiseMany)
 {
-    const auto at_the_margin = [](int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); };
     EXPECT_GT(alarms(at_the_margin, uncorrected_alarms), 30) << "without Holm's correction";
     EXPECT_GT(alarms(at_the_margin, pooled_alarms), 30) << "samples of one run taken for independent";
 }
@@ -122,28 +106,17 @@ TEST(Compare, FindsARegressionAndAnImprovement)
     const ComparedResults compared = compare_results(before, after);
     EXPECT_EQ(compared.rows[3].verdict, Verdict::slower);
     EXPECT_EQ(compared.rows[8].verdict, Verdict::faster);
-    EXPECT_EQ(called(compared), 2);
+    EXPECT_EQ(called(compared.rows), 2);
     EXPECT_TRUE(regression(compared.rows));
     EXPECT_NEAR(compared.rows[3].difference.ratio, 1.15, 0.05);
     EXPECT_TRUE(compared.warnings.empty());
     EXPECT_FALSE(regression(compare_results(before, before).rows));
 }
 
-TEST(Compare, AnImprovementAloneIsNoRegression)
-{
-    std::mt19937_64 random(7);
-    const Result before = random_result(random, same);
-    EXPECT_FALSE(
-        regression(compare_results(before, random_result(random, [](int i) { return i == 8 ? 0.8 : 1.0; })).rows));
-}
-
 TEST(Compare, NothingUnderTheMarginIsADifference)
 {
     // Times without noise: the difference is certain, but within the margin.
-    Result before;
-    before.runs = 2;
-    before.rows.push_back(numbered_row(0));
-    for (const int run : {0, 1}) before.rows[0].samples.push_back({.run = run, .kernel = 1, .wall = 1});
+    const Result before = made_result({made_row("openmp", {1, 1}, 1)}, 2);
     Result after = before;
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.019;
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::same);
@@ -157,12 +130,7 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
     before.runs = 3;
-    for (int i = 0; i < 48; ++i) {
-        Row row = numbered_row(i);
-        for (int run = 0; run < 3; ++run) row.samples.push_back({.run = run, .kernel = 1, .wall = 1});
-        for (int run = 0; run < 3; ++run) row.samples[run].kernel *= 1 + 0.001 * run;
-        before.rows.push_back(row);
-    }
+    for (int i = 0; i < 48; ++i) before.rows.push_back(made_row(fmt::format("backend{}", i), {1, 1.001, 1.002}, 1));
     Result after = before;
     for (int run = 0; run < 3; ++run) after.rows[0].samples[run].kernel = 0.5 * (1 + 0.08 * run);
     const ComparedResults compared = compare_results(before, after);
@@ -204,86 +172,54 @@ TEST(Judge, EachVerdict)
     EXPECT_EQ(verdicts({same_within_two}, 0.01)[0], Verdict::undecided) << "a narrower margin";
 }
 
-TEST(Compare, ABrokenPictureIsARegression)
+TEST(Judge, OnlySlowerWrongAndMissingAreRegressions)
 {
-    std::mt19937_64 random(7);
-    const Result before = random_result(random, same);
-    Result after = before;
-    after.rows[2].verification.passed = false;
-    after.rows[2].failure = "the picture is wrong";
-    after.rows[2].samples.clear();
-    const ComparedResults compared = compare_results(before, after);
-    EXPECT_EQ(compared.rows[2].verdict, Verdict::wrong);
-    EXPECT_TRUE(regression(compared.rows));
-}
-
-TEST(Compare, WhatCannotBeComparedSaysWhy)
-{
-    std::mt19937_64 random(7);
-    const Result before = random_result(random, same, 1);
-    Result after = random_result(random, same, 1);
-    after.rows[0].setting.width = 270;
-    after.rows[1].backend = "another";
-    after.rows[2].unavailable = "no device";
-    const ComparedResults compared = compare_results(before, after);
-    EXPECT_EQ(compared.rows[0].verdict, Verdict::missing);
-    EXPECT_NE(compared.rows[0].why.find("other settings"), std::string::npos);
-    EXPECT_EQ(compared.rows[1].why, "not in the old result");
-    EXPECT_EQ(compared.rows[2].verdict, Verdict::missing);
-    EXPECT_EQ(compared.rows.back().why, "not in the new result");
-    ASSERT_EQ(compared.warnings.size(), 1U);
-    EXPECT_NE(compared.warnings[0].find("unseen"), std::string::npos);
-    Result other;
-    other.rows.push_back(numbered_row(77));
-    EXPECT_THROW(compare_results(before, other), InputError);
-}
-
-// Returns the comparison of row 3 after `change` has modified the new result. Expects that it counts as a regression.
-Judged third_row_after(const std::function<void(Result&)>& change)
-{
-    std::mt19937_64 random(7);
-    const Result before = random_result(random, same);
-    Result after = before;
-    EXPECT_FALSE(regression(compare_results(before, after).rows));
-    change(after);
-    const ComparedResults compared = compare_results(before, after);
-    EXPECT_TRUE(regression(compared.rows));
-    const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Judged::name);
-    if (found == compared.rows.end()) return {};
-    EXPECT_NE(to_console(compared).find(before.rows[3].name()), std::string::npos);
-    return *found;
-}
-
-TEST(Compare, WhatVanishedIsLost)
-{
-    const auto missing = third_row_after([](Result& after) { after.rows.erase(after.rows.begin() + 3); });
-    EXPECT_EQ(missing.verdict, Verdict::missing);
-    EXPECT_EQ(missing.why, "not in the new result");
-    const auto unavailable = third_row_after([](Result& after) { after.rows[3].unavailable = "no device"; });
-    EXPECT_EQ(unavailable.verdict, Verdict::missing);
-    EXPECT_EQ(unavailable.why, "new: unavailable: no device");
-    const auto backend = third_row_after([](Result& after) {
-        Row& row = after.rows[3];
-        row.fractal = "all";
-        row.platform = row.device_name = "";
-        row.unavailable = "no driver";
-        row.samples.clear();
-    });
-    EXPECT_EQ(backend.verdict, Verdict::missing);
-    EXPECT_EQ(backend.why, "new: unavailable: no driver");
-}
-
-TEST(Compare, WhatHasNoTimeIsLost)
-{
-    const auto none = third_row_after([](Result& after) { after.rows[3].samples.clear(); });
-    EXPECT_EQ(none.verdict, Verdict::missing);
-    for (const double seconds : {0.0, -1.0}) {
-        const auto zero = third_row_after([&](Result& after) { after.rows[3].samples[7].kernel = seconds; });
-        EXPECT_EQ(zero.verdict, Verdict::missing);
-        EXPECT_EQ(zero.why, "new: a time is not above 0");
+    for (const Verdict verdict : {Verdict::slower, Verdict::wrong, Verdict::missing}) {
+        EXPECT_TRUE(regression({{.name = "row", .verdict = verdict}})) << name_of(verdict);
     }
-    const auto few = third_row_after([](Result& after) { after.rows[3].samples.resize(1); });
-    EXPECT_EQ(few.verdict, Verdict::missing);
+    for (const Verdict verdict : {Verdict::faster, Verdict::same, Verdict::undecided, Verdict::only_new,
+                                  Verdict::not_compared, Verdict::no_speed}) {
+        EXPECT_FALSE(regression({{.name = "row", .verdict = verdict}})) << name_of(verdict);
+    }
+}
+
+TEST(Compare, WhatLosesItsSpeedIsARegression)
+{
+    struct Loss {
+        std::string why;
+        std::function<void(Row&)> change;  // of the row in the new result
+        Verdict verdict = Verdict::missing;
+    };
+    const std::vector<Loss> losses{
+        {"not in the new result", [](Row& row) { row.backend = "another"; }},
+        {"new: unavailable: no device", [](Row& row) { row.unavailable = "no device"; }},
+        {"new: unavailable: no driver",
+         [](Row& row) {
+             row.fractal = "all";
+             row.platform = row.device_name = "";
+             row.unavailable = "no driver";
+         }},
+        {"new: it was not timed", [](Row& row) { row.samples.clear(); }},
+        {"new: samples of one run only", [](Row& row) { row.samples.resize(1); }},
+        {"new: a time is not above 0", [](Row& row) { row.samples[7].kernel = 0; }},
+        {"new: a time is not above 0", [](Row& row) { row.samples[7].kernel = -1; }},
+        {"other settings: 100x100 and 270x100", [](Row& row) { row.setting.width = 270; }},
+        {"new: the picture is wrong", [](Row& row) { row.failure = "the picture is wrong"; }, Verdict::wrong}};
+    std::mt19937_64 random(7);
+    const Result before = random_result(random, same);
+    for (const Loss& loss : losses) {
+        SCOPED_TRACE(loss.why);
+        Result after = before;
+        loss.change(after.rows[3]);
+        const ComparedResults compared = compare_results(before, after);
+        EXPECT_TRUE(regression(compared.rows));
+        const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Judged::name);
+        ASSERT_NE(found, compared.rows.end());
+        EXPECT_EQ(found->verdict, loss.verdict);
+        EXPECT_EQ(found->why, loss.why);
+        EXPECT_NE(to_console(compared).find(found->name), std::string::npos);
+    }
+    EXPECT_THROW(compare_results(before, made_result({numbered_row(77)})), InputError);
 }
 
 TEST(Compare, WhatIsNewIsSaidAndFine)
@@ -321,6 +257,8 @@ TEST(Compare, OneRunIsComparedByMedians)
     Result after = before;
     after.rows[3].samples[4].kernel *= 1000;
     const ComparedResults compared = compare_results(before, after);
+    ASSERT_EQ(compared.warnings.size(), 1U);
+    EXPECT_NE(compared.warnings[0].find("differences between runs are unseen"), std::string::npos);
     EXPECT_NEAR(compared.rows[3].difference.ratio, 1, 0.02);
     EXPECT_GT(difference(kernel_times(before.rows[3]), kernel_times(after.rows[3]), margin).ratio, 1.9);
 }

@@ -30,8 +30,7 @@ for row in duel["rows"]:
 PY
 
 # Programs that are not bench, and programs that die.
-expect 2 duel ./nosuch ./slowed_0
-grep -q 'nosuch: no program' err || fail "$(cat err)"
+refused 'nosuch: no program' duel ./nosuch ./slowed_0
 expect 2 duel ./slowed_0
 expect 2 duel ./slowed_0 ./slowed_0 --csv x.csv
 expect 2 duel ./slowed_0 ./slowed_0 --runs 1

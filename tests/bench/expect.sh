@@ -11,3 +11,8 @@ expect() {
     "$bench" "$@" >out 2>err || got=$?
     [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
 }
+# refused PATTERN ARGUMENT...: runs $bench, which must exit with 2 and print one line on stderr, which matches.
+refused() {
+    expect 2 "${@:2}"
+    [ "$(wc -l <err)" = 1 ] && grep -q -- "$1" err || fail "bench ${*:2}: '$1' expected in: $(cat err)"
+}

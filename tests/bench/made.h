@@ -2,9 +2,11 @@
 // Functions that make synthetic results of bench.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "bench/judge/verdict.h"
 #include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
@@ -36,5 +38,20 @@ inline Result made_result(std::vector<Row> rows, int runs = 1)
     result.rows = std::move(rows);
     return derived(std::move(result));
 }
+
+// Returns how many rows are called faster or slower.
+inline int called(const std::vector<Judged>& rows)
+{
+    return static_cast<int>(std::ranges::count(rows, Verdict::faster, &Judged::verdict) +
+                            std::ranges::count(rows, Verdict::slower, &Judged::verdict));
+}
+
+// Returns true if a p-value is significant after Holm's correction.
+inline bool any_significant(const std::vector<double>& p)
+{
+    return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
+}
+
+inline double same(int /*row*/) { return 1; }
 
 }  // namespace mandelmarch::bench

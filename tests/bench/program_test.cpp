@@ -6,14 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
-#include "bench/files/result_file.h"
-#include "bench/print/printers.h"
+#include "bench/command/outputs.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "tests/bench/broken_backend.h"
 
 namespace mandelmarch::bench {
@@ -181,9 +183,12 @@ TEST(BenchProgram, WrongArgumentsExitTwo)
          std::vector<std::vector<std::string>>{{"--backend", "nosuch"},
                                                {"--fractal", "nosuch"},
                                                {"--precision", "half"},
+                                               {"--size", "10"},
                                                {"--size", "0x10"},
                                                {"--size", "70000x10"},
                                                {"--repetitions", "0"},
+                                               {"--budget", "nan"},
+                                               {"--budget", "inf"},
                                                {"--study", "nosuch"},
                                                {"--nosuch"},
                                                {"--benchmark_min_time=1"},
@@ -205,36 +210,6 @@ TEST(BenchProgram, LinesAreAtMost120Characters)
     for (std::string line; std::getline(out, line);) EXPECT_LE(line.size(), 120U) << line;
 }
 
-TEST(BenchProgram, AResultIsReadAsItWasWritten)
-{
-    const Ran ran = run(Defect::upside_down, small("exact"));
-    const Result result = result_from_json(ran.json, "file");
-    EXPECT_EQ(json_of(result), ran.json);
-    auto other = ran.json;
-    other["version"] = schema_version + 1;
-    EXPECT_THROW(result_from_json(other, "file"), InputError);
-    other = ran.json;
-    other["rows"][0].erase("samples");
-    EXPECT_THROW(result_from_json(other, "file"), InputError);
-    EXPECT_THROW(result_from_json(nlohmann::ordered_json::array(), "file"), InputError);
-}
-
-TEST(BenchProgram, TheCsvHasALineARow)
-{
-    const Ran ran = run(Defect::hidden, small("exact"));
-    std::istringstream csv(to_csv(result_from_json(ran.json, "file")));
-    std::string line;
-    std::getline(csv, line);
-    EXPECT_TRUE(line.starts_with("problem,application,platform,fom,")) << line;
-    const auto columns = std::ranges::count(line, ',');
-    int rows = 0;
-    for (; std::getline(csv, line); ++rows) {
-        // No cell of these rows contains a comma.
-        EXPECT_EQ(std::ranges::count(line, ','), columns) << line;
-    }
-    EXPECT_EQ(rows, static_cast<int>(ran.json["rows"].size()));
-}
-
 TEST(BenchProgram, GoogleBenchmarksFlags)
 {
     std::vector<std::string> arguments = small("exact");
@@ -254,6 +229,22 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     arguments = small("exact");
     arguments.emplace_back("--benchmark_filter=-openmp");
     EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());
+}
+
+// The project's folder of kept results receives results of committed sources only.
+TEST(Outputs, KeptResultsAreOfCommittedSources)
+{
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string kept = (folder.path() / "kept").string();
+    const std::string link = (folder.path() / "link.json").string();
+    fs::create_directories(kept + "/machine");
+    fs::create_symlink(kept + "/a.json", link);
+    for (const std::string& path : {kept + "/a.json", kept + "/machine/../machine/a.json", link}) {
+        EXPECT_THROW(refuse_kept_result(path, kept, true), InputError) << path;
+        EXPECT_NO_THROW(refuse_kept_result(path, kept, false)) << "nothing has changed";
+    }
+    EXPECT_NO_THROW(refuse_kept_result(kept + "_elsewhere/a.json", kept, true)) << "a folder with a longer name";
 }
 
 }  // namespace

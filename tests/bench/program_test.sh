@@ -10,8 +10,7 @@ quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peak
 
 # If sources are not committed, bench refuses to write into the project's folder of results.
 if "$bench" --version | grep -q changed; then
-    expect 2 "${quick[@]}" --json "$source/report/results/of-no-commit.json"
-    [ "$(wc -l <err)" = 1 ] && grep -q 'sources that no commit has' err || fail "$(cat err)"
+    refused 'sources that no commit has' "${quick[@]}" --json "$source/report/results/of-no-commit.json"
 fi
 
 expect 0 "${quick[@]/--no-peaks/--peaks}" --json a.json --csv a.csv --runs 3
@@ -32,28 +31,21 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# Makes two results from one: in the first all times are equal, in the second they are doubled. This is a regression.
+# Makes three results from one: in the first all times are equal, in the second they are doubled, in the third a row is
+# missing. The latter two are regressions.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
-for name, seconds in ('even', 0.1), ('slow', 0.2):
+for name, seconds, first in ('even', 0.1, 0), ('slow', 0.2, 0), ('gone', 0.1, 1):
     for row in result['rows']:
         for sample in row['samples']:
             sample['kernel'] = seconds * (1 + 0.002 * sample['run'])
-    json.dump(result, open(name + '.json', 'w'))
+    json.dump(result | {'rows': result['rows'][first:]}, open(name + '.json', 'w'))
 PY
 expect 1 compare even.json slow.json
 grep -q SLOWER out || fail "no SLOWER in a comparison with doubled times"
 expect 0 compare slow.json even.json
 grep -q faster out || fail "no faster in a comparison with halved times"
-
-# If a row is missing in the new result, this is a regression.
-python3 - <<'PY'
-import json
-result = json.load(open('even.json'))
-del result['rows'][0]
-json.dump(result, open('gone.json', 'w'))
-PY
 expect 1 compare even.json gone.json
 grep -q MISSING out || fail "a row that is gone is not named"
 expect 0 compare gone.json even.json
@@ -88,8 +80,7 @@ expect 2 "${quick[@]}" --json nosuch/x.json
 expect 2 "${quick[@]}" --json - --csv -
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
-expect 2 "${quick[@]}" --budget nan
-expect 2 "${quick[@]}" --budget inf
+expect 2 "${quick[@]}" --json .
 expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
@@ -132,8 +123,7 @@ grep -q box-vs-bulb out || fail "--list shows no studies"
 expect 0 --list --study resolution --backend openmp,opencl
 grep -q /openmp/ out && grep -qE '/opencl/|^opencl: ' out || fail "two backends: $(cat out)"
 grep -qE 'vulkan|stdpar' out && fail "a backend that nobody asked for: $(cat out)"
-expect 2 --list --backend openmp,nosuch
-[ "$(wc -l <err)" = 1 ] && grep -q "^--backend: 'nosuch' given" err || fail "an unknown one of two: $(cat err)"
+refused "^--backend: 'nosuch' given" --list --backend openmp,nosuch
 expect 0 --benchmark_list_tests
 expect 0 --help
 # If data is written to standard output, nothing else is.
@@ -150,8 +140,7 @@ expect 0 random --scenes 3 --sets 1001,77 --json random.json
 grep -q ' of 6 ' out || fail "random has no line of six scenes"
 python3 -c 'import json; assert len(json.load(open("random.json"))["scenes"]) == 24' || fail "random --json"
 # An option before a command is not ignored.
-expect 2 --backend openmp peak
-grep -q '^bench: --backend before peak given' err || fail "$(cat err)"
+refused '^bench: --backend before peak given' --backend openmp peak
 expect 2 random --backend nosuch
 expect 2 random --scenes 0
 expect 2 random --sets one
@@ -164,44 +153,14 @@ expect 2 equivalence --backend nosuch
 expect 2 equivalence --fractal nosuch
 expect 2 equivalence --scenes 0
 
-expect 2 --nosuch
-expect 2 --size 10
 expect 2 compare a.json
 expect 2 compare a.json nosuch.json
 echo '{"schema": "mandelmarch-bench", "version": 99}' >future.json
-expect 2 compare a.json future.json
-grep -q 'version 99' err || fail "the version is not named"
-expect 1 "${quick[@]}" --fractal box --json /dev/full
+refused 'version 99' compare a.json future.json
 echo "not JSON" >bad.json
 expect 2 portability bad.json
 python3 -c 'print("{\"version\": " + 300000 * "[")' >deep.json
-expect 2 compare a.json deep.json
-[ "$(wc -l <err)" = 1 ] || fail "more than a line for brackets that are too deep"
-expect 2 portability deep.json
+refused nested compare a.json deep.json
+refused nested portability deep.json
 
-# Checks the schema if the pinned Python package is installed (make python).
-python=$source/build/venv/bin/python3
-if [ -x "$python" ] && "$python" -c 'import jsonschema, referencing' 2>/dev/null; then
-    "$python" - "$source/bench/schemas" a.json study.json <<'PY'
-import json, sys, jsonschema, referencing
-schema, environment = (json.load(open(f'{sys.argv[1]}/{kind}.schema.json')) for kind in ('result', 'environment'))
-jsonschema.Draft202012Validator.check_schema(schema)
-registry = referencing.Registry().with_resource(environment['$id'], referencing.Resource.from_contents(environment))
-validator = jsonschema.Draft202012Validator(schema, registry=registry)
-for path in sys.argv[2:]:
-    validator.validate(json.load(open(path)))
-# Negative control: the schema must reject these changes.
-def refused(change):
-    result = json.load(open(sys.argv[2]))
-    change(result)
-    return not validator.is_valid(result)
-assert refused(lambda r: r['rows'][0].pop('samples'))
-assert refused(lambda r: r['rows'][0]['verification'].update(passed=0))
-assert refused(lambda r: r.update(version=1))
-assert refused(lambda r: r.update(extra=1))
-PY
-else
-    echo "the schema is not checked: run make python" >&2
-    [ -z "${MANDELMARCH_NEED_PYTHON:-}" ] || exit 1
-fi
 echo fine

@@ -72,13 +72,11 @@ assert [p["exit_code"] for p in others if p["name"] == "./fails"] == [3]
 PY
 
 # Wrong arguments of race.
-expect 2 race ./nosuch
-[ "$(wc -l <err)" = 1 ] && grep -q 'nosuch: no program' err || fail "$(cat err)"
+refused 'nosuch: no program' race ./nosuch
 expect 2 race
 expect 2 race ./right --csv x.csv
 expect 2 race ./right --scene nosuch.dat --fractal box
-expect 2 race ./right --scene right
-grep -q 'without --fractal' err || fail "$(cat err)"
+refused 'without --fractal' race ./right --scene right
 expect 2 race ./right --json right
 grep -q exec right || fail "a race wrote over a program"
 expect 1 race ./right "${few[@]}" --backend nosuch

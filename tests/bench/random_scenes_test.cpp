@@ -11,34 +11,18 @@
 #include "backends/reference/reference.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
+#include "tests/bench/broken_backend.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-// A backend that renders an exact picture if a fast one is requested.
-class PlainBackend : public Backend {
-public:
-    std::string_view name() const override { return "plain"; }
-    std::optional<std::string> unavailable() const override { return std::nullopt; }
-    std::vector<Device> devices() const override { return openmp_->devices(); }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
-    {
-        RendererOptions exact = options;
-        exact.mode = Mode::exact;
-        return openmp_->create(exact);
-    }
-
-private:
-    std::unique_ptr<Backend> openmp_ = make_openmp_backend();
-};
 
 Registry registry()
 {
     std::vector<std::unique_ptr<Backend>> backends;
     backends.push_back(make_reference_backend());
     backends.push_back(make_openmp_backend());
-    backends.push_back(std::make_unique<PlainBackend>());
+    backends.push_back(std::make_unique<BrokenBackend>(Defect::exact_when_fast, "plain"));
     backends.push_back(without_backend("vulkan", "not built"));
     return Registry(std::move(backends));
 }

@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
-#include <sstream>
 
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
-#include "bench/base/statistics.h"
 #include "core/base/error.h"
 #include "made.h"
 
@@ -30,8 +27,6 @@ std::string refusal_of(const std::string& text)
     }
     return {};
 }
-
-TEST(ResultFile, IsReadAsItWasWritten) { EXPECT_EQ(json_of(parse_result(text_of(whole()), "file.json")), whole()); }
 
 // Ratios are computed round by round, so that the slow third round cancels. There is no ratio of the reference, which
 // does not run the kernel.
@@ -112,6 +107,7 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
         {"/warnings", "[1]"},
         {"/environment", "[]"},
         {"/version", "\"1\""},
+        {"/version", "3"},
         {"/rows", "\"none\""}};
     for (const auto& [place, value] : changes) {
         Json json = whole();
@@ -128,26 +124,6 @@ TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
               "1000000000, expected a result of bench --json");
 }
 
-TEST(ResultFile, BracketsThatAreTooDeepAreRefusedBeforeTheyAreParsed)
-{
-    const std::string deep = "{\"version\": " + std::string(1'000'000, '[');
-    EXPECT_NE(refusal_of(deep).find("nested"), std::string::npos);
-}
-
-TEST(ResultFile, ARowThatIsThereTwiceIsRefused)
-{
-    Json json = whole();
-    json["rows"].push_back(json["rows"][0]);
-    EXPECT_NE(refusal_of(text_of(json)).find("mandelbox/float/exact/openmp/0 is there twice"), std::string::npos);
-}
-
-TEST(ResultFile, ALongTextIsCutInTheMessage)
-{
-    Json json = whole();
-    json["version"] = std::string(5'000'000, 'x');
-    EXPECT_LT(refusal_of(text_of(json)).size(), 300U);
-}
-
 Json with_counts()
 {
     Result result = made_result({made_row("openmp", seven)});
@@ -162,7 +138,7 @@ Json with_counts()
     return json_of(derived(result));
 }
 
-TEST(ResultFile, LanesAreReadAsTheyWereWritten)
+TEST(ResultFile, IsReadAsItWasWritten)
 {
     const Json json = with_counts();
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
@@ -220,11 +196,23 @@ TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
                 1e-12);
 }
 
-TEST(ResultFile, AnEmptyListOfLanesIsRefused)
+TEST(ResultFile, WhatItMustNotHoldIsRefused)
 {
-    Json json = with_counts();
-    json["counts"][0]["lane_use"] = Json::array();
-    EXPECT_NE(refusal_of(text_of(json)).find("lane_use: [] given"), std::string::npos);
+    const std::string deep = "{\"version\": " + std::string(1'000'000, '[');
+    EXPECT_NE(refusal_of(deep).find("nested"), std::string::npos) << "before it is parsed";
+    Json lacking = whole();
+    lacking["rows"][0].erase("samples");
+    EXPECT_NE(refusal_of(text_of(lacking)).find("rows[0]: 'samples' is missing"), std::string::npos);
+    EXPECT_NE(refusal_of("[]"), "");
+    Json twice = whole();
+    twice["rows"].push_back(twice["rows"][0]);
+    EXPECT_NE(refusal_of(text_of(twice)).find("mandelbox/float/exact/openmp/0 is there twice"), std::string::npos);
+    Json endless = whole();
+    endless["version"] = std::string(5'000'000, 'x');
+    EXPECT_LT(refusal_of(text_of(endless)).size(), 300U) << "a long text is truncated";
+    Json idle = with_counts();
+    idle["counts"][0]["lane_use"] = Json::array();
+    EXPECT_NE(refusal_of(text_of(idle)).find("lane_use: [] given"), std::string::npos);
 }
 
 TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
@@ -234,66 +222,51 @@ TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
     EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
-// Times of a row as printed in Google Benchmark's format: its repetitions, and its median.
-struct Printed {
-    std::vector<double> repetitions;
-    double median = 0;
-};
-
-Printed printed_json(const Result& result)
+// Returns a row whose parts leave the fraction `share` of the wall time unaccounted for.
+Row leaving(double share)
 {
-    Printed printed;
-    const Json json = Json::parse(to_google_benchmark(result, "json"));
-    for (const Json& row : json["benchmarks"]) {
-        if (row["run_type"] == "aggregate") {
-            printed.median = row["real_time"];
-        } else {
-            printed.repetitions.push_back(row["real_time"]);
-        }
-    }
-    return printed;
+    Row row = made_row("leaves", {0.1, 0.1, 0.1});
+    for (Sample& s : row.samples) s.host = (1 - share) * s.wall - s.readback;
+    return row;
 }
 
-Printed printed_csv(const Result& result)
+bool is_named(const Row& row)
 {
-    Printed printed;
-    std::istringstream lines(to_google_benchmark(result, "csv"));
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("\"mandel")) continue;
-        // name,iterations,real_time
-        const double time = std::stod(line.substr(line.find(',', line.find(',') + 1) + 1));
-        if (line.find("_median\"") != std::string::npos) {
-            printed.median = time;
-        } else {
-            printed.repetitions.push_back(time);
-        }
-    }
-    return printed;
+    return to_console(made_result({row}), false).find("leave more than 5.0%") != std::string::npos;
 }
 
+// If a sample consists of several pictures from a fresh renderer, its wall time includes opening the device and
+// building kernels, which are not among the sample's parts. So nothing is reported.
+TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
+{
+    Row row = leaving(0.25);
+    EXPECT_NEAR(made_result({row}).rows[0].figures->unaccounted.value(), 0.25, 1e-12);
+    EXPECT_TRUE(is_named(leaving(0.06)));
+    EXPECT_FALSE(is_named(leaving(0.04)));
+    row.setting.frames = 10;
+    EXPECT_FALSE(made_result({row}).rows[0].figures->unaccounted.has_value());
+    EXPECT_FALSE(is_named(row));
+}
+
+// The median is printed as the median of the repetitions, of all runs; counters are not divided by the repetitions.
 TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
 {
-    const Result result = made_result({made_row("openmp", seven)});
-    for (const Printed& printed : {printed_json(result), printed_csv(result)}) {
-        ASSERT_EQ(printed.repetitions.size(), seven.size());
-        EXPECT_NEAR(printed.repetitions[3], 19, 1e-9) << "ms";
-        EXPECT_NEAR(printed.median, median(printed.repetitions), 1e-9);
+    for (const int each : {1000, 3}) {
+        const Result result = made_result({made_row("openmp", seven, each)}, each == 3 ? 3 : 1);
+        const Json rows = Json::parse(to_google_benchmark(result, "json"))["benchmarks"];
+        ASSERT_EQ(rows.size(), seven.size() + 1);
+        EXPECT_NEAR(rows[3]["real_time"], 19, 1e-9) << "ms";
+        const Json& median = rows.back();
+        EXPECT_EQ(median["run_type"], "aggregate");
+        EXPECT_EQ(median["name"], "mandelbox/float/exact/openmp/0/iterations:1/manual_time_median");
+        EXPECT_NEAR(median["real_time"], 13, 1e-9);
+        EXPECT_NEAR(median["wall"], 0.026, 1e-12);
+        // name,iterations,real_time
+        const std::string csv = to_google_benchmark(result, "csv");
+        const std::string line = csv.substr(csv.find("_median\","));
+        EXPECT_NEAR(std::stod(line.substr(line.find(',', line.find(',') + 1) + 1)), 13, 1e-9);
+        EXPECT_EQ(std::ranges::count(csv, '\n'), std::ranges::count(csv.substr(0, csv.find("\"mandel")), '\n') + 8);
     }
-}
-
-TEST(GoogleBenchmark, AllRunesAreRepetitions)
-{
-    const Printed printed = printed_json(made_result({made_row("openmp", seven, 3)}, 3));
-    EXPECT_EQ(printed.repetitions.size(), seven.size());
-    EXPECT_NEAR(printed.median, 13, 1e-9);
-}
-
-TEST(GoogleBenchmark, CountersAreNotDividedByTheRepetitions)
-{
-    const Json json = Json::parse(to_google_benchmark(made_result({made_row("openmp", seven)}), "json"));
-    const Json& aggregate = json["benchmarks"].back();
-    EXPECT_NEAR(aggregate["wall"], 0.026, 1e-12);
-    EXPECT_EQ(aggregate["name"], "mandelbox/float/exact/openmp/0/iterations:1/manual_time_median");
 }
 
 }  // namespace

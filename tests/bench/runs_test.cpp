@@ -26,24 +26,19 @@ Result of_run(int run)
 
 TEST(ValuesByRun, AreMergedByRow)
 {
-    std::vector<Result> results{of_run(0), of_run(1), of_run(2)};
-    results[1].rows[1].failure = "died";
-    const Result all = merged(std::move(results));
+    const Result all = with_further_runs(of_run(0), 3, [](int run) {
+        Result result = of_run(run);
+        if (run == 1) result.rows[1].failure = "died";
+        return result;
+    });
     EXPECT_EQ(all.runs, 3);
+    EXPECT_EQ(all.warnings, (std::vector<std::string>{"noise", "run 1: noise", "run 2: noise"}));
     EXPECT_EQ(run_medians(all.rows[0]).size(), 3U);
     EXPECT_EQ(all.rows[0].samples.size(), 6U);
     ASSERT_EQ(all.peaks.size(), 1U);
     EXPECT_EQ(all.peaks[0].rate, 102);
     EXPECT_TRUE(all.rows[1].failed());
     EXPECT_FALSE(all.rows[1].timed());
-}
-
-TEST(ValuesByRun, AreAllKept)
-{
-    const Result all = with_further_runs(of_run(0), 3, of_run);
-    EXPECT_EQ(all.runs, 3);
-    EXPECT_EQ(all.rows[0].samples.size(), 6U);
-    EXPECT_EQ(all.warnings, (std::vector<std::string>{"noise", "run 1: noise", "run 2: noise"}));
 }
 
 TEST(ValuesByRun, OneThatLeavesNothingCostsTheOthersNothing)

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace mandelmarch::bench {
 namespace {
@@ -47,40 +45,6 @@ TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
     EXPECT_FALSE(median_interval({}));
 }
 
-// Returns the fraction of samples of n values from a skewed distribution whose interval contains the true median, 1.
-template <class Interval>
-double coverage(int n, Interval interval)
-{
-    std::mt19937_64 random(11);
-    std::lognormal_distribution<double> times(0, 0.7);
-    int held = 0;
-    constexpr int studies = 4000;
-    for (int i = 0; i < studies; ++i) {
-        std::vector<double> values(static_cast<std::size_t>(n));
-        for (double& value : values) value = times(random);
-        const auto found = interval(values);
-        held += found.low <= 1 && 1 <= found.high ? 1 : 0;
-    }
-    return static_cast<double>(held) / studies;
-}
-
-TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
-{
-    for (const int n : {6, 9, 17, 30}) {
-        EXPECT_GT(coverage(n, [](const auto& values) { return *median_interval(values); }), 0.945) << n;
-    }
-}
-
-// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
-TEST(Statistics, ATooNarrowIntervalDoesNot)
-{
-    const auto narrow = [](std::vector<double> values) {
-        std::sort(values.begin(), values.end());
-        return Interval{values[2], values[values.size() - 3]};
-    };
-    EXPECT_LT(coverage(9, narrow), 0.945);
-}
-
 // An example like that in Holm's paper: the p-values 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
 TEST(Statistics, Holm)
 {
@@ -118,6 +82,51 @@ TEST(Statistics, EqualNumbersDifferOrNot)
     const std::vector<double> b{3, 3, 3};
     EXPECT_EQ(difference(a, b, 0.02).p, 0);
     EXPECT_EQ(difference(a, a, 0.02).p, 1);
+}
+
+TEST(RunInterval, ByHand)
+{
+    // Logarithms -1, 0, 1: mean 0, standard error 1 / sqrt(3), and 4.3027 is the 97.5th percentile of t with two
+    // degrees of freedom.
+    const auto interval = run_interval(std::vector{std::exp(-1.0), 1.0, std::exp(1.0)});
+    ASSERT_TRUE(interval);
+    EXPECT_NEAR(std::log(interval->high), 4.3027 / std::sqrt(3.0), 1e-3);
+    EXPECT_NEAR(interval->low * interval->high, 1, 1e-12);
+    EXPECT_FALSE(run_interval(std::vector{1.0}));
+    EXPECT_FALSE(run_interval(std::vector{1.0, 0.0, 2.0}));
+}
+
+TEST(RunInterval, HoldsTheMedianOfAll)
+{
+    // One run has many more samples than the others.
+    ValuesByRun runs{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};
+    const Summary s = summary(runs);
+    EXPECT_EQ(s.count, 7);
+    EXPECT_EQ(s.runs, 3);
+    EXPECT_EQ(s.median, 2);
+    EXPECT_GE(s.interval->high, 2);
+}
+
+// An interval of the median needs six rounds, and is valid for any distribution.
+TEST(QuotientOfOneRun, HasTheIntervalOfTheRoundsMedian)
+{
+    const ValuesByRun row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};
+    EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5}}}, row).interval) << "five rounds";
+    const Quotient q = quotient({{0, {9, 8, 7, 6, 5, 40}}}, row);
+    EXPECT_EQ(q.ratio, 7.5);
+    ASSERT_TRUE(q.interval);
+    EXPECT_EQ(q.interval->low, 5);
+    EXPECT_EQ(q.interval->high, 40);
+    EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
+}
+
+// A disturbance that slows both rows in a round cancels in the round's ratio.
+TEST(QuotientOfOneRun, ComparesRoundByRound)
+{
+    const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});
+    ASSERT_TRUE(q.interval);
+    EXPECT_EQ(q.interval->low, 2);
+    EXPECT_EQ(q.interval->high, 2);
 }
 
 }  // namespace

@@ -23,61 +23,64 @@ Row raced(const std::string& backend, double seconds, double spread, int runs = 
     return made_row(backend, times, 6);
 }
 
-std::string last_lines(std::vector<Row> rows, int runs = 5) { return winners(made_result(std::move(rows), runs)); }
+struct Won {
+    const char* name;
+    std::vector<Row> rows;
+    std::vector<std::string> lines;  // parts of the output
+    int runs = 5;
+};
 
-TEST(Winners, TheFastestWinsByItsRatioAndForCertain)
+Row scalar_row()
 {
-    const std::string text =
-        last_lines({raced("opencl", 0.25, 0.01), raced("openmp", 0.1, 0.002), raced("vulkan", 0.3, 0.01)});
-    EXPECT_NE(text.find("mandelbox float exact: openmp won, 2.4"), std::string::npos) << text;
-    EXPECT_NE(text.find(" times as fast as opencl ["), std::string::npos) << text;
-    EXPECT_NE(text.find(", the next of 2, p "), std::string::npos) << text;
-    EXPECT_NE(text.find("for 2 comparisons\n"), std::string::npos) << text;
+    Row row = raced("openmp", 1, 0.002);
+    row.sweep_value = "simd-width=1";
+    row.setting.simd_width = 1;
+    return row;
 }
 
-// Negative controls: there is no winner if the runs contradict each other, or if the lead is within the margin.
-TEST(Winners, AnUncertainLeadIsUndecided)
-{
-    const std::string text = last_lines({raced("opencl", 0.105, 0.1), raced("openmp", 0.1, 0.002)});
-    EXPECT_NE(text.find("openmp leads, 1.0"), std::string::npos) << text;
-    EXPECT_NE(text.find("]: undecided, more runs would tell\n"), std::string::npos) << text;
-}
+class Winners : public testing::TestWithParam<Won> {};
 
-TEST(Winners, WithinTheMarginIsTheSame)
+TEST_P(Winners, AreNamedWithTheirLeadAndItsCertainty)
 {
-    const std::string text = last_lines({raced("stdpar", 0.1005, 0.002), raced("openmp", 0.1, 0.002)});
-    EXPECT_NE(text.find("openmp leads, 1.005 times as fast as stdpar ["), std::string::npos) << text;
-    EXPECT_NE(text.find("]: the same within 2 %\n"), std::string::npos) << text;
-}
-
-TEST(Winners, FewPicturesProveNothing)
-{
-    const std::string text = last_lines({made_row("stdpar", {0.2, 0.2}), made_row("openmp", {0.1, 0.1})}, 1);
-    EXPECT_NE(text.find("openmp leads, 2.000 times as fast as stdpar: too few pictures to be certain\n"),
-              std::string::npos)
-        << text;
-}
-
-// A single run is judged by the medians of groups of rounds, as in compare.
-TEST(Winners, OneRunIsJudgedByGroupsOfRounds)
-{
-    const std::vector<Contest> contests =
-        contests_of(made_result({raced("stdpar", 0.2, 0, 1), raced("openmp", 0.1, 0, 1)}));
-    ASSERT_EQ(contests.size(), 1U);
-    EXPECT_EQ(contests[0].rivals.at(0).judged.verdict, Verdict::slower);
-}
-
-TEST(Winners, TheScalarTextIsARivalAndTheReferenceIsNone)
-{
-    Row scalar = raced("openmp", 1, 0.002);
-    scalar.sweep_value = "simd-width=1";
-    scalar.setting.simd_width = 1;
-    const std::string text = last_lines({raced("openmp", 0.1, 0.002), scalar, raced("reference", 0.01, 0.002)});
-    EXPECT_NE(text.find("openmp won, 10.00 times as fast as openmp-scalar ["), std::string::npos) << text;
+    const std::string text = winners(made_result(GetParam().rows, GetParam().runs));
+    for (const std::string& line : GetParam().lines) EXPECT_NE(text.find(line), std::string::npos) << line << text;
     EXPECT_EQ(text.find("reference"), std::string::npos) << text;
 }
 
-TEST(Winners, EachFractalPrecisionAndModeHasALine)
+// Negative controls: there is no winner if the runs contradict each other, if the lead is within the margin, or if
+// there are few pictures. The scalar kernel is a rival, the reference is none.
+INSTANTIATE_TEST_SUITE_P(
+    Rows, Winners,
+    testing::Values(Won{"Certain",
+                        {raced("opencl", 0.25, 0.01), raced("openmp", 0.1, 0.002), raced("vulkan", 0.3, 0.01)},
+                        {"for 2 comparisons\n", "mandelbox float exact: openmp won, 2.4", " times as fast as opencl [",
+                         ", the next of 2, p "}},
+                    Won{"Undecided",
+                        {raced("opencl", 0.105, 0.1), raced("openmp", 0.1, 0.002)},
+                        {"openmp leads, 1.0", "]: undecided, more runs would tell\n"}},
+                    Won{"WithinTheMargin",
+                        {raced("stdpar", 0.1005, 0.002), raced("openmp", 0.1, 0.002)},
+                        {"openmp leads, 1.005 times as fast as stdpar [", "]: the same within 2 %\n"}},
+                    Won{"FewPictures",
+                        {made_row("stdpar", {0.2, 0.2}), made_row("openmp", {0.1, 0.1})},
+                        {"openmp leads, 2.000 times as fast as stdpar: too few pictures to be certain\n"},
+                        1},
+                    Won{"Scalar",
+                        {raced("openmp", 0.1, 0.002), scalar_row(), raced("reference", 0.01, 0.002)},
+                        {"openmp won, 10.00 times as fast as openmp-scalar ["}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// A single run is judged by the medians of groups of rounds, as in compare.
+TEST(WinnersOfAStudy, OneRunIsJudgedByGroupsOfRounds)
+{
+    const auto found = json_of(made_result({raced("stdpar", 0.2, 0, 1), raced("openmp", 0.1, 0, 1)}))["winners"];
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["fastest"], "mandelbox/float/exact/openmp/0");
+    EXPECT_EQ(found[0]["rivals"][0]["verdict"], "SLOWER");
+    EXPECT_NEAR(found[0]["rivals"][0]["ratio"], 2, 1e-12);
+}
+
+TEST(WinnersOfAStudy, EachFractalPrecisionAndModeHasALine)
 {
     std::vector<Row> rows;
     for (const char* fractal : {"mandelbulb", "mandelbox"}) {
@@ -92,7 +95,7 @@ TEST(Winners, EachFractalPrecisionAndModeHasALine)
     EXPECT_EQ(contests_of(made_result(rows, 5)).size(), 4U);
 }
 
-TEST(Winners, TheLastLineSaysHowManyProcessorsWereFree)
+TEST(WinnersOfAStudy, TheLastLineSaysHowManyProcessorsWereFree)
 {
     Result result = made_result({raced("openmp", 0.1, 0.01, 1)});
     result.environment["cpu"]["cores_usable"] = 8;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "bench/result/figures.h"
 #include "bench/judge/portability.h"
@@ -13,6 +17,24 @@
 
 namespace mandelmarch::bench {
 namespace {
+
+std::string text_of_file(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// Returns a discarded value for a text that is not JSON.
+Json parsed(const std::string& text, const std::string& name)
+{
+    check_json_depth(text, name);
+    return Json::parse(text, nullptr, false);
+}
+
+Json schema_in(const Json& json) { return json.is_object() ? json.value("schema", Json()) : Json(); }
 
 // Throws Refusal.
 void check(const Result& result)
@@ -31,7 +53,7 @@ void check(const Result& result)
 // Throws Refusal.
 Result result_of(Json json)
 {
-    if (!json.is_object() || json.value("schema", Json()) != result_schema) throw Refusal{"", "no result of bench"};
+    if (schema_in(json) != result_schema) throw Refusal{"", "no result of bench"};
     upgrade(json);
     if (const Json version = json.value("version", Json()); version != schema_version) {
         throw Refusal{"", fmt::format("version {} of the result format, expected {}", printable(version.dump(), 80),
@@ -49,6 +71,7 @@ Json json_of(const Result& result)
 {
     Json json = document(result_schema, schema_version, result);
     json["portability"] = json_of(portability({&result, 1}));
+    json["winners"] = to_json(contests_of(result));
     return json;
 }
 
@@ -75,10 +98,49 @@ Result result_from_json(const Json& json, const std::string& name)
 
 Result parse_result(const std::string& text, const std::string& name)
 {
-    check_json_depth(text, name);
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parsed(text, name);
     if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
     return result_from_json(json, name);
+}
+
+Result read_result(const std::string& path) { return parse_result(text_of_file(path), path); }
+
+std::optional<Result> read_if_result(const std::string& path)
+{
+    const Json json = parsed(text_of_file(path), path);
+    if (schema_in(json) != result_schema) return std::nullopt;
+    return result_from_json(json, path);
+}
+
+Json upgraded_json(const std::string& path)
+{
+    Json json = parsed(text_of_file(path), path);
+    const Json schema = schema_in(json);
+    if (!schema.is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
+    if (schema == result_schema) return json_of(result_from_json(json, path));
+    upgrade(json);
+    return json;
+}
+
+std::vector<std::string> result_files(const std::vector<std::string>& paths)
+{
+    namespace fs = std::filesystem;
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            files.push_back(path);
+            continue;
+        }
+        std::vector<std::string> found;
+        for (const auto& entry : fs::recursive_directory_iterator(path, error)) {
+            if (entry.path().extension() == ".json") found.push_back(entry.path().string());
+        }
+        if (error) throw InputError(fmt::format("{}: cannot be read: {}", path, error.message()));
+        std::ranges::sort(found);
+        files.insert(files.end(), found.begin(), found.end());
+    }
+    return files;
 }
 
 std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
