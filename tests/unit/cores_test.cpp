@@ -102,6 +102,8 @@ TEST(MemoryLeft, HasNoLimitWithoutGroups)
 {
     EXPECT_EQ(memory_left_in_groups(Tree("").root()), no_limit);
     EXPECT_EQ(memory_left_in_groups("/nowhere"), no_limit);
+    EXPECT_GT(available_memory(), mebibyte);
+    EXPECT_LT(available_memory(), 1ULL << 50) << "the memory of this machine is a limit";
 }
 
 TEST(Quota, IsTheLeastOfAllGroupsAbove)

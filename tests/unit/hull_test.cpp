@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hulls do not change a bit of exact pictures, and save work. The proofs are in docs/hulls.md.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
 #include "backends/all.h"
-#include "core/render/agreement.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
 #include "tests/scenes.h"
+#include "tests/unit/same_picture.h"
 
 // A copy of the kernel, to render with hulls that are too small.
 #define MM_REAL double
@@ -44,13 +45,9 @@ TEST(Hull, ChangesNoBitOfRandomScenes)
     for (const auto& [name, scene] : scenes) {
         with_hull += size_of(scene) > 0;
         for (const Precision precision : {Precision::f64, Precision::f32}) {
-            RendererOptions options{.precision = precision};
-            const Image with = render(openmp, scene, options);
-            options.techniques.hull = false;
-            const Image without = render(openmp, scene, options);
-            const Comparison c = compare(without, with);
-            EXPECT_TRUE(c.same()) << name << ", hull " << size_of(scene) << ", " << name_of(precision) << ": "
-                                  << describe_pixel(without, with, std::max<std::int64_t>(0, c.first));
+            const Image without = render(openmp, scene, {.precision = precision, .techniques = {.hull = false}});
+            expect_same_bits(without, render(openmp, scene, {.precision = precision}),
+                             fmt::format("{}, hull {}, {}", name, size_of(scene), name_of(precision)));
         }
     }
     EXPECT_GT(with_hull, 100);

@@ -20,7 +20,6 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/base/memory.h"
 #include "core/base/output_file.h"
 #include "core/image/averaged.h"
 #include "core/image/compare.h"
@@ -50,9 +49,9 @@ protected:
             v.depth = i % 5 == 0 ? INFINITY : static_cast<float>(random() % 1000);
             v.steps = static_cast<std::int32_t>(random() % 8000);
             v.iterations = static_cast<std::int32_t>(random() % 80'000'000);
-            image.bytes()[3 * i] = static_cast<std::uint8_t>(255 * static_cast<float>(v.red));
-            image.bytes()[3 * i + 1] = static_cast<std::uint8_t>(255 * static_cast<float>(v.green));
-            image.bytes()[3 * i + 2] = static_cast<std::uint8_t>(255 * static_cast<float>(v.blue));
+            std::uint8_t* byte = image.bytes().data() + 3 * i;
+            for (const double c : {v.red, v.green, v.blue})
+                *byte++ = static_cast<std::uint8_t>(255 * static_cast<float>(c));
         }
         return image;
     }
@@ -125,7 +124,6 @@ TEST_F(Files, JpegsAreThePictureUpToItsLoss)
         }
     }
     EXPECT_THROW(check_image_size(ImageFormat::jpeg, 65535, 10), InputError);
-    EXPECT_THROW(write_image("/dev/full", ImageFormat::jpeg, noise(80, 80)), Error);
 }
 
 TEST_F(Files, BmpRowsArePaddedToFourBytes)
@@ -167,9 +165,9 @@ TEST_F(Files, OldFileStaysWhereWritingFails)
 
 TEST_F(Files, FullDeviceIsAnErrorAndStays)
 {
-    EXPECT_THROW(write_image("/dev/full", ImageFormat::bmp, noise(8, 8)), Error);
-    EXPECT_THROW(write_image("/dev/full", ImageFormat::png, noise(8, 8)), Error);
-    EXPECT_THROW(write_image("/dev/full", ImageFormat::exr, noise(8, 8)), Error);
+    for (const char* name : {"a.bmp", "a.png", "a.exr", "a.jpg"}) {
+        EXPECT_THROW(write_image("/dev/full", *image_format(name), noise(80, 80)), Error) << name;
+    }
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
@@ -187,16 +185,6 @@ TEST_F(Files, PipeIsWrittenInto)
         usleep(20'000);
     }
     EXPECT_EQ(read_image(copy).bytes(), image.bytes());
-}
-
-TEST_F(Files, LinkStaysAndItsTargetIsReplaced)
-{
-    write_image(path("real.bmp"), ImageFormat::bmp, noise(4, 4));
-    fs::create_symlink(path("real.bmp"), path("link.bmp"));
-    const Image image = noise(5, 5);
-    write_image(path("link.bmp"), ImageFormat::bmp, image);
-    EXPECT_TRUE(fs::is_symlink(path("link.bmp")));
-    EXPECT_EQ(read_image(path("real.bmp")).bytes(), image.bytes());
 }
 
 TEST_F(Files, UnwritableTargetsAreSeenBeforehand)
@@ -251,12 +239,6 @@ TEST(Formats, ByEnding)
     EXPECT_EQ(image_format("a.Jpeg"), ImageFormat::jpeg);
     EXPECT_EQ(image_format("a.ppm"), ImageFormat::pnm);
     EXPECT_EQ(image_format("a.tiff"), std::nullopt);
-}
-
-TEST(Memory, IsPlausible)
-{
-    EXPECT_GT(available_memory(), 1ULL << 20);
-    EXPECT_LT(available_memory(), 1ULL << 50);
 }
 
 }  // namespace

@@ -112,64 +112,44 @@ KernelScene scene_for_kernel(const Scene& scene)
     return to;
 }
 
-// At visible points, the angle between the analytic gradient and one from central differences must be small.
-TEST(Gradient, OfTheBulbAgreesWithDifferences)
+struct Gradients {
+    int hits = 0;
+    int off = 0;  // hits where the analytic gradient is not parallel to the one from central differences
+};
+
+// Compares the gradients at the visible points of 40 x 40 pixels.
+template <class KernelScene>
+Gradients gradients(const KernelScene& k)
 {
-    for (const double power : {8.0, 3.0, 7.5}) {
-        Scene scene = official_scene("bulb", 40, 40);
-        scene.shape[2] = power;
-        scene.iterations = 6;  // few, so that the estimate is smooth enough for differences
-        const auto k = scene_for_kernel<bulb64::Scene>(scene);
-        int hits = 0;
-        for (int i = 0; i < 40 * 40; ++i) {
-            const bulb64::Ray ray = bulb64::march(k, bulb64::begin(k, i % 40, i / 40), 8000);
-            if (!bulb64::has_hit(k, ray)) continue;
-            ++hits;
-            const bulb64::vec3 p = bulb64::point_at(k, ray, ray.last_t * 0.999);
-            const bulb64::vec3 a = bulb64::unit(bulb64::gradient(k, p, true));
-            const bulb64::vec3 b = bulb64::normal_by_differences(k, p, true).direction;
-            EXPECT_GT(bulb64::dot3(a, b), 1 - 1e-6) << "power " << power << ", pixel " << i;
-        }
-        EXPECT_GT(hits, 100);
+    Gradients found;
+    for (int i = 0; i < 40 * 40; ++i) {
+        const auto ray = march(k, begin(k, i % 40, i / 40), 8000);
+        if (!has_hit(k, ray)) continue;
+        ++found.hits;
+        const auto p = point_at(k, ray, ray.last_t * 0.999);
+        const auto analytic = unit(gradient(k, p, true));
+        found.off += !(dot3(analytic, normal_by_differences(k, p, true).direction) > 1 - 1e-6);
     }
+    EXPECT_GT(found.hits, 100);
+    return found;
 }
 
-TEST(Gradient, OfTheBoxAgreesWithDifferences)
+// The scenes have few iterations, so that their estimates are smooth enough for differences.
+TEST(Gradient, AgreesWithDifferences)
 {
-    Scene scene = official_scene("box", 40, 40);
+    Scene scene = official_scene("bulb", 40, 40);
     scene.iterations = 6;
-    const auto k = scene_for_kernel<box64::Scene>(scene);
-    int hits = 0;
-    int off = 0;  // hits where the two gradients disagree: central differences across a fold mix two slopes
-    for (int i = 0; i < 40 * 40; ++i) {
-        const box64::Ray ray = box64::march(k, box64::begin(k, i % 40, i / 40), 8000);
-        if (!box64::has_hit(k, ray)) continue;
-        ++hits;
-        const box64::vec3 p = box64::point_at(k, ray, ray.last_t * 0.999);
-        const box64::vec3 a = box64::unit(box64::gradient(k, p, true));
-        const box64::vec3 b = box64::normal_by_differences(k, p, true).direction;
-        off += box64::dot3(a, b) < 1 - 1e-6;
+    for (const double power : {8.0, 3.0, 7.5}) {
+        scene.shape[2] = power;
+        EXPECT_EQ(gradients(scene_for_kernel<bulb64::Scene>(scene)).off, 0) << power;
     }
-    EXPECT_GT(hits, 100);
-    EXPECT_LE(off, hits / 100);
-}
-
-TEST(Gradient, OfTheJuliaSetAgreesWithDifferences)
-{
-    Scene scene = official_scene("julia", 40, 40);
+    scene = official_scene("julia", 40, 40);
     scene.iterations = 8;
-    const auto k = scene_for_kernel<julia64::Scene>(scene);
-    int hits = 0;
-    for (int i = 0; i < 40 * 40; ++i) {
-        const julia64::Ray ray = julia64::march(k, julia64::begin(k, i % 40, i / 40), 8000);
-        if (!julia64::has_hit(k, ray)) continue;
-        ++hits;
-        const julia64::vec3 p = julia64::point_at(k, ray, ray.last_t * 0.999);
-        const julia64::vec3 a = julia64::unit(julia64::gradient(k, p, true));
-        const julia64::vec3 b = julia64::normal_by_differences(k, p, true).direction;
-        EXPECT_GT(julia64::dot3(a, b), 1 - 1e-6) << "pixel " << i;
-    }
-    EXPECT_GT(hits, 100);
+    EXPECT_EQ(gradients(scene_for_kernel<julia64::Scene>(scene)).off, 0);
+    scene = official_scene("box", 40, 40);
+    scene.iterations = 6;
+    const Gradients box = gradients(scene_for_kernel<box64::Scene>(scene));
+    EXPECT_LE(box.off, box.hits / 100);  // differences across a fold mix two slopes
 }
 
 // A ray that is stored after any number of steps, and continued, gives the same pixel as without interruption.

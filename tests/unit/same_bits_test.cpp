@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exact mode gives the same bits for any number of threads and any pack width, and the entry points for single stages
 // of stored rays give the same picture as the entry point for whole pixels. Each has a negative control.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,8 +10,8 @@
 #include "backends/all.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
-#include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
+#include "tests/unit/same_picture.h"
 
 namespace mandelmarch {
 namespace {
@@ -46,11 +47,8 @@ TEST_P(SameBits, OneThreadAndMany)
 {
     for (const Mode mode : {Mode::exact, Mode::fast}) {
         for (const auto& [name, scene] : scenes()) {
-            const Image one = draw(scene, 1, 0, mode);
-            const Image many = draw(scene, 7, 0, mode);
-            const Comparison difference = compare(one, many);
-            EXPECT_TRUE(difference.same()) << name << " " << name_of(mode) << ": "
-                                           << describe_pixel(one, many, std::max<std::int64_t>(0, difference.first));
+            expect_same_bits(draw(scene, 1, 0, mode), draw(scene, 7, 0, mode),
+                             fmt::format("{} {}", name, name_of(mode)));
         }
     }
 }
@@ -62,8 +60,7 @@ TEST_P(SameBits, AMillionRaysInFastMode)
     const Scene scene = official_scene("box", 1080, 1080);
     const Image first = draw(scene, 1, 0, Mode::fast);
     for (const int threads : {2, 3, 2, 3, 2, 3}) {
-        const Image again = draw(scene, threads, 0, Mode::fast);
-        EXPECT_TRUE(compare(first, again).same()) << threads << " threads";
+        expect_same_bits(first, draw(scene, threads, 0, Mode::fast), fmt::format("{} threads", threads));
     }
 }
 
@@ -79,9 +76,7 @@ TEST_P(SameBits, BytesAlone)
             const Work whole = openmp.create(options)->render(scene, all).work;
             EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", SIMD width " << simd_width;
             EXPECT_GE(work.de_calls, bytes.pixels() / 100);
-            EXPECT_EQ(work.steps, whole.steps);
-            EXPECT_EQ(work.de_calls, whole.de_calls);
-            EXPECT_EQ(work.iterations, whole.iterations);
+            expect_same_work(whole, work, name);
             // Without counts, the reported work may be 0, but the picture must be the same.
             RendererOptions uncounted = options;
             uncounted.counts = false;
@@ -117,11 +112,7 @@ TEST_P(SameBits, ScalarAndEveryPackWidth)
                 break;  // not supported by this machine
             }
             ++widths;
-            const Image scalar = draw(scene, 2, 1);
-            const Comparison difference = compare(scalar, packed);
-            EXPECT_TRUE(difference.same())
-                << name << ", SIMD width " << simd_width << ": "
-                << describe_pixel(scalar, packed, std::max<std::int64_t>(0, difference.first));
+            expect_same_bits(draw(scene, 2, 1), packed, fmt::format("{}, SIMD width {}", name, simd_width));
         }
     }
     EXPECT_GT(widths, 0) << "no SIMD width could be tried";
@@ -140,11 +131,7 @@ TEST_P(SameBits, EveryInstructionSet)
             } catch (const InputError&) {
                 break;  // the machine lacks these instructions
             }
-            const Image scalar = draw(scene, 2, 1);
-            const Comparison difference = compare(scalar, packed);
-            EXPECT_TRUE(difference.same())
-                << scene_name << ", " << name << ": "
-                << describe_pixel(scalar, packed, std::max<std::int64_t>(0, difference.first));
+            expect_same_bits(draw(scene, 2, 1), packed, fmt::format("{}, {}", scene_name, name));
         }
     }
     unsetenv("MANDELMARCH_INSTRUCTIONS");
@@ -208,10 +195,7 @@ TEST_P(SameBits, WorkDoesNotDependOnThreadsOrPacks)
             .work;
     };
     const Work one = work(1, 1);
-    const Work many = work(5, 0);
-    EXPECT_EQ(one.steps, many.steps);
-    EXPECT_EQ(one.de_calls, many.de_calls);
-    EXPECT_EQ(one.iterations, many.iterations);
+    expect_same_work(one, work(5, 0), "five threads");
     EXPECT_GT(one.iterations, one.de_calls);
 }
 
