@@ -33,10 +33,7 @@ struct SampleSum {
 
 Image averaged(const Image& samples, int side)
 {
-    const Image::Layers layers = samples.has_depths()   ? Image::Layers::all
-                                 : samples.has_values() ? Image::Layers::colours
-                                                        : Image::Layers::bytes;
-    Image image(samples.width() / side, samples.height() / side, layers);
+    Image image(samples.width() / side, samples.height() / side, samples.layers());
     const auto count = static_cast<unsigned>(side * side);
     std::size_t to = 0;
     for (int y = 0; y < image.height(); ++y) {

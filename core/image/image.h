@@ -64,6 +64,7 @@ public:
     {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
+    Layers layers() const { return layers_; }
     bool has_values() const { return layers_ != Layers::bytes; }
     bool has_depths() const { return layers_ == Layers::all; }
 

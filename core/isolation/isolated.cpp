@@ -11,6 +11,7 @@
 #include "core/isolation/device_process.h"
 #include "core/isolation/shared_memory.h"
 #include "core/isolation/worker.h"
+#include "core/render/registry.h"
 
 namespace mandelmarch {
 namespace {
@@ -169,12 +170,6 @@ public:
     }
 
 private:
-    struct Listing {
-        std::string unavailable;
-        std::vector<Device> devices;
-        std::string failure;  // why listing the devices failed; empty: it did not
-    };
-
     // Lists the devices on the first call, in a process that then ends. Throws Error if the driver fails.
     const Listing& listing() const
     {

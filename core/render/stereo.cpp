@@ -60,9 +60,6 @@ RenderStats render_stereo(Renderer& renderer, const Scene& scene, double eyes, I
 {
     if (scene.width % 2 != 0) throw InputError("a picture for two eyes: its width is odd, expected an even one");
     if (scene.crop_window.whole_width > 0) throw InputError("a picture for two eyes: expected a whole one");
-    const auto layers = image.has_depths()   ? Image::Layers::all
-                        : image.has_values() ? Image::Layers::colours
-                                             : Image::Layers::bytes;
     const int half = scene.width / 2;
     const bool panorama = scene.projection == Projection::equirectangular;
     const int width = panorama ? std::max(1, half / strips_around) : half;
@@ -72,7 +69,7 @@ RenderStats render_stereo(Renderer& renderer, const Scene& scene, double eyes, I
         const int side = at < half ? -1 : 1;
         const int left = at % half;
         const int columns = std::min(width, half - left);
-        if (drawn.width() != columns) drawn = Image(columns, scene.height, layers);
+        if (drawn.width() != columns) drawn = Image(columns, scene.height, image.layers());
         const Scene crop_window = panorama ? strip_of_eye(scene, eyes, side, left, columns) : of_eye(scene, eyes, side);
         const RenderStats one = renderer.render(crop_window, drawn, [&](double share) {
             if (progress) progress((at + share * columns) / scene.width);

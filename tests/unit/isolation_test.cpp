@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -135,6 +136,22 @@ class Isolation : public testing::Test {
 protected:
     void SetUp() override { setenv("MANDELMARCH_DEVICE_TIMEOUT", "0.2", 1); }
     void TearDown() override { unsetenv("MANDELMARCH_DEVICE_TIMEOUT"); }
+
+    // Renders 8 x 8 pixels. Returns false if they are black.
+    bool drawn(Renderer& renderer, const Scene& scene = scene_of(8, 8), const Progress& progress = {})
+    {
+        std::ranges::fill(image.bytes(), std::uint8_t{0});
+        renderer.render(scene, image, progress);
+        return image.bytes()[1] != 0;
+    }
+    static Progress stopped()
+    {
+        std::stop_source source;
+        source.request_stop();
+        return Progress(source.get_token());
+    }
+
+    Image image{8, 8, Image::Layers::bytes};
 };
 
 TEST_F(Isolation, DrawsTheSamePictureAndReport)
@@ -148,12 +165,12 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
         const Scene scene = scene_of(width, height);
         Image here(width, height, layers);
         MadeRenderer(draws, Where::nowhere).render(scene, here, [](double) {});
-        Image image(width, height, layers);
+        Image there(width, height, layers);
         double progress = 0;
-        const RenderStats report = renderer->render(scene, image, [&](double share) { progress = share; });
-        EXPECT_EQ(image.bytes(), here.bytes());
+        const RenderStats report = renderer->render(scene, there, [&](double share) { progress = share; });
+        EXPECT_EQ(there.bytes(), here.bytes());
         if (layers == Image::Layers::all) {
-            EXPECT_EQ(image.values().back().depth, here.values().back().depth);
+            EXPECT_EQ(there.values().back().depth, here.values().back().depth);
         }
         EXPECT_EQ(progress, 0.5);
         EXPECT_EQ(report.device.name, "draws fractals");
@@ -166,29 +183,20 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
 // picture.
 TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
 {
-    const auto backend = made(Where::nowhere);
-    const auto renderer = backend->create({.device = draws});
+    const auto renderer = made(Where::nowhere)->create({.device = draws});
     Scene scene = scene_of(8, 8);
-    Image image(8, 8, Image::Layers::bytes);
-    renderer->render(scene, image);
-    EXPECT_NE(image.bytes()[1], 0);
+    EXPECT_TRUE(drawn(*renderer, scene));
     scene.detail = -9;
-    renderer->render(scene, image);
-    EXPECT_EQ(image.bytes()[1], 0);
+    EXPECT_FALSE(drawn(*renderer, scene));
 }
 
 TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
 {
-    const auto backend = made(Where::nowhere);
-    const auto renderer = backend->create({.device = draws});
-    const Scene scene = scene_of(8, 8);
-    Image image(8, 8, Image::Layers::bytes);
-    std::stop_source source;
-    source.request_stop();
-    EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
+    const auto renderer = made(Where::nowhere)->create({.device = draws});
+    EXPECT_THROW(drawn(*renderer, scene_of(8, 8), stopped()), Cancelled);
     EXPECT_EQ(image.bytes()[1], 0);
     // The next answer of the device process must belong to the next picture, not to the previous one.
-    EXPECT_EQ(renderer->render(scene, image).timings.kernel, 1.25);
+    EXPECT_EQ(renderer->render(scene_of(8, 8), image).timings.kernel, 1.25);
     EXPECT_NE(image.bytes()[1], 0);
 }
 
@@ -196,12 +204,8 @@ TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
 // the driver.
 TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
 {
-    const auto backend = made(Where::drawing);
-    const auto renderer = backend->create({.device = hangs});
-    Image image(8, 8, Image::Layers::bytes);
-    std::stop_source source;
-    source.request_stop();
-    EXPECT_THROW(renderer->render(bad_scene(), image, Progress(source.get_token())), Error);
+    const auto renderer = made(Where::drawing)->create({.device = hangs});
+    EXPECT_THROW(drawn(*renderer, bad_scene(), stopped()), Error);
 }
 
 TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
@@ -216,47 +220,33 @@ TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
 
 TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
 {
-    const auto backend = made(Where::drawing);
-    Image image(8, 8, Image::Layers::bytes);
-    for (const auto& [conduct, how] :
-         {std::pair(aborts, "signal 6"), {crashes, "signal 11"}, {exits, "exit code 0"}, {leaves, "exit code 0"}}) {
-        const auto renderer = backend->create({.device = conduct});
-        const std::string why = thrown_by<Error>([&] { renderer->render(bad_scene(), image); });
-        EXPECT_NE(why.find("backend made: device " + std::to_string(conduct)), std::string::npos) << why;
-        EXPECT_NE(why.find("while drawing"), std::string::npos) << why;
-        EXPECT_NE(why.find(how), std::string::npos) << why;
-        EXPECT_NE(why.find("its last words: driver: something is wrong"), std::string::npos) << why;
-    }
-}
-
-TEST_F(Isolation, AProcessThatEndsWhileItOpensADeviceIsAnError)
-{
-    const auto backend = made(Where::opening);
-    for (const Conduct conduct : {aborts, crashes, exits, leaves}) {
-        const std::string why = thrown_by<Error>([&] { backend->create({.device = conduct}); });
-        EXPECT_NE(why.find("while opening the device"), std::string::npos) << why;
+    const auto opening = made(Where::opening);
+    const auto drawing = made(Where::drawing);
+    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{
+             {aborts, "signal 6"}, {crashes, "signal 11"}, {exits, "exit code 0"}, {leaves, "exit code 0"}}) {
+        const RendererOptions options{.device = conduct};
+        const auto renderer = drawing->create(options);
+        const std::string why = thrown_by<Error>([&] { drawn(*renderer, bad_scene()); });
+        const std::string place = "backend made: device " + std::to_string(conduct);
+        for (const std::string& part :
+             {place, std::string("while drawing"), how, std::string("its last words: driver: something is wrong")}) {
+            EXPECT_NE(why.find(part), std::string::npos) << why;
+        }
+        const std::string before = thrown_by<Error>([&] { opening->create(options); });
+        EXPECT_NE(before.find("while opening the device"), std::string::npos) << before;
+        // The same renderer draws in a new process.
+        EXPECT_TRUE(drawn(*renderer));
     }
 }
 
 TEST_F(Isolation, AProcessThatEndsWhileItListsIsAFailureAndNoAbsence)
 {
     for (const Conduct conduct : {aborts, crashes, exits, leaves, hangs}) {
-        const auto backend = made(Where::listing, conduct);
-        const Listing listing = listing_of(*backend);
+        const Listing listing = listing_of(*made(Where::listing, conduct));
         EXPECT_NE(listing.failure, "");
         EXPECT_EQ(listing.unavailable, "");
         EXPECT_TRUE(listing.devices.empty());
     }
-}
-
-TEST_F(Isolation, AfterACrashTheSameRendererDrawsInANewProcess)
-{
-    const auto backend = made(Where::drawing);
-    const auto renderer = backend->create({.device = crashes});
-    Image image(8, 8, Image::Layers::bytes);
-    EXPECT_THROW(renderer->render(bad_scene(), image), Error);
-    renderer->render(scene_of(8, 8), image);
-    EXPECT_NE(image.bytes()[1], 0);
 }
 
 TEST_F(Isolation, ACrashDoesNotTakeAnotherRendererOfItsDeviceAlong)
@@ -264,18 +254,14 @@ TEST_F(Isolation, ACrashDoesNotTakeAnotherRendererOfItsDeviceAlong)
     const auto backend = made(Where::drawing);
     const auto renderer = backend->create({.device = crashes});
     const auto other = backend->create({.device = crashes});
-    Image image(8, 8, Image::Layers::bytes);
-    EXPECT_THROW(renderer->render(bad_scene(), image), Error);
-    other->render(scene_of(8, 8), image);
-    EXPECT_NE(image.bytes()[1], 0);
+    EXPECT_THROW(drawn(*renderer, bad_scene()), Error);
+    EXPECT_TRUE(drawn(*other));
 }
 
 TEST_F(Isolation, ADeviceThatHangsIsNotAskedAgain)
 {
-    const auto backend = made(Where::drawing);
-    const auto renderer = backend->create({.device = hangs});
-    Image image(8, 8, Image::Layers::bytes);
-    const auto draw = [&] { renderer->render(bad_scene(), image); };
+    const auto renderer = made(Where::drawing)->create({.device = hangs});
+    const auto draw = [&] { drawn(*renderer, bad_scene()); };
     EXPECT_EQ(thrown_by<Error>(draw),
               "backend made: device 5: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
     EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: it did not answer before and was given up");
@@ -285,21 +271,14 @@ TEST_F(Isolation, AnotherDeviceDrawsAfterOneHung)
 {
     const auto backend = made(Where::opening);
     EXPECT_THROW(backend->create({.device = hangs}), Error);
-    Image image(8, 8, Image::Layers::bytes);
-    backend->create({.device = draws})->render(scene_of(8, 8), image);
-    EXPECT_NE(image.bytes()[1], 0);
+    EXPECT_TRUE(drawn(*backend->create({.device = draws})));
 }
 
 TEST_F(Isolation, ADriverThatCrashesOrHangsWhileItIsReleasedSpoilsNothing)
 {
     const auto backend = made(Where::releasing);
-    Image image(8, 8, Image::Layers::bytes);
     for (const Conduct conduct : {aborts, exits, hangs}) {
-        for (int again = 0; again < 2; ++again) {
-            image.bytes()[1] = 0;
-            backend->create({.device = conduct})->render(scene_of(8, 8), image);
-            EXPECT_NE(image.bytes()[1], 0);
-        }
+        for (int again = 0; again < 2; ++again) EXPECT_TRUE(drawn(*backend->create({.device = conduct})));
     }
 }
 
@@ -308,9 +287,7 @@ TEST_F(Isolation, WhatDriversPrintIsNoResult)
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const auto backend = made(Where::nowhere);
-    Image image(8, 8, Image::Layers::bytes);
-    backend->create({.device = draws})->render(scene_of(8, 8), image);
-    backend->create({.device = exits})->render(scene_of(8, 8), image);
+    for (const Conduct conduct : {draws, exits}) drawn(*backend->create({.device = conduct}));
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     static_cast<void>(testing::internal::GetCapturedStderr());
 }
