@@ -20,7 +20,7 @@ from .backends import Backends
 from .bench import Bench, Row
 from .errors import InputError
 from .number import Number, found
-from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
+from .flight import Film, FlightMap, film_of_log, read_film, read_map
 
 
 SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
@@ -61,7 +61,7 @@ class Results:
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
-    audits: list[Audit] = field(default_factory=list)
+    audits: list[dict[str, Any]] = field(default_factory=list)
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
@@ -158,14 +158,14 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.code_divergence = checked(name, data, "code_divergence")
     elif kind.get("schema") == "mandelmarch-race":
         results.races.append(checked(name, data, "race"))
-    elif kind.get("format") == MAP_FORMAT:
-        results.maps.append(read_map(name, data))
-    elif kind.get("schema") == FILM_SCHEMA:
-        results.films.append(read_film(name, data))
+    elif kind.get("format") == "mandelmarch flight map 1":
+        results.maps.append(read_map(name, checked(name, data, "map")))
+    elif kind.get("schema") == "mandelmarch-film":
+        results.films.append(read_film(name, checked(name, data, "film")))
     elif kind.get("schema") == "mandelmarch-duel":
         pass  # from the log
     elif "promises_kept" in kind:
-        results.audits.append(read_audit(name, data))
+        results.audits.append(checked(name, data, "audit"))
     else:
         print(f"report: {name}: not a result of bench or flythrough, left out", file=sys.stderr)
 
