@@ -128,9 +128,7 @@ duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, f
 # Tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
 SEEDS ?= 10
 flight-study: build ## plan and audit SEEDS=10 flights through both fractals, for docs/flight.md (an hour, estimated)
-	@python3 tools/flight_seeds.py bin/flythrough report/results $(SEEDS)
-	@python3 tools/flight_samples.py bin/flythrough bin/imgdiff report/results
-	@python3 tools/flight_overhead.py bin/flythrough report/results
+	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
 
 kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
 	@bash tests/flight/resume_test.sh bin/flythrough 20

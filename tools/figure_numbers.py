@@ -7,12 +7,12 @@ from figure_data import FRACTALS, FigureError, with_interval
 
 def ms(results, study, *row):
     """Kernel time of a configuration: the median in milliseconds."""
-    return f"{results.row(study, *row).kernel_ms:.1f}"
+    return f"{1e3 * results.row(study, *row).kernel.median:.1f}"
 
 
 def frames(results, study, *row):
     """Pictures per second, from the wall time."""
-    return f"{1e3 / results.row(study, *row).wall_ms:.0f}"
+    return f"{1 / results.row(study, *row).wall.median:.0f}"
 
 
 def worth(results, technique, fractal, precision):
@@ -36,7 +36,7 @@ def cost(results, technique, fractal, precision):
 
 def off(results, study, *row):
     """Percentage of pixels that differ visibly from the expected picture."""
-    return f"{results.row(study, *row).off_percent:.1f}"
+    return f"{100 * results.row(study, *row).visibly_off:.1f}"
 
 
 def speed_up(results, study, *row):
@@ -48,11 +48,11 @@ def speed_up(results, study, *row):
 def over_scalar(results, study, fractal, precision, mode):
     """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
     times."""
-    rows = [row for row in results.rows(study) if row["backend"] == "openmp" and row.figures["over_scalar"] is not None and
-            (row["fractal"], row["precision"], row["mode"]) == (FRACTALS[fractal], precision, mode)]
+    rows = [row for row in results.rows(study) if row.backend == "openmp" and row.figures["over_scalar"] is not None and
+            row.kind == (FRACTALS[fractal], precision, mode)]
     if not rows:
         raise FigureError(f"{study}.json has no row {fractal} {precision} {mode} beside the scalar text")
-    figures = min(rows, key=lambda row: row.kernel_ms).figures
+    figures = min(rows, key=lambda row: row.kernel.median).figures
     return with_interval(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
 
 
@@ -60,9 +60,9 @@ def model_cost(results, study, *backends):
     """Range of the speeds of backends with the scalar kernel over openmp's scalar kernel, per thread."""
     speeds = []
     for row in results.rows(study):
-        if row["backend"] in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
-            scalar = results.row(study, row["fractal"], row["precision"], row["mode"], "simd-width=1")
-            speeds.append(row.figures["over_scalar"] * scalar["threads"] / row["threads"])
+        if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
+            scalar = results.row(study, *row.kind, "simd-width=1")
+            speeds.append(row.figures["over_scalar"] * scalar.threads / row.threads)
     if not speeds:
         raise FigureError(f"{study}.json has no rows of {' '.join(backends)}")
     return range_of(speeds, 2)
@@ -84,7 +84,8 @@ def share(results, study, *row):
 
 def peak(results, study, precision):
     """Multiply-add peak in GFLOP/s."""
-    return f"{results.peak(study, precision) / 1e9:.0f}"
+    found = [peak["operations_per_second"] for peak in results.json(study)["peaks"] if peak["precision"] == precision]
+    return f"{max(found) / 1e9:.0f}"
 
 
 def range_of(values, places=1):
@@ -94,7 +95,7 @@ def range_of(values, places=1):
 
 def over_openmp(results, study, backend):
     """Range of a backend's kernel times over openmp's in a study."""
-    found = [row for row in results.rows(study) if row["backend"] == backend]
+    found = [row for row in results.rows(study) if row.backend == backend]
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
     return range_of([results.ratio(study, "others_to_host", row)[0] for row in found])
@@ -102,11 +103,11 @@ def over_openmp(results, study, backend):
 
 def work_over_openmp(results, study, backend):
     """Range of a backend's counted operations over openmp's in a study."""
-    found = [row for row in results.rows(study) if row["backend"] == backend and row["operations"]]
+    found = [row for row in results.rows(study) if row.backend == backend and row.operations]
     if not found:
         raise FigureError(f"{study}.json has no rows of {backend}")
-    hosts = [results.row(study, row["fractal"], row["precision"], row["mode"]) for row in found]
-    return range_of([row["operations"] / host["operations"] for row, host in zip(found, hosts)])
+    hosts = [results.row(study, *row.kind) for row in found]
+    return range_of([row.operations / host.operations for row, host in zip(found, hosts)])
 
 
 def one_register(results):
@@ -114,10 +115,10 @@ def one_register(results):
     ratios = []
     for fractal in FRACTALS:
         for precision, width in (("float", 16), ("double", 8)):
-            rows = [row for row in results.rows("simd-widths") if (row["backend"], row["fractal"], row["precision"], row["mode"]) ==
+            rows = [row for row in results.rows("simd-widths") if (row.backend, *row.kind) ==
                     ("openmp", FRACTALS[fractal], precision, "exact")]
-            widest = max(rows, key=lambda row: row["setting"]["simd_width"])
-            ratios.append(results.row("simd-widths", fractal, precision, "exact", f"simd-width={width}").kernel_ms / widest.kernel_ms)
+            widest = max(rows, key=lambda row: row.setting["simd_width"])
+            ratios.append(results.row("simd-widths", fractal, precision, "exact", f"simd-width={width}").kernel.median / widest.kernel.median)
     return range_of(ratios)
 
 
@@ -131,9 +132,9 @@ def backends_with_same_bits(results, study):
 def rows_verified(results, study):
     """Number of configurations whose pictures were verified before they were timed."""
     rows = results.rows(study)
-    if not all(row["verification"]["passed"] for row in rows):
+    if not all(row.verification["passed"] for row in rows):
         raise FigureError(f"{study}.json has a timed row whose picture is wrong")
-    return str(sum(not row["verification"]["is_expected"] for row in rows))
+    return str(sum(not row.verification["is_expected"] for row in rows))
 
 
 def random_off(results, study, fractal, precision):

@@ -12,7 +12,7 @@ TECHNIQUES = {  # sweep values of the ablation study
     "trial": "trials", "tail": "tails", "refinement": "the root refined", "gradient": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
-NAME_WIDTH = 46  # characters of an audit item's name in tools/flight_seeds.py's table
+NAME_WIDTH = 46  # characters of an audit item's name in tools/flight_study.py's table
 
 
 def table(head, rows):
@@ -52,7 +52,7 @@ def targets(results, study):
     for key in CONFIGURATIONS:
         fractal, precision, mode = key
         row = results.row(study, *key)
-        rows.append([FRACTALS[fractal], precision, mode, f"{row.kernel_ms:.1f}", quotient(row, "speed_up"),
+        rows.append([FRACTALS[fractal], precision, mode, f"{1e3 * row.kernel.median:.1f}", quotient(row, "speed_up"),
                      quotient(row, "over_scalar"), work_cell(results, study, row), f"{100 * row.figures['share_of_peak']:.0f} %",
                      *(beside_openmp(results, study, key, backend) for backend in ("opencl", "vulkan"))])
     return table(head, rows)
@@ -60,7 +60,7 @@ def targets(results, study):
 
 def instruction_sets(results, *studies):
     """openmp's speed-ups in several studies, one per instruction set."""
-    names = [results.row(study, "bulb", "float", "fast")["instruction_set"] for study in studies]
+    names = [results.row(study, "bulb", "float", "fast").instruction_set for study in studies]
     head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway
     rows = []
     for fractal, precision, mode in CONFIGURATIONS:
@@ -81,11 +81,11 @@ def ablation(results):
                 continue
             row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
             cells.append(with_interval(*results.ratio("ablation", "to_first_value", row)) +
-                         (f" ({row.off_percent:.1f} % off)" if technique == "refinement" else ""))
+                         (f" ({100 * row.visibly_off:.1f} % off)" if technique == "refinement" else ""))
         rows.append([name, *cells])
     bounds = [results.row("ablation", *column, "fast", "without=none") for column in columns]
     rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
-                 *(f"{1e3 * row.figures['bound_seconds']:.1f} of {row.kernel_ms:.1f}" for row in bounds)])
+                 *(f"{1e3 * row.figures['bound_seconds']:.1f} of {1e3 * row.kernel.median:.1f}" for row in bounds)])
     return table(["without", *(f"{fractal}, {precision}" for fractal, precision in columns)], rows)
 
 
@@ -112,10 +112,10 @@ def closeups(results):
         cells = []
         for study, precision, mode in columns:
             pair = [results.row(study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
-            close, official = (with_interval(row.kernel_ms, row.interval_ms, "{:.1f}".format) for row in pair)
+            close, official = (with_interval(1e3 * row.kernel.median, interval_ms(row), "{:.1f}".format) for row in pair)
             cells.append(f"{close} ({official})")
         close = results.row("closeup_fast", fractal, "float", "fast", "scene=close")
-        rows.append([FRACTALS[fractal], *cells, f"{close.off_percent:.1f} %"])
+        rows.append([FRACTALS[fractal], *cells, f"{100 * close.visibly_off:.1f} %"])
     head = ["kernel ms (the official scene)", *(f"{mode}, {precision}" for _, precision, mode in columns), "fast float is off"]
     return table(head, rows)
 
@@ -140,18 +140,23 @@ def quotient(row, key):
     return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
 
 
+def interval_ms(row):
+    """Returns the interval of the kernel time, or None."""
+    return None if row.kernel.low is None else [1e3 * row.kernel.low, 1e3 * row.kernel.high]
+
+
 def work_cell(results, name, row):
     """A configuration's counted operations over those of the scalar kernel; "-" if one of them is unknown."""
-    work = results.work_over_scalar(name, row)
+    work = results.bench(name).work_over_scalar(row, "openmp")
     return "-" if work is None else digits(work)
 
 
 def row_cells(results, name, row):
-    kernel = row.figures["kernel_seconds"]
-    interval = "[" + ", ".join(digits(1e3 * end) for end in kernel["interval"]) + "]" if kernel["interval"] else "-"
+    interval = interval_ms(row)
+    interval = "[" + ", ".join(map(digits, interval)) + "]" if interval else "-"
     share = row.figures["share_of_peak"]
-    return [row["fractal"], row["precision"], row["mode"], row["application"], row["verification"]["text"],
-            digits(row.kernel_ms), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
+    return [*row.kind, row.application, row.verification["text"],
+            digits(1e3 * row.kernel.median), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
             quotient(row, "over_scalar"), work_cell(results, name, row)]
 
 
@@ -173,15 +178,14 @@ def four_rows(results, name):
 def aloud(results, name):
     """The last of the four rows in words."""
     row = results.row(name, "box", "float", "fast")
-    low, high = row.figures["kernel_seconds"]["interval"]
-    count = row.figures["kernel_seconds"]["count"]
-    side = row["setting"]
+    low, high = interval_ms(row)
+    width, height = row.size
     serial = with_interval(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
     return "\n".join([
-        f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {side['width']} x {side['height']} in",
-        f"{row.kernel_ms:.1f} ms, the median of {count} pictures. The true median lies between {1e3 * low:.1f} and {1e3 * high:.1f} ms "
+        f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
+        f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures. The true median lies between {low:.1f} and {high:.1f} ms "
         "with 95 %",
-        f"confidence. Of the pixels {row.off_percent:.1f} % differ visibly from the reference's canonical picture. The counted operations",
+        f"confidence. Of the pixels {100 * row.visibly_off:.1f} % differ visibly from the reference's canonical picture. The counted operations",
         f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference "
         f"takes {serial} times as long.",
     ])

@@ -37,7 +37,7 @@ def main() -> int:
         write_whole(target, html)
         print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)
         if not arguments.no_pdf:
-            from .pdf import print_page  # pylint: disable=import-outside-toplevel
+            from .browser import print_page  # pylint: disable=import-outside-toplevel
 
             write_whole(arguments.output / "report.pdf", print_page(target))
             print(f"report: {arguments.output / 'report.pdf'}", file=sys.stderr)

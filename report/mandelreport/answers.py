@@ -9,37 +9,42 @@ from typing import Any
 from markupsafe import Markup
 
 from .backends import Backends
-from .bench import Bench, Row
-from .models import SCALAR, Costs, traced_work
+from .bench import SCALAR, Bench, Row
+from .holm import greater
+from .models import Costs, work_over
+from .number import Number
 from .results import Results
-from .trace import Place, Trace
 
 FRACTALS = ("mandelbulb", "mandelbox")
+FILM_SIZE = (1920, 1080)  # pixels
 
 
 def _names(items: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(items))
 
 
-def counted(file: str, fractal: str, precision: str, what: str, view: str = "official") -> Place:
-    """Returns the place of a scene's operation count in exact mode."""
-    return Place((file,), f"counts:fractal={fractal}&precision={precision}&mode=exact&setting.view={view}:{what}")
+def counted(bench: Bench, fractal: str, precision: str, what: str) -> Number:
+    """Returns a number of the official scene's operation count in exact mode."""
+    kinds = [(c["fractal"], c["precision"], c["mode"], c["setting"]["view"]) for c in bench.data["counts"]]
+    return Number.at(bench.name, bench.data, f"/counts/{kinds.index((fractal, precision, 'exact', 'official'))}/{what}")
 
 
 # Factors of a picture's operations. DE evaluations and iterations are the configuration's own counts, over all pixels;
 # operations per iteration were counted in a sample of them.
-FACTORS = {"calls": "work.de_calls", "iterations": "work.iterations/work.de_calls", "operations": "operations/work.iterations"}
-
-
-def factors(trace: Trace, file: str, box: str, bulb: str) -> dict[str, Markup]:
+def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
     """Returns the factors of one configuration's operations over another's of the same size, and `work`, their
     product."""
 
-    def over(what: str, style: str) -> Markup:
-        above, below = (Place((file,), f"rows:name={name}:{what}") for name in (box, bulb))
-        return trace.number(above, style, over=below)
+    def over(what: str, base: str = "") -> Number:
+        of = [Number.of_row(bench, row, what) / Number.of_row(bench, row, base) if base else Number.of_row(bench, row, what) for row in (box, bulb)]
+        return of[0] / of[1]
 
-    return {name: over(what, "four") for name, what in FACTORS.items()} | {"work": over("operations", "digits")}
+    return {
+        "calls": over("/work/de_calls").html("four"),
+        "iterations": over("/work/iterations", "/work/de_calls").html("four"),
+        "operations": over("/operations", "/work/iterations").html("four"),
+        "work": over("/operations").html(),
+    }
 
 
 def named(text: str) -> Markup:
@@ -47,40 +52,48 @@ def named(text: str) -> Markup:
     return Markup('<span class="name">{}</span>').format(text)
 
 
+def _count(rows: list[tuple[Bench, Row]]) -> Markup:
+    return Number.of(len(rows), "count", (f"{bench.name}#{bench.at(row)}" for bench, row in rows)).html("whole")
+
+
 class Answers:
     """`primary`: the standard study with the most backends and, among these, the most runs."""
 
     def __init__(self, results: Results, backends: Backends):
         self.results, self.backends = results, backends
-        self.trace = Trace(results.files)
         self.primary = results.primary()
-
-    def _standard(self) -> tuple[str, ...]:
-        return tuple(bench.name for bench in self.results.study("standard"))
-
-    def _count(self, path: str, files: tuple[str, ...]) -> Markup:
-        return self.trace.number(Place(files, path, "count"), "whole")
 
     def same(self) -> dict[str, Any] | None:
         """Counts exact pictures with the same bits, and measures the error of fast ones."""
         if self.primary is None:
             return None
-        timed = f"figures!=null&sweep_value=&backend!={self.backends.reference}"
-        files = self._standard()
-        every = [row for bench in self.results.study("standard") for row in bench.rows if row.timed and not row.sweep_value]
-        exact = [row for row in every if row.mode == "exact" and row.backend != self.backends.reference]
-        off = Place(files, f"rows:mode=fast&{timed}:verification.visibly_differing/verification.pixels", "max")
+        every = [
+            (bench, row)
+            for bench in self.results.study("standard")
+            for row in bench.timed(sweep_value="")
+            if row.backend != self.backends.reference
+        ]
+        exact = [(bench, row) for bench, row in every if row.mode == "exact"]
+        same = [(bench, row) for bench, row in exact if row.verification["level"] == "same bits"]
+        fast = [(bench, row) for bench, row in every if row.mode == "fast"]
+        off = None
+        if fast:
+            differing, pixels = (
+                Number.of_row(*max(fast, key=lambda one: one[1].visibly_off), f"/verification/{what}")
+                for what in ("visibly_differing", "pixels")
+            )
+            off = (100 * (differing / pixels)).html()
         return {
-            "same": self._count(f"rows:mode=exact&{timed}&verification.level=same bits", files),
-            "exact": self._count(f"rows:mode=exact&{timed}", files),
-            "all": bool(exact) and all(row.verification["level"] == "same bits" for row in exact),
-            "backends": self.backends.order(row.backend for row in exact),
-            "off": self.trace.number(off, "digits", 100) if any(row.mode == "fast" for row in every) else None,
+            "same": _count(same),
+            "exact": _count(exact),
+            "all": bool(exact) and len(same) == len(exact),
+            "backends": self.backends.order(row.backend for _, row in exact),
+            "off": off,
         }
 
     def _ratio(self, question: str, numerator: str) -> Markup:
         assert self.primary is not None
-        return self.trace.times(self.primary.name, f"questions:{question}:numerator={numerator}:ratio")
+        return self.results.times(self.primary.name, self.primary.ratio_at(question, numerator))
 
     def fastest(self) -> dict[str, Any] | None:
         """Names the fastest backend on the primary machine, with the range of the next best one's times over it."""
@@ -93,13 +106,13 @@ class Answers:
             if ratio["ratio"]["median"] < kept["ratio"]["median"]:
                 next_best[ratio["denominator"]] = ratio
         ends = [pick(next_best.values(), key=lambda r: r["ratio"]["median"]) for pick in (min, max)]
-        name = self.primary.name
+        places = [f"{self.primary.name}#{self.primary.ratio_at('others_to_host', ratio['numerator'])}" for ratio in others]
         return {
             "host": self.backends.host,
             "host_wins": all(ratio["ratio"]["median"] > 1 for ratio in others),
             "machines": _names(bench.machine for bench in self.results.whole() if bench.host_wins()),
-            "slower": self.trace.number(Place((name,), "questions:others_to_host:ratio.count>0", "holm"), "whole"),
-            "compared": self._count("questions:others_to_host:ratio.count>0", (name,)),
+            "slower": Number.of(greater(self.primary.data, others), "significant", places).html("whole"),
+            "compared": Number.of(len(others), "count", places).html("whole"),
             "ends": [self._end(r) for r in ends],
         }
 
@@ -109,12 +122,12 @@ class Answers:
         return {
             "ratio": self._ratio("others_to_host", ratio["numerator"]),
             "case": f"{backend}; {fractal}, {precision}, {mode}",
-            "work": traced_work(self.trace, self.primary.name, ratio["numerator"], ratio["denominator"]),
+            "work": work_over(self.primary, ratio["numerator"], ratio["denominator"]),
         }
 
     def cost(self) -> dict[str, Any] | None:
         """Compares the models that compile the scalar kernel unchanged with openmp's scalar kernel."""
-        return Costs(self.primary, self.backends).answer(self.trace) if self.primary else None
+        return Costs(self.primary, self.backends).answer(self.results) if self.primary else None
 
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
         """Returns the host's fastest configuration with this speed-up, from the study with the most runs, standard
@@ -142,12 +155,11 @@ class Answers:
             return None
 
         def number(key: str, bench: Bench, row: Row) -> Markup:
-            at = f"rows:name={row.name}:figures:{key}"
-            return self.trace.with_interval(bench.name, at, f"{at}_interval")
+            at = bench.at(row, f"/figures/{key}")
+            return self.results.with_interval(bench.name, at, f"{at}_interval")
 
         def work(bench: Bench, row: Row) -> Markup:
-            baseline = "/".join([row.fractal, row.precision, row.mode, self.backends.host, "0", SCALAR])
-            return traced_work(self.trace, bench.name, baseline, row.name)
+            return work_over(bench, "/".join([*row.kind, self.backends.host, "0", SCALAR]), row.name)
 
         return {
             "serial": [number(keys[0], *one) for one in serial if one],
@@ -162,15 +174,14 @@ class Answers:
         ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
         if self.primary is None or None in ratios:
             return None
-        name = self.primary.name
-        box, bulb = (f"{fractal}/double/exact/{self.backends.host}/0" for fractal in FRACTALS[::-1])
+        box, bulb = (self.primary.named(f"{fractal}/double/exact/{self.backends.host}/0") for fractal in FRACTALS[::-1])
         return {
             "size": self.primary.size,
-            "sample": self.trace.number(counted(name, "mandelbox", "double", "pixels"), "whole"),
+            "sample": counted(self.primary, "mandelbox", "double", "pixels").html("whole"),
             "ratios": [
                 (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, verdict(r)) for r, (p, m) in zip(ratios, kinds)
             ],
-            **factors(self.trace, name, box, bulb),
+            **factors(self.primary, box, bulb),
         }
 
     def _found(self, question: str, numerator: str) -> dict[str, Any] | None:
@@ -185,12 +196,12 @@ class Answers:
         if self.primary is None or any(ratio is None for two in ratios.values() for ratio in two):
             return None
         random = next((data for data in self.results.random if not data["without"]), None)
-        file = self.results.name_of(random) if random else ""
-        found = {(entry["fractal"], entry["precision"]) for entry in random["sums"]} if random else set()
+        file = next((name for name, data in self.results.files.items() if data is random), "")
+        kinds = [(entry["fractal"], entry["precision"]) for entry in random["sums"]] if random else []
         off = None
-        if all((fractal, p) in found for fractal in ("bulb", "box") for p in ("float", "double")):
+        if all((fractal, p) in kinds for fractal in ("bulb", "box") for p in ("float", "double")):
             off = {
-                p: [self.trace.one(file, f"sums:fractal={f}&precision={p}:all.off_percent") for f in ("bulb", "box")]
+                p: [self.results.number(file, f"/sums/{kinds.index((f, p))}/all/off_percent").html() for f in ("bulb", "box")]
                 for p in ("float", "double")
             }
         return {
@@ -206,51 +217,42 @@ class Answers:
         if measured:
             bench, row = max(measured, key=lambda one: one[1].figures["pixels_per_second"])
             return {
-                "measured": self.trace.times(bench.name, f"rows:name={row.name}:figures:kernel_seconds", 1e3),
+                "measured": self.results.times(bench.name, bench.at(row, "/figures/kernel_seconds"), 1e3),
                 "device": row.device_name,
                 "what": f"{row.fractal}, {row.precision}, {row.mode}",
             }
         expected = next((n for n, text in self.results.files.items() if str(text).startswith("K40 on paper")), None)
-        rows = [self._at_film_size(fractal) for fractal in FRACTALS]
+        rows = [self.results.of_size(FILM_SIZE, fractal, "float", "fast", self.backends.host) for fractal in FRACTALS]
         if expected is None or None in rows:
             return None
         pairs = []
         for fractal, (bench, row) in zip(FRACTALS, rows):
-            place = Place((expected,), f"{fractal} float fast openacc:10")
-            at = f"rows:name={row.name}:figures:kernel_seconds"
+            lines = [line.split()[:4] for line in self.results.files[expected].splitlines()]
+            predicted = self.results.number(expected, f"/{lines.index([fractal, 'float', 'fast', 'openacc'])}/10")
             pairs.append(
                 {
-                    "predicted": self.trace.number(place),
-                    "host": self.trace.times(bench.name, at, 1e3),
-                    "times": self.trace.number(Place((bench.name,), f"{at}:median"), scale=1e3, over=place),
+                    "predicted": predicted.html(),
+                    "host": self.results.times(bench.name, bench.at(row, "/figures/kernel_seconds"), 1e3),
+                    "times": (1e3 * Number.of_row(bench, row, "/figures/kernel_seconds/median") / predicted).html(),
                 }
             )
-        size = [self.trace.one(rows[0][0].name, f"rows:name={rows[0][1].name}:setting.{k}", "plain") for k in ("width", "height")]
+        size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
         return {"predicted": pairs, "size": size, "host": self.backends.host}
-
-    def _at_film_size(self, fractal: str) -> Any:
-        rows = [
-            (bench, row)
-            for bench in self.results.benches
-            if bench.study in ("standard", "resolution")
-            for row in bench.timed(fractal=fractal, precision="float", mode="fast", backend=self.backends.host)
-            if (row.setting["width"], row.setting["height"]) == (1920, 1080)
-        ]
-        return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
 
     def film(self) -> dict[str, Any] | None:
         """Returns frames, seconds and seconds per frame of the first film with a summary."""
         for name, data in self.results.files.items():
             if isinstance(data, dict) and data.get("schema") == "mandelmarch-film" and data["frames_rendered"]:
-                one = self.trace.one
+                frames, seconds = (self.results.number(name, f"/{key}") for key in ("frames_rendered", "seconds"))
+                width, height, samples = (self.results.number(name, f"/{key}").html("plain") for key in ("width", "height", "samples"))
                 return {
-                    "frames": one(name, "frames_rendered", "whole"),
-                    "seconds": one(name, "seconds", "whole"),
-                    "minutes": one(name, "seconds", "whole", 1 / 60),
-                    "a_frame": one(name, "seconds/frames_rendered"),
-                    "size": [one(name, "width", "plain"), one(name, "height", "plain")],
-                    "samples": one(name, "samples", "plain"),
-                    "threads": one(name, "threads", "plain") if data["threads"] else None,
+                    "frames": frames.html("whole"),
+                    "seconds": seconds.html("whole"),
+                    "minutes": ((1 / 60) * seconds).html("whole"),
+                    "a_frame": (seconds / frames).html(),
+                    "size": [width, height],
+                    "samples": samples,
+                    "threads": self.results.number(name, "/threads").html("plain") if data["threads"] else None,
                     "device": data["device"]["name"],
                     "what": f"{data['precision']}, {data['mode']}",
                 }

@@ -1,23 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: the part of bench/schemas/result.schema.json that the report uses, with names and units."""
+"""A result file of bench: the part of bench/schemas/result.schema.json that the report and tools/figures.py use, with
+names and units. Needs no package."""
 
 from __future__ import annotations
 
 import functools
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import jsonschema
-from referencing import Registry, Resource
-
-from .errors import InputError
-
-SCHEMA = "mandelmarch-bench"
-VERSION = 2
 SAME_PEAK = 1.5  # as same_peak in bench/judge/platforms.h
-SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
+SCALAR = "simd-width=1"  # sweep value of the scalar kernel's rows
 
 
 @dataclass(frozen=True)
@@ -78,8 +71,18 @@ class Row:
         return self.data["sweep_value"].partition("=")[2]
 
     @property
-    def pixels(self) -> int:
-        return self.data["setting"]["width"] * self.data["setting"]["height"]
+    def kind(self) -> tuple[str, str, str]:
+        return self.data["fractal"], self.data["precision"], self.data["mode"]
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Returns width and height in pixels."""
+        return self.data["setting"]["width"], self.data["setting"]["height"]
+
+    @property
+    def visibly_off(self) -> float:
+        """Returns the fraction of pixels that differ visibly from the expected picture."""
+        return self.data["verification"]["visibly_differing"] / self.data["verification"]["pixels"]
 
 
 @dataclass(frozen=True)
@@ -96,9 +99,13 @@ class Bench:
         return self.data["study"]
 
     @functools.cached_property
+    def all_rows(self) -> list[Row]:
+        return [Row(row) for row in self.data["rows"]]
+
+    @functools.cached_property
     def rows(self) -> list[Row]:
         """Returns the rows without the standard study's scalar kernel, whose times appear as over_scalar."""
-        return [Row(row) for row in self.data["rows"] if row["application"] == row["backend"]]
+        return [row for row in self.all_rows if row.application == row.backend]
 
     def timed(self, **wanted: str) -> list[Row]:
         """Returns the timed rows with the given field values."""
@@ -135,8 +142,7 @@ class Bench:
     @property
     def size(self) -> str:
         """Returns the size of the timed pictures."""
-        settings = [row.setting for row in self.rows if row.timed]
-        return ", ".join(dict.fromkeys(f"{s['width']} x {s['height']}" for s in settings))
+        return ", ".join(dict.fromkeys("{} x {}".format(*row.size) for row in self.rows if row.timed))
 
     def rank(self) -> tuple[int, int]:
         """Returns the number of timed backends, and of runs."""
@@ -150,6 +156,28 @@ class Bench:
         """Returns the ratio of the row `numerator`, or None if there is none."""
         return next((entry for entry in self.ratios(question) if entry["numerator"] == numerator), None)
 
+    def named(self, name: str) -> Row:
+        return next(row for row in self.all_rows if row.name == name)
+
+    def at(self, row: Row, more: str = "") -> str:
+        """Returns the JSON pointer of a row, extended by `more`."""
+        return f"/rows/{[other.name for other in self.all_rows].index(row.name)}{more}"
+
+    def ratio_at(self, question: str, numerator: str) -> str:
+        """Returns the JSON pointer of a ratio."""
+        index = [entry["numerator"] for entry in self.data["questions"][question]].index(numerator)
+        return f"/questions/{question}/{index}/ratio"
+
+    def scalar(self, row: Row, host: str) -> Row | None:
+        """Returns the scalar kernel's row for a row's fractal, precision and mode."""
+        rows = (r for r in self.all_rows if r.backend == host and r.sweep_value == SCALAR)
+        return next((r for r in rows if r.timed and r.kind == row.kind), None)
+
+    def work_over_scalar(self, row: Row, host: str) -> float | None:
+        """Returns a row's counted operations over the scalar kernel's; None if either is not counted."""
+        scalar = self.scalar(row, host)
+        return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
+
     def to_first_value(self, row: Row) -> Times | None:
         """Returns the ratio of a sweep's row to the first one; None for the first one itself."""
         entry = self.ratio("to_first_value", row.name)
@@ -162,29 +190,3 @@ class Bench:
     def values(self, key: str) -> list[str]:
         """Returns the distinct values of a field among the timed rows, in the file's order."""
         return list(dict.fromkeys(row.data[key] for row in self.rows if row.timed))
-
-
-@functools.cache
-def _validator(kind: str) -> jsonschema.Draft202012Validator:
-    schemas = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in SCHEMAS.glob("*.schema.json")}
-    registry: Registry = Registry().with_resources((s["$id"], Resource.from_contents(s)) for s in schemas.values())
-    return jsonschema.Draft202012Validator(schemas[f"{kind}.schema.json"], registry=registry)
-
-
-def checked(name: str, data: Any, kind: str) -> Any:
-    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
-    line."""
-    errors = _validator(kind).iter_errors(data)
-    error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
-    if error is not None:
-        place = "/".join(map(str, error.absolute_path)) or "its top level"
-        raise InputError(f"{name}: does not follow bench/schemas/{kind}.schema.json: {place}: {error.message[:160]}")
-    return data
-
-
-def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
-    """Checks a result against its schema. Raises InputError with one line."""
-    if data.get("version") != VERSION:
-        said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
-        raise InputError(f"{said}; run `bench json OLD.json > NEW.json`")
-    return Bench(name, path, checked(name, data, "result"))

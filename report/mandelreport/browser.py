@@ -161,3 +161,12 @@ class Browser:
             ):
                 found.append(f"network: {about['request']['url']}")
         return found
+
+
+def print_page(page: Path) -> bytes:
+    """Returns the page as PDF. Chromium supports its figures, grids and @page rules with margins and page numbers."""
+    with Browser() as browser:
+        browser.open(page)
+        # Decode all pictures, including those that are not visible.
+        browser.run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
+        return browser.pdf()

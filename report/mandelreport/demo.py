@@ -20,7 +20,6 @@ import jinja2
 from . import viewer
 from .blocks import Missing, data_uri
 from .errors import InputError, write_whole
-from .shaders import missing_tools
 
 LARGEST = 20 * 2**20  # bytes of the page
 
@@ -102,7 +101,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
 
 def live(programs: Path, work: Path) -> dict[str, Any]:
     """Returns the viewer's values, or the reason why there is no viewer."""
-    absent = missing_tools()
+    absent = viewer.missing_tools()
     if absent:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "make demo")}
     run = subprocess.run([programs / "render", "--list-fractals", "--json"], capture_output=True, text=True, check=False)

@@ -9,8 +9,6 @@ from typing import Any
 
 from .errors import InputError
 
-MAP_FORMAT = "mandelmarch flight map 1"
-FILM_SCHEMA = "mandelmarch-film"
 SERIES = ("x", "y", "z", "clearance", "turn")
 
 
@@ -40,12 +38,6 @@ class FlightMap:
 
 
 @dataclass(frozen=True)
-class Audit:
-    name: str
-    data: dict[str, Any]
-
-
-@dataclass(frozen=True)
 class Film:
     """`seconds`: time to render `rendered` frames; `device`: as named by flythrough, or the backend's line of a log."""
 
@@ -64,62 +56,29 @@ class Film:
 
 
 def read_map(name: str, data: dict[str, Any]) -> FlightMap:
-    missing = [
-        key
-        for key in (
-            "fractal",
-            "seed",
-            "hull",
-            "frames_per_second",
-            "balls",
-            "gates",
-            "ball_count",
-            "gate_count",
-            "passages",
-            *SERIES,
-        )
-        if key not in data
-    ]
-    if missing:
-        raise InputError(f"{name}: the flight map lacks {', '.join(missing)}")
     lengths = {len(data[key]) for key in SERIES}
     if len(lengths) != 1 or 0 in lengths:
         raise InputError(f"{name}: the series {', '.join(SERIES)} must have one number of frames, at least 1")
     return FlightMap(name, data)
 
 
-def read_audit(name: str, data: dict[str, Any]) -> Audit:
-    if data.get("schema") != 1:
-        raise InputError(f"{name}: version {data.get('schema')} of a flight audit, expected 1")
-    rows = data.get("rows")
-    wanted = {"name", "value", "bar", "at_most", "promise", "unit", "kept", "worst"}
-    if not isinstance(rows, list) or not all(isinstance(row, dict) and wanted <= row.keys() for row in rows):
-        raise InputError(f"{name}: an audit's rows need {', '.join(sorted(wanted))}")
-    return Audit(name, data)
-
-
 def read_film(name: str, data: dict[str, Any]) -> Film:
-    if data.get("version") != 1:
-        raise InputError(f"{name}: version {data.get('version')} of a film summary, expected 1")
-    try:
-        device = data["device"]
-        kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
-        details = (
-            f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples per pixel, "
-            f"{data['precision']}, {data['mode']}"
-        )
-        return Film(
-            name,
-            data["fractal"],
-            f"{data['backend']}: {device['name']} ({kind})",
-            data["frames"],
-            data["frames_rendered"],
-            data["seconds"],
-            data["processes"],
-            details,
-        )
-    except (KeyError, TypeError) as error:
-        raise InputError(f"{name}: the film summary lacks {error}") from None
+    device = data["device"]
+    kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
+    details = (
+        f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples per pixel, "
+        f"{data['precision']}, {data['mode']}"
+    )
+    return Film(
+        name,
+        data["fractal"],
+        f"{data['backend']}: {device['name']} ({kind})",
+        data["frames"],
+        data["frames_rendered"],
+        data["seconds"],
+        data["processes"],
+        details,
+    )
 
 
 def film_of_log(name: str, text: str) -> Film | None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import json
 import sys
 from collections.abc import Iterable
@@ -11,10 +12,46 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import jsonschema
+from markupsafe import Markup
+from referencing import Registry, Resource
+
 from .backends import Backends
-from .bench import SCHEMA, Bench, checked, read_bench
+from .bench import Bench, Row
 from .errors import InputError
-from .flight import FILM_SCHEMA, MAP_FORMAT, Audit, Film, FlightMap, film_of_log, read_audit, read_film, read_map
+from .number import Number, found
+from .flight import Film, FlightMap, film_of_log, read_film, read_map
+
+
+SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
+SCHEMA = "mandelmarch-bench"
+VERSION = 2
+
+
+@functools.cache
+def _validator(kind: str) -> jsonschema.Draft202012Validator:
+    schemas = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in SCHEMAS.glob("*.schema.json")}
+    registry: Registry = Registry().with_resources((s["$id"], Resource.from_contents(s)) for s in schemas.values())
+    return jsonschema.Draft202012Validator(schemas[f"{kind}.schema.json"], registry=registry)
+
+
+def checked(name: str, data: Any, kind: str) -> Any:
+    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
+    line."""
+    errors = _validator(kind).iter_errors(data)
+    error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
+    if error is not None:
+        place = "/".join(map(str, error.absolute_path)) or "its top level"
+        raise InputError(f"{name}: does not follow bench/schemas/{kind}.schema.json: {place}: {error.message[:160]}")
+    return data
+
+
+def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
+    """Checks a result against its schema. Raises InputError with one line."""
+    if data.get("version") != VERSION:
+        said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
+        raise InputError(f"{said}; run `bench json OLD.json > NEW.json`")
+    return Bench(name, path, checked(name, data, "result"))
 
 
 @dataclass
@@ -24,7 +61,7 @@ class Results:
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
-    audits: list[Audit] = field(default_factory=list)
+    audits: list[dict[str, Any]] = field(default_factory=list)
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
@@ -76,9 +113,31 @@ class Results:
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
-    def name_of(self, data: Any) -> str:
-        """Returns the name of the file with exactly this content."""
-        return next(name for name, held in self.files.items() if held is data)
+    def of_size(self, size: tuple[int, int], fractal: str, precision: str, mode: str, backend: str) -> tuple[Bench, Row] | None:
+        """Returns the row of this size with the most runs, from the standard studies and those of resolutions."""
+        rows = [
+            (bench, row)
+            for bench in self.benches
+            if bench.study in ("standard", "resolution")
+            for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=backend)
+            if row.size == size
+        ]
+        return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
+
+    def number(self, file: str, pointer: str) -> Number:
+        return Number.at(file, self.files[file], pointer)
+
+    def with_interval(self, file: str, value: str, interval: str, scale: float = 1) -> Markup:
+        """Formats a number with its interval in brackets, or a note if there are too few samples."""
+        number = (scale * self.number(file, value)).html()
+        if found(self.files[file], interval) is None:
+            return number + Markup(" [too few samples for an interval]")
+        low, high = ((scale * self.number(file, f"{interval}/{end}")).html() for end in (0, 1))
+        return number + Markup(" <span class=\"interval\">[") + low + ", " + high + Markup("]</span>")
+
+    def times(self, file: str, summary: str, scale: float = 1) -> Markup:
+        """Formats a summary of bench: its median and interval."""
+        return self.with_interval(file, f"{summary}/median", f"{summary}/interval", scale)
 
 
 def _add_json(results: Results, name: str, path: Path, text: str) -> None:
@@ -99,14 +158,14 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
         results.code_divergence = checked(name, data, "code_divergence")
     elif kind.get("schema") == "mandelmarch-race":
         results.races.append(checked(name, data, "race"))
-    elif kind.get("format") == MAP_FORMAT:
-        results.maps.append(read_map(name, data))
-    elif kind.get("schema") == FILM_SCHEMA:
-        results.films.append(read_film(name, data))
+    elif kind.get("format") == "mandelmarch flight map 1":
+        results.maps.append(read_map(name, checked(name, data, "map")))
+    elif kind.get("schema") == "mandelmarch-film":
+        results.films.append(read_film(name, checked(name, data, "film")))
     elif kind.get("schema") == "mandelmarch-duel":
         pass  # from the log
     elif "promises_kept" in kind:
-        results.audits.append(read_audit(name, data))
+        results.audits.append(checked(name, data, "audit"))
     else:
         print(f"report: {name}: not a result of bench or flythrough, left out", file=sys.stderr)
 

@@ -1,18 +1,72 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Values of the live viewer for templates/viewer.html.j2: shaders, the table of fractals, and scripts."""
+"""The live viewer of templates/viewer.html.j2: its shaders (the kernel source as GLSL ES 3.00, through glslang and
+spirv-cross), the table of fractals as JavaScript, and its scripts."""
 
 from __future__ import annotations
 
 import json
+import os
+import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
 
-from . import fractal_table
-from .shaders import TEXTS, shader
+from .errors import InputError
 
-FOLDER = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "report"
+TOOLS = ("cmake", "glslangValidator", "spirv-cross")
+INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
+FLATTEN = FOLDER / "viewer" / "flatten.cmake"
+KERNEL = ROOT / "core" / "kernel"
+# Folders of kernel sources. The environment adds folders, like the build option of the same name.
+FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
+TEXTS = {path.stem: path.resolve() for folder in FOLDERS for path in sorted(folder.glob("*.h"))}
+
+
+def missing_tools() -> list[str]:
+    return [tool for tool in TOOLS if shutil.which(tool) is None]
+
+
+def _run(*command: object) -> None:
+    run = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        lines = (run.stdout + run.stderr).strip().splitlines() or ["failed without a message"]
+        raise InputError(f"{command[0]}: {lines[-1]}")
+
+
+def shader(fractal: str, work: Path) -> str:
+    """Returns the fragment shader of one fractal; `work`: a folder for intermediate files."""
+    work.mkdir(parents=True, exist_ok=True)
+    text, module, result = (work / f"{fractal}.{ending}" for ending in ("frag", "spv", "es"))
+    _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
+    _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
+    _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
+    # Without indentation, which is a fifth of the text.
+    return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
+
+
+def _row(row: dict[str, Any]) -> str:
+    functions = {
+        "constants": f"[{', '.join(row['constants'])}]",
+        "whole": row["whole"],
+        "step_factor": row["step_factor"],
+    }
+    data = {name: value for name, value in row.items() if name not in functions}
+    texts = [f"{name}: {INPUTS} => {text}" for name, text in functions.items()]
+    return f"{{ ...{json.dumps(data, sort_keys=True)}, {', '.join(texts)} }}"
+
+
+def table_script(table: dict[str, Any], names: list[str] | None = None) -> str:
+    """Returns an expression: `rules`, for all scenes, and `rows` by name, with formulas as functions."""
+    rows = {row["name"]: _row(row) for row in table["fractals"] if names is None or row["name"] in names}
+    body = ",\n".join(f"{json.dumps(name)}: {row}" for name, row in rows.items())
+    return (
+        "(() => {\nconst { min, max, pow, sqrt, abs, floor, sign } = Math, pick = (on, a, b) => (on ? a : b);\n"
+        f"return {{ rules: {json.dumps(table['scene'], sort_keys=True)}, rows: {{\n{body} }} }};\n}})()"
+    )
 
 
 def raw(name: str) -> Markup:
@@ -37,6 +91,6 @@ def material(table: dict[str, Any], work: Path) -> dict[str, Any]:
     texts = {fractal: shader(fractal, work) for fractal in names}
     return {
         "data": _embedded({"shaders": texts}),
-        "table": Markup(fractal_table.script(table, names)),
+        "table": Markup(table_script(table, names)),
         "fractals": names,
     }

@@ -41,7 +41,7 @@ class Camera {
 }
 
 // Returns the fields of the kernel's Scene by name, as core/render/kernel_scene.cpp sets them in float (bin/render
-// --print-scene). table: output of report/mandelreport/fractal_table.py: `rules` apply to all scenes, `rows` are the
+// --print-scene). table: output of table_script() in report/mandelreport/viewer.py: `rules` apply to all scenes, `rows` are the
 // fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
     const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest, 0];

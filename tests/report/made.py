@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Synthetic result files, small and complete."""
+"""Synthetic result files, small and complete: parts of stored results, with other values."""
 
 from __future__ import annotations
 
@@ -8,88 +8,54 @@ import json
 from pathlib import Path
 from typing import Any
 
-from made_flight import audit, film, flight_map
-from made_others import code_divergence, race, summary
+STORED = Path(__file__).parents[2] / "report" / "results"
 
-SETTING = {
-    "width": 540,
-    "height": 540,
-    "iterations": 18,
-    "detail": -3.0,
-    "power": 8.0,
-    "view": "official",
-    "without": "",
-    "threads": 0,
-    "simd_width": 0,
-    "chunk": 0,
-    "band": 0,
-    "block_size": 0,
-    "frames": 0,
-}
-OPERATIONS = {"additions": 10, "multiplications": 20, "divisions": 1, "square_roots": 1}
+
+def stored(name: str) -> Any:
+    return json.loads((STORED / name).read_text(encoding="utf-8"))
+
+
+BENCH = stored("bench.json")
+ROW = next(row for row in BENCH["rows"] if row["backend"] == "openmp")
+COUNT = next(count for count in BENCH["counts"] if count["precision"] == "double")
 QUESTIONS = ("mandelbox_to_mandelbulb", "double_to_float", "others_to_host", "to_first_value", "to_previous_value")
+
+
+def summary(median: float) -> dict[str, Any]:
+    return {
+        "count": 9,
+        "runs": 1,
+        "median": median,
+        "mad": 0.01 * median,
+        "min": 0.9 * median,
+        "max": 1.1 * median,
+        "interval": [0.95 * median, 1.05 * median],
+    }
 
 
 def row(
     fractal: str, precision: str, mode: str, backend: str, seconds: float, value: str = "", **setting: Any
 ) -> dict[str, Any]:
-    name = f"{fractal}/{precision}/{mode}/{backend}/0" + (f"/{value}" if value else "")
-    return {
-        "name": name,
+    return ROW | {
+        "name": f"{fractal}/{precision}/{mode}/{backend}/0" + (f"/{value}" if value else ""),
         "fractal": fractal,
         "precision": precision,
         "mode": mode,
         "backend": backend,
         "application": f"{backend}-scalar" if value == "simd-width=1" else backend,
-        "device": 0,
         "sweep_value": value,
-        "setting": SETTING | setting,
-        "unavailable": None,
-        "failure": None,
+        "setting": ROW["setting"] | setting,
         "platform": "Processor",
         "device_name": "Processor",
-        "vendor": "",
-        "driver": "",
-        "is_gpu": False,
         "instruction_set": "",
-        "threads": 2,
         "simd_width": 16,
-        "verification": {
-            "drawn": True,
-            "passed": True,
-            "is_expected": False,
-            "level": "same bits",
-            "text": "same bits",
-            "against": "",
-            "pixels": 291600,
-            "differing": 0,
-            "visibly_differing": 0,
-            "max_ulps": 0.0,
-            "psnr_db": None,
-        },
-        "context_seconds": 0.0,
-        "build_seconds": 0.0,
-        "step_factor": None,
-        "unsettled": 0.0,
         "work": {"steps": 9, "de_calls": 9, "iterations": 9},
         "operations": 1e9,
-        "operations_standard_error": None,
-        "samples": [{"run": 0, "round": 0, "kernel": seconds, "wall": seconds, "upload": 0.0, "readback": 0.0, "host": seconds}],
-        "figures": {
+        "samples": [ROW["samples"][0] | {"run": 0, "round": 0, "kernel": seconds, "wall": seconds}],
+        "figures": ROW["figures"] | {
             "kernel_seconds": summary(seconds),
             "wall_seconds": summary(1.1 * seconds),
-            "upload_seconds": 0.0,
-            "host_seconds": seconds,
-            "readback_seconds": 0.0,
-            "unaccounted_share": 0.0,
-            "pixels_per_second": 1e6,
-            "de_calls_per_second": 1e6,
-            "iterations_per_second": 1e7,
-            "operations_per_second": 1e9,
-            "peak_operations_per_second": 1e10,
             "share_of_peak": 0.1,
-            "share_of_peak_standard_error": None,
-            "bound_seconds": 0.1 * seconds,
             "speed_up": 1.5,
             "speed_up_interval": None,
             "over_scalar": 2.0,
@@ -98,31 +64,9 @@ def row(
     }
 
 
-def count(fractal: str, iterations: int, view: str = "official") -> dict[str, Any]:
-    return {
-        "fractal": fractal,
-        "precision": "double",
-        "mode": "exact",
-        "setting": SETTING | {"view": view},
-        "pixels": 1000,
-        "hits": 300,
-        "work": {"steps": 5000, "de_calls": 6000, "iterations": iterations},
-        "stages": {stage: OPERATIONS for stage in ("begin", "march", "refine", "normal", "shade")},
-        "operations_per_iteration": 25.0,
-        "march_de_calls": 5000,
-        "march_iterations": iterations,
-        "lane_use": [
-            {
-                "lanes": lanes,
-                "together": {"in_steps": 0.8, "in_iterations": 0.7},
-                "refilled": {"in_steps": 0.95, "in_iterations": 0.85},
-                "together_standard_error": None,
-                "refilled_standard_error": None,
-            }
-            for lanes in (16, 32)
-        ],
-        "standard_errors": None,
-    }
+def count(fractal: str, iterations: int) -> dict[str, Any]:
+    work = {"steps": 5000, "de_calls": 6000, "iterations": iterations}
+    return COUNT | {"fractal": fractal, "pixels": 1000, "hits": 300, "work": work}
 
 
 def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> dict[str, Any]:
@@ -147,90 +91,30 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
         "denominator": "mandelbulb/double/exact/openmp/0",
         "ratio": summary(1.5),
     }
-    portability = {
-        "problem": "p",
-        "fractal": "mandelbulb",
-        "precision": "double",
-        "mode": "exact",
-        "application": "openmp",
-        "by_application_efficiency": 1.0,
-        "by_application_efficiency_interval": [0.9, 1.0],
-        "by_share_of_peak": 0.1,
-        "by_share_of_peak_interval": [0.1, 0.1],
-        "platforms": [],
-        "not_measured": [],
-        "cascade": [{"platform": "Processor", "efficiency": 1.0, "portability": 1.0}],
+    environment = copy.deepcopy(BENCH["environment"])
+    environment |= {
+        "date": "2026-01-02T03:04:05Z",
+        "git": {"revision": "0123456789abcdef", "dirty": False},
+        "backends": [backend for backend in environment["backends"] if backend["name"] == "openmp"],
     }
+    del environment["cpu"]["platform"]
+    environment["cpu"]["model"] = "Processor"
+    stages = ("begin", "march", "normal", "shade", "output", "one go") if study == "profile" else ()
+    stage = {"fractal": "mandelbulb", "precision": "double", "mode": "exact", "seconds": [0.1, 0.2, 0.3]}
+    application = next(entry for entry in BENCH["portability"] if entry["application"] == "openmp")
     return copy.deepcopy(
-        {
-            "schema": "mandelmarch-bench",
-            "version": 2,
+        BENCH
+        | {
             "study": study,
-            "seed": 1,
             "runs": 1,
             "warnings": [],
-            "environment": {
-                "date": "2026-01-02T03:04:05Z",
-                "git": {"revision": "0123456789abcdef", "dirty": False},
-                "build": {"type": "Release", "compiler": "GNU", "flags": "-O3", "version": "0.1.0"},
-                "cpu": {
-                    "model": "Processor",
-                    "vendor": "V",
-                    "cores": 2,
-                    "cores_usable": 2,
-                    "governor": None,
-                    "turbo_disabled": None,
-                    "megahertz": "2600",
-                    "microcode": "0x1",
-                },
-                "memory": {"total_bytes": 2**34, "available_bytes": 2**33},
-                "os": {"name": "Debian", "kernel": "Linux", "architecture": "x86_64"},
-                "backends": [
-                    {
-                        "name": "openmp",
-                        "unavailable": None,
-                        "compiler": "GNU",
-                        "flags_exact": "-O3",
-                        "flags_fast": "-O3",
-                        "devices": [{"name": "Processor", "vendor": "V", "driver": "OpenMP", "is_gpu": False}],
-                    }
-                ],
-                "icds": [],
-                "variables": {},
-                "during": {
-                    "load_at_start": 0.1,
-                    "load_at_end": 0.2,
-                    "megahertz_at_start": 2600.0,
-                    "megahertz_at_end": 2600.0,
-                    "stolen_share": 0.0,
-                    "others_share": 0.0,
-                },
-            },
-            "peaks": [
-                {
-                    "platform": "Processor",
-                    "backend": "openmp",
-                    "device": 0,
-                    "precision": "double",
-                    "operations_per_second": 1e10,
-                }
-            ],
+            "environment": environment,
+            "peaks": [BENCH["peaks"][0] | {"platform": "Processor", "operations_per_second": 1e10}],
             "counts": [count("mandelbulb", 12000), count("mandelbox", 36000)],
-            "stages": [
-                {
-                    "fractal": "mandelbulb",
-                    "precision": "double",
-                    "mode": "exact",
-                    "stage": stage,
-                    "seconds": [0.1, 0.2, 0.3],
-                }
-                for stage in ("begin", "march", "normal", "shade", "output", "one go")
-            ]
-            if study == "profile"
-            else [],
+            "stages": [stage | {"stage": name} for name in stages],
             "rows": made,
             "questions": {question: [ratio] if question == "mandelbox_to_mandelbulb" else [] for question in QUESTIONS},
-            "portability": [portability],
+            "portability": [application],
         }
     )
 
@@ -264,28 +148,70 @@ def write(folder: Path, files: dict[str, Any]) -> Path:
 
 
 def random_scenes() -> dict[str, Any]:
-    def sums(off: float) -> dict[str, Any]:
+    data = stored("random.json")
+    entry = data["sums"][0]
+    sets = {seed: entry["all"] | {"off_percent": off} for seed, off in (("1", 0.123), ("2", 0.987))}
+    return data | {"sums": [entry | {"sets": sets}], "scenes": []}
+
+
+def flight_map() -> dict[str, Any]:
+    line = [0.01 * i for i in range(90)]
+    return stored("map_bulb.json") | {
+        "balls": [[0.1, 0.2, 0.3, 0.2], [0.5, 0.2, 0.3, 0.1]],
+        "gates": [[0.3, 0.2, 0.3, 0.05]],
+        "passages": [40],
+        "x": line,
+        "y": line,
+        "z": line,
+        "clearance": [0.1 + x for x in line],
+        "turn": line,
+    }
+
+
+def audit() -> dict[str, Any]:
+    data = stored("flight_bulb.json")
+    return data | {"rows": [data["rows"][0] | {"value": 1.17, "unit": "deg"}]}
+
+
+def film() -> dict[str, Any]:
+    return stored("film.json") | {"frames": 7200, "frames_rendered": 7200, "seconds": 1800.0}
+
+
+def code_divergence() -> dict[str, Any]:
+    return stored("code_divergence.json") | {"convergence": 0.5679}
+
+
+def race(environment: dict[str, Any]) -> dict[str, Any]:
+    def program(name: str, verdict: str, why: str | None, seconds: float | None) -> dict[str, Any]:
         return {
-            "scenes": 60,
-            "pixels": 1000,
-            "off_percent": off,
-            "hit_or_miss_percent": 0.0123,
-            "scenes_far_off": 3,
-            "of_these_short_of_digits": 1,
-            "worst_off_percent": 4.04,
+            "name": name,
+            "ours": name == "openmp",
+            "verdict": verdict,
+            "why": why,
+            "exit_code": 0,
+            "signal": None,
+            "picture": {"width": 60, "height": 40, "differing": 24, "visibly_differing": 3, "first_x": 1, "first_y": 2, "psnr_db": 40.5},
+            "memory": 3 * 2**20,
+            "wall": summary(seconds) if seconds else None,
+            "times_ours": 7.77 if seconds else None,
+            "times_ours_interval": None,
+            "samples": [{"round": 0, "wall": seconds, "processor": 0.1}] if seconds else [],
         }
 
-    entry = {"fractal": "bulb", "precision": "double", "all": sums(0.5), "sets": {"1": sums(0.123), "2": sums(0.987)}}
+    programs = [program("openmp", "close", None, 0.5), program("./theirs", "close", None, 0.4567), program("./bad", "WRONG", "24 pixels", None)]
+    named = {key: environment[key] for key in ("date", "git", "build", "cpu", "memory", "os", "backends", "icds", "variables")}
     return {
-        "schema": "mandelmarch-bench-random",
-        "version": 1,
-        "backend": "openmp",
-        "without": "",
-        "width": 61,
-        "height": 45,
-        "environment": bench()["environment"],
-        "sums": [entry],
-        "scenes": [],
+        "schema": "mandelmarch-race",
+        "version": 2,
+        "environment": named,
+        "fractal": "mandelbox",
+        "width": 60,
+        "height": 40,
+        "parameters": "",
+        "limit": 60,
+        "rounds": 6,
+        "warnings": [],
+        "programs": programs,
     }
 
 

@@ -24,9 +24,9 @@ import made_programs  # noqa: E402
 from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import SAME_PEAK, read_bench  # noqa: E402
+from mandelreport.bench import SAME_PEAK  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
-from mandelreport.results import read_results  # noqa: E402
+from mandelreport.results import read_bench, read_results  # noqa: E402
 from mandelreport.sections import gpu  # noqa: E402
 
 
@@ -222,12 +222,10 @@ class ReportTest(unittest.TestCase):
         del whole["rows"][3]["verification"]
         self.refused({"bench.json": whole}, "bench.json", "rows/3", "verification")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
-        self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "balls")
-        self.refused(
-            {"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "version 0"
-        )
+        self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "required property")
+        self.refused({"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "schema: 1 was expected")
         self.refused({"flight.json": made.audit() | {"rows": [{}]}}, "flight.json", "rows")
-        self.refused({"flight.json": made.audit(), "film.json": made.film() | {"version": 9}}, "film.json", "version 9")
+        self.refused({"flight.json": made.audit(), "film.json": made.film() | {"version": 9}}, "film.json", "version: 1 was expected")
         film = made.film()
         del film["device"]
         self.refused({"film.json": film}, "film.json", "device")

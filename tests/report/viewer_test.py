@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "report"))
 
-from mandelreport import fractal_table  # noqa: E402
+from mandelreport import viewer  # noqa: E402
 
 CAMERA = ROOT / "report" / "viewer" / "camera.js"
 CLOSE = {"float": 1e-6, "double": 1e-14}  # relative: one or two roundings
@@ -72,7 +72,7 @@ def computed(rules: dict, row: dict, scene: dict, precision: str, fast: bool) ->
 def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
     """Returns the fields of a scene as camera.js computes them."""
     script = CAMERA.read_text(encoding="utf-8") + f"""
-        const table = {fractal_table.script(table)}, scene = fromParameters({json.dumps(text)});
+        const table = {viewer.table_script(table)}, scene = fromParameters({json.dumps(text)});
         const fields = sceneFields(table, {json.dumps(name)}, scene, new Camera(scene), ...scene.size, {json.dumps(fast)},
             table.rules.max_steps);
         process.stdout.write(JSON.stringify({{ ...fields, miss: "Infinity" }}));"""

@@ -6,14 +6,12 @@ import csv
 import itertools
 import json
 import os
-import subprocess
 import sys
-import tempfile
 import unittest
 
-TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
-sys.path.insert(0, TOOLS)
-import code_divergence  # noqa: E402
+from tool import ToolTest
+
+import code_divergence
 
 # Two backends, and a reference that does not use the kernel.
 TREE = {
@@ -49,32 +47,18 @@ class LinesTest(unittest.TestCase):
         self.assertEqual(code_divergence.convergence([one]), 1)
 
 
-class TreeTest(unittest.TestCase):
+class TreeTest(ToolTest):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = scratch.name
+        super().setUp()
         for name, text in TREE.items():
             self.write("tree/" + name, text)
 
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def write(self, name, text):
-        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def run_tool(self, *arguments):
-        return subprocess.run([sys.executable, os.path.join(TOOLS, "code_divergence.py"), *arguments], cwd=self.folder,
-                              capture_output=True, text=True, check=False)
-
     def result(self):
-        return json.loads(self.run_tool("tree", "--json", "-").stdout)
+        return json.loads(self.run_tool("code_divergence.py", "tree", "--json", "-").stdout)
 
     def refused(self, *arguments):
         """Returns the only line of stderr of a call that exits with 2."""
-        done = self.run_tool(*arguments)
+        done = self.run_tool("code_divergence.py", *arguments)
         self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr)
         return done.stderr
 
@@ -98,7 +82,7 @@ class TreeTest(unittest.TestCase):
         self.assertAlmostEqual(self.result()["convergence"], 3 / 12, places=15)
 
     def test_the_table_has_the_same_numbers(self):
-        lines = self.run_tool("tree").stdout.splitlines()
+        lines = self.run_tool("code_divergence.py", "tree").stdout.splitlines()
         self.assertEqual(lines[2].split(), ["left", "2", "0", "4", "0.00", "0.73"])
         self.assertEqual(lines[-1], "code convergence: 0.273; with a kernel text for each it would be 0.000")
 
@@ -113,14 +97,13 @@ class TreeTest(unittest.TestCase):
 
     def test_the_csv_of_this_tree_gives_the_same_convergence_as_the_json(self):
         """Computes it as p3-analysis-library does."""
-        done = self.run_tool("--csv", "lines.csv", "--json", "lines.json")
+        done = self.run_tool("code_divergence.py", "--csv", "lines.csv", "--json", "lines.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         csv.field_size_limit(sys.maxsize)
         with open(self.path("lines.csv"), encoding="utf-8") as file:
             needed = [{(entry["file"], line) for entry in json.loads(row["coverage"]) for line in entry["used_lines"]}
                       for row in csv.DictReader(file)]
-        with open(self.path("lines.json"), encoding="utf-8") as file:
-            result = json.load(file)
+        result = json.loads(self.read("lines.json"))
         distances = [1 - len(a & b) / len(a | b) for a, b in itertools.combinations(needed, 2)]
         self.assertEqual(len(needed), len(result["models"]))
         self.assertGreater(len(needed), 4)
@@ -128,9 +111,9 @@ class TreeTest(unittest.TestCase):
         self.assertLess(result["convergence_without_shared_kernel"], result["convergence"])
 
     def test_a_file_that_cannot_be_written_is_one_line(self):
-        done = self.run_tool("tree", "--json", "nosuch/lines.json")
+        done = self.run_tool("code_divergence.py", "tree", "--json", "nosuch/lines.json")
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertEqual(self.run_tool("tree", "--json", "-", "--csv", "-").returncode, 2)
+        self.assertEqual(self.run_tool("code_divergence.py", "tree", "--json", "-", "--csv", "-").returncode, 2)
 
 
 if __name__ == "__main__":

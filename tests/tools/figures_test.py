@@ -4,13 +4,10 @@
 contents are out of date."""
 import copy
 import json
-import os
-import subprocess
-import sys
-import tempfile
 import unittest
 
-TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
+from tool import ToolTest
+
 ENVIRONMENT = {"date": "2026-01-02T03:04:05Z", "git": {"revision": "0123456789abcdef", "dirty": False},
                "cpu": {"model": "A Processor", "cores_usable": 2}}
 
@@ -43,26 +40,19 @@ TABLE = """<!-- figures: study ablation -->
 """
 
 
-class FiguresTest(unittest.TestCase):
+class FiguresTest(ToolTest):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = scratch.name
+        super().setUp()
         self.results(ABLATION)
 
     def results(self, data):
-        with open(os.path.join(self.folder, "ablation.json"), "w", encoding="utf-8") as file:
-            json.dump(data, file)
+        self.write("ablation.json", json.dumps(data))
 
     def figures(self, text, *options):
         """Runs tools/figures.py on a document. Returns the exit code, stderr and the changed document."""
-        path = os.path.join(self.folder, "page.md")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        done = subprocess.run([sys.executable, os.path.join(TOOLS, "figures.py"), "--results", self.folder, *options, path],
-                              capture_output=True, text=True)
-        with open(path, encoding="utf-8") as file:
-            return done.returncode, done.stderr, file.read()
+        self.write("page.md", text)
+        done = self.run_tool("figures.py", "--results", ".", *options, "page.md")
+        return done.returncode, done.stderr, self.read("page.md")
 
     def test_a_number_is_filled_in(self):
         empty = WORTH.replace("1.50", "")
@@ -92,9 +82,8 @@ class FiguresTest(unittest.TestCase):
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
     def test_the_native_scalar_text_s_range_is_that_of_its_mode(self):
-        with open(os.path.join(self.folder, "native_scalar.txt"), "w", encoding="utf-8") as file:
-            file.write("scalar text with -march=native: x\nmandelbulb double exact 1.040 1.026 1.054 same bits\n"
-                       "mandelbox float exact 0.979 0.971 0.987 same bits\nmandelbox float fast 1.056 1.044 1.069 -\n")
+        self.write("native_scalar.txt", "scalar text with -march=native: x\nmandelbulb double exact 1.040 1.026 1.054 same bits\n"
+                   "mandelbox float exact 0.979 0.971 0.987 same bits\nmandelbox float fast 1.056 1.044 1.069 -\n")
         place = "It is <!-- figures: native exact -->0.98 to 1.04<!-- end -->, <!-- figures: native fast -->1.06<!-- end --> times as fast.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
@@ -120,16 +109,14 @@ class FiguresTest(unittest.TestCase):
         self.assertIn("40.00", said)
 
     def test_the_k40_is_expected_to_take_the_least_time(self):
-        with open(os.path.join(self.folder, "k40_expected.txt"), "w", encoding="utf-8") as file:
-            file.write(K40)
+        self.write("k40_expected.txt", K40)
         place = "It takes <!-- figures: k40 bulb float fast -->8.1<!-- end --> ms.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
     def test_rows_that_some_seed_misses_are_listed(self):
-        with open(os.path.join(self.folder, "flight_seeds.txt"), "w", encoding="utf-8") as file:
-            file.write("flight study: 2 seeds of both fractals\n\nmandelbox: 9 frames, 2 seeds, 2 of them\n" +
-                       f"{'':46} {'bar':>9}{1:>8}{2:>8}    kept\n{'! steps':46} {'<= 0.2':>9}{0.1:>8}{0.2:>8}    2/2\n" +
-                       f"{'  frames inside the hull, %':46} {'>= 90':>9}{95.1:>8}{88.2:>8}    1/2\n")
+        self.write("flight_seeds.txt", "flight study: 2 seeds of both fractals\n\nmandelbox: 9 frames, 2 seeds, 2 of them\n" +
+                   f"{'':46} {'bar':>9}{1:>8}{2:>8}    kept\n{'! steps':46} {'<= 0.2':>9}{0.1:>8}{0.2:>8}    2/2\n" +
+                   f"{'  frames inside the hull, %':46} {'>= 90':>9}{95.1:>8}{88.2:>8}    1/2\n")
         code, said, text = self.figures("<!-- figures: missed --><!-- end -->\n")
         self.assertEqual((code, said), (0, ""))
         self.assertEqual(text.splitlines()[3:], ["| mandelbox | frames inside the hull, % | quality | >= 90 | 88.2 | 1 of 2 |", "<!-- end -->"])

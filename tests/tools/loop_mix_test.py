@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """loop_mix_test.py: tools/loop_mix.py finds the path around a loop and the kinds of its instructions. Each check has a
 negative control."""
-import os
-import sys
 import unittest
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
-import loop_mix  # noqa: E402
+import tool  # noqa: F401 (makes tools importable)
+
+import loop_mix
 
 # A loop that begins at 0x14. The official scene takes the path through 0x20. The path through 0x18 has no reciprocal,
 # and the path through 0x30 is longer.

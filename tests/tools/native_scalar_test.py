@@ -2,22 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """native_scalar_test.py: tools/native_scalar.py computes the ratio of two programs' user times, and reports a missing
 build."""
-import os
 import random
-import subprocess
 import sys
-import tempfile
 import unittest
 from unittest import mock
 
-TOOLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools")
-sys.path.insert(0, TOOLS)
-import native_scalar  # noqa: E402
+from tool import ToolTest
+
+import native_scalar
 
 CASE = ("mandelbulb", "double", "exact")
 
 
-class NativeScalarTest(unittest.TestCase):
+class NativeScalarTest(ToolTest):
     def ratio(self, factor):
         """Returns the computed ratio for synthetic times. The second program's times are `factor` times the first
         one's; each time has an error of 1 %."""
@@ -43,8 +40,7 @@ class NativeScalarTest(unittest.TestCase):
         self.assertGreater(busy, native_scalar.user_seconds(sys.executable, ["-c", "import time; time.sleep(0.3)"]))
 
     def test_no_build_is_one_line(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, os.path.join(TOOLS, "native_scalar.py"), folder], capture_output=True, text=True, check=False)
+        done = self.run_tool("native_scalar.py", ".")
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("native_scalar: ", done.stderr)
 

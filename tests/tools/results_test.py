@@ -3,11 +3,11 @@
 import os
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-TOOL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "results.py")
+from tool import TOOLS, ToolTest
+
 LIST = """a.json 1 2 bench --runs {runs} --json {}
 b.txt 1 1 KIND=second bench print
 c.json 1 1 bench --json {}
@@ -33,11 +33,9 @@ def running(pid):
         return False
 
 
-class ResultsTest(unittest.TestCase):
+class ResultsTest(ToolTest):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = scratch.name
+        super().setUp()
         for folder in ("sources", "bin", "output"):
             os.mkdir(self.path(folder))
         self.write("list", LIST)
@@ -50,22 +48,11 @@ class ResultsTest(unittest.TestCase):
         self.git("-c", "user.name=n", "-c", "user.email=e", "commit", "-qm", "first")
         self.write("built", self.git("rev-parse", "HEAD").strip())
 
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def write(self, name, text):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def text(self, name):
-        with open(self.path(name), encoding="utf-8") as file:
-            return file.read()
-
     def git(self, *arguments):
         return subprocess.run(["git", "-C", self.path("sources"), *arguments], capture_output=True, text=True, check=True).stdout
 
     def started(self, *files):
-        command = [sys.executable, TOOL, "--list", self.path("list"), "--programs", self.path("bin"), "--work",
+        command = [sys.executable, os.path.join(TOOLS, "results.py"), "--list", self.path("list"), "--programs", self.path("bin"), "--work",
                    self.path("work"), "--output", self.path("output"), "--sources", self.path("sources"), *files]
         return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
@@ -80,7 +67,7 @@ class ResultsTest(unittest.TestCase):
         self.write("bin/bench", BENCH.replace("{folder}", self.folder).replace("echo broken", "cat {folder}/json".replace("{folder}", self.folder)))
         code, said = self.results()
         self.assertEqual(code, 0, said)
-        self.assertEqual(self.text("output/a.json"), CLEAN)
+        self.assertEqual(self.read("output/a.json"), CLEAN)
         # Negative control: the same exit code is a failure if it is not expected for this command.
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
@@ -89,7 +76,7 @@ class ResultsTest(unittest.TestCase):
         self.write("list", "a.json 0 1 tools/code_divergence.py --json {}\n")
         code, said = self.results()
         self.assertEqual(code, 0, said)
-        self.assertIn("mandelmarch-code-divergence", self.text("output/a.json"))
+        self.assertIn("mandelmarch-code-divergence", self.read("output/a.json"))
         self.assertFalse(os.path.exists(self.path("calls")))
         # Negative control: bin/ lacks the program.
         self.write("list", "b.json 0 1 code_divergence.py --json {}\n")
@@ -101,8 +88,8 @@ class ResultsTest(unittest.TestCase):
         self.assertIn("3 files at", said)
         self.assertIn("about 4 minutes", said)
         self.assertEqual(sorted(os.listdir(self.path("output"))), ["a.json", "b.txt", "c.json"])
-        self.assertEqual(self.text("output/b.txt"), "printed\n")
-        calls = self.text("calls").splitlines()
+        self.assertEqual(self.read("output/b.txt"), "printed\n")
+        calls = self.read("calls").splitlines()
         self.assertTrue(calls[0].startswith(" --runs 2 --json "))
         self.assertEqual(calls[1], "second print")
 
@@ -116,20 +103,20 @@ class ResultsTest(unittest.TestCase):
         code, said = self.results()
         self.assertEqual(code, 0, said)
         self.assertIn("2 of them are there", said)
-        self.assertEqual(len(self.text("calls").splitlines()), 4)  # a, b, c and c again
+        self.assertEqual(len(self.read("calls").splitlines()), 4)  # a, b, c and c again
 
     def test_what_is_stopped_leaves_nothing_running(self):
         self.write("bin/bench", BENCH.replace("{folder}", self.folder).replace("for last", "sleep 600 & echo $! > "
                                                                                f"{self.path('sleeper')}; wait\nfor last"))
         with self.started() as process:
-            while not os.path.exists(self.path("sleeper")) or not self.text("sleeper"):
+            while not os.path.exists(self.path("sleeper")) or not self.read("sleeper"):
                 time.sleep(0.01)
             process.terminate()
             said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130)
         self.assertEqual(said.splitlines()[-1], "results: stopped; the same command goes on")
         for _ in range(1000):  # the process that adopts orphans may need a moment
-            if not running(int(self.text("sleeper"))):
+            if not running(int(self.read("sleeper"))):
                 return
             time.sleep(0.01)
         self.fail("what it had started goes on")
@@ -142,7 +129,7 @@ class ResultsTest(unittest.TestCase):
         self.assertIn("make build", said)
         self.write("built", self.git("rev-parse", "HEAD").strip())
         self.assertEqual(self.results("a.json")[0], 0)
-        self.assertEqual(len(self.text("calls").splitlines()), 2)
+        self.assertEqual(len(self.read("calls").splitlines()), 2)
 
     def test_uncommitted_sources_are_refused(self):
         self.write("sources/file", "changed")

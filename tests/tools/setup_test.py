@@ -2,40 +2,31 @@
 """tools/setup on a synthetic system, whose apt-get and dpkg-query record their calls."""
 import os
 import subprocess
-import tempfile
 import unittest
 
-SETUP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "setup")
+from tool import TOOLS, ToolTest
+
 STUB = """#!/bin/sh
 echo "$0 $*" >>{folder}/calls
 exit {code}
 """
 
 
-class SetupTest(unittest.TestCase):
+class SetupTest(ToolTest):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = scratch.name
+        super().setUp()
         # Fake programs: dpkg-query finds no package, and apt-get has none to install.
         for name in ("apt-get", "dpkg-query", "apt-cache", "sudo"):
-            path = os.path.join(self.folder, name)
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(STUB.format(folder=self.folder, code=1))
-            os.chmod(path, 0o755)
+            self.write(name, STUB.format(folder=self.folder, code=1))
+            os.chmod(self.path(name), 0o755)
 
     def run_on(self, system, *arguments):
         """Returns exit code, output, and recorded calls."""
-        release = os.path.join(self.folder, "os-release")
-        with open(release, "w", encoding="utf-8") as file:
-            file.write(system)
-        environment = os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}", "MANDELMARCH_OS_RELEASE": release}
-        done = subprocess.run(["bash", SETUP, *arguments], capture_output=True, text=True, env=environment, check=False)
-        try:
-            with open(os.path.join(self.folder, "calls"), encoding="utf-8") as file:
-                return done.returncode, done.stderr, file.read()
-        except FileNotFoundError:
-            return done.returncode, done.stderr, ""
+        self.write("os-release", system)
+        environment = os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}", "MANDELMARCH_OS_RELEASE": self.path("os-release")}
+        done = subprocess.run(["bash", os.path.join(TOOLS, "setup"), *arguments], capture_output=True, text=True, env=environment,
+                              check=False)
+        return done.returncode, done.stderr, self.read("calls") if os.path.exists(self.path("calls")) else ""
 
     def test_another_system_is_told_what_is_needed_and_left_alone(self):
         for system in ("NAME=Ubuntu\nID=ubuntu\nID_LIKE=debian\n", "ID=fedora\n", ""):

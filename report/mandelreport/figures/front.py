@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from ..backends import Backends
-from ..bench import Bench, Row
+from ..bench import Bench
 from ..blocks import Figure
 from ..models import label
 from ..text import ms, plain
@@ -21,7 +21,7 @@ KINDS = {
 
 def times(bench: Bench, backends: Backends) -> Figure:
     """Narrow enough for a phone. The reference comes last."""
-    rows = [row for row in map(Row, bench.data["rows"]) if row.timed]
+    rows = [row for row in bench.all_rows if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
     names = backends.order(label(row) for row in rows)
     figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.26 * len(names) * len(fractals), sharex=True)
@@ -55,11 +55,11 @@ def times(bench: Bench, backends: Backends) -> Figure:
         for (precision, mode), (fill, marker) in KINDS.items()
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=8)
-    size = rows[0].setting
+    width, height = rows[0].size
     return style.block(
         figure,
         "Kernel times as points with intervals. " + "; ".join(said) + ".",
-        f"Kernel time of one picture of {size['width']} x {size['height']} pixels, median and 95 % interval; "
+        f"Kernel time of one picture of {width} x {height} pixels, median and 95 % interval; "
         f"{bench.machine}, {bench.name}.",
         wide=False,
     )

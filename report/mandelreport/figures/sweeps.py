@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ..bench import Bench, Row, Times
 from ..blocks import Figure
 from ..text import digits, plain, where
@@ -23,11 +25,11 @@ def _series(bench: Bench) -> dict[tuple[str, str], list[Row]]:
 
 
 def _x(bench: Bench, row: Row) -> float:
-    return row.pixels / 1e6 if bench.study == "resolution" else float(row.value)
+    return math.prod(row.size) / 1e6 if bench.study == "resolution" else float(row.value)
 
 
 def _label(bench: Bench, row: Row) -> str:
-    return f"{row.setting['width']} x\n{row.setting['height']}" if bench.study == "resolution" else plain(float(row.value))
+    return "{} x\n{}".format(*row.size) if bench.study == "resolution" else plain(float(row.value))
 
 
 def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms", ideal: bool = False) -> Figure | None:

@@ -8,9 +8,9 @@ import itertools
 from matplotlib.patches import Patch
 
 from ..backends import Backends
-from ..bench import Bench, Times
+from ..bench import SCALAR, Bench, Times
 from ..blocks import Figure
-from ..models import SCALAR, label, ranked, with_scalar
+from ..models import label, ranked, with_scalar
 from ..text import digits, ms, percent, plain, where
 from . import style
 
@@ -125,7 +125,7 @@ def machines(benches: list[Bench]) -> Figure | None:
     if len(benches) < 2:
         return None
     kinds = list(
-        dict.fromkeys((row.fractal, row.precision, row.mode) for bench in benches for row in bench.rows if row.timed)
+        dict.fromkeys(row.kind for bench in benches for row in bench.rows if row.timed)
     )
     figure, [[axis]] = style.panels(1, 1, 8, 3.2)
     width = 0.8 / len(benches)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 from dataclasses import dataclass
 
 from ..bench import Bench
@@ -49,7 +51,7 @@ def factors(bench: Bench, backend: str) -> list[Factors]:
                 count["fractal"],
                 count["precision"],
                 view,
-                row.work["de_calls"] / row.pixels,
+                row.work["de_calls"] / math.prod(row.size),
                 row.work["iterations"] / row.work["de_calls"],
                 row.operations / row.work["iterations"],
                 count["lane_use"][0]["together"]["in_iterations"],

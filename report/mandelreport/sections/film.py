@@ -56,7 +56,7 @@ def section(material: Material) -> dict[str, Any]:
         figures.ground(results.maps[-1]),
         see="the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).",
     ) if results.maps else None
-    promises = [row for audit in results.audits for row in audit.data["rows"] if row["promise"]]
+    promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
         "films": [_table(film) for film in results.films],
         "missing": Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),

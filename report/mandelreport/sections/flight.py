@@ -8,14 +8,13 @@ from typing import Any
 from ..blocks import Missing, Table
 from ..docs import chapter
 from ..figures import flight as figures
-from ..flight import Audit
 from ..text import plain
 from . import Material
 
 
-def _audit_table(audit: Audit) -> Table:
+def _audit_table(audit: dict[str, Any]) -> Table:
     rows = []
-    for row in audit.data["rows"]:
+    for row in audit["rows"]:
         unit = f" {row['unit']}" if row["unit"] else ""
         kept = "kept" if row["kept"] else "BROKEN" if row["promise"] else "missed"
         rows.append(
@@ -28,11 +27,10 @@ def _audit_table(audit: Audit) -> Table:
                 row["worst"],
             ]
         )
-    data = audit.data
     return Table(
         ["", "item", "value", "threshold", "", "worst"],
         rows,
-        f"Audit of the {data['fractal']}'s flight, seed {data['seed']}, {data['frames']:,} frames. Items with ! are promises and "
+        f"Audit of the {audit['fractal']}'s flight, seed {audit['seed']}, {audit['frames']:,} frames. Items with ! are promises and "
         "must be kept; the others describe quality.",
         [2, 3],
     )

@@ -6,30 +6,21 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from ..answers import FILM_SIZE as SIZE
 from ..bench import Row
 from ..blocks import Block, Missing, Table
 from ..text import digits
 from . import Material
 from .tables import time_cell
 
-SIZE = (1920, 1080)  # pixels of the prediction
 PAPER = re.compile(r"(\w+) on paper,")
 NAMES = {"H100": ("H100", "H200")}  # GPUs with the same multiprocessors
 HEADERS = ["fractal", "precision", "mode", "backend", "cycles per iteration", "cycles per step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
 
 
 def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
-    rows = [
-        (bench, row)
-        for bench in material.results.benches
-        if bench.study in ("standard", "resolution")
-        for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=material.backends.host)
-        if (row.setting["width"], row.setting["height"]) == SIZE
-    ]
-    if not rows:
-        return "–"
-    bench, row = max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count))
-    return f"{time_cell(row)}{' *' if bench.study != 'standard' else ''}"
+    found = material.results.of_size(SIZE, fractal, precision, mode, material.backends.host)
+    return f"{time_cell(found[1])}{' *' if found[0].study != 'standard' else ''}" if found else "–"
 
 
 def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
@@ -40,7 +31,7 @@ def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
         for row in bench.timed(fractal=kind[0], precision=kind[1], mode=kind[2], backend=kind[3])
         if row.is_gpu
         and any(name in row.device_name for name in NAMES.get(gpu, (gpu,)))
-        and (row.setting["width"], row.setting["height"]) == SIZE
+        and row.size == SIZE
     ]
     return min(rows, key=lambda row: row.kernel.median, default=None)
 

@@ -11,7 +11,6 @@ from ..answers import named
 from ..bench import Bench
 from ..blocks import Missing, Table
 from ..text import join
-from ..trace import Place
 from . import Material
 
 
@@ -32,7 +31,7 @@ def _baseline(material: Material) -> str:
     plain = [b["name"] for b in backends if "-march" not in b["flags_exact"] + b["flags_fast"] and b["name"] != material.backends.host]
     if not plain:
         return ""
-    host, trace = material.backends.host, material.answers.trace
+    host = material.backends.host
     text = Markup(
         "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
         "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
@@ -40,8 +39,11 @@ def _baseline(material: Material) -> str:
     file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
     if file is None:
         return text
-    ends = [trace.number(Place((file,), f"* * {mode}:3", rule)) for mode in ("exact", "fast") for rule in ("min", "max")]
-    machine = next(line for line in str(material.results.files[file]).splitlines() if line.startswith("processor")).split(maxsplit=1)[1]
+    lines = material.results.files[file].splitlines()
+    modes = [[f"/{at}/3" for at, line in enumerate(lines) if line.split()[2:3] == [mode]] for mode in ("exact", "fast")]
+    ratios = [[material.results.number(file, place) for place in places] for places in modes]
+    ends = [pick(of, key=lambda number: number.value).html() for of in ratios for pick in (min, max)]
+    machine = next(line for line in lines if line.startswith("processor")).split(maxsplit=1)[1]
     return text + Markup(
         " With -march=native the scalar kernel is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
     ).format(*ends, named(machine), file)

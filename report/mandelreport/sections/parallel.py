@@ -29,7 +29,7 @@ def _march(material: Material) -> str:
 
 def _traced(material: Material, bench: Bench, row: Row) -> Markup:
     """Formats the ratio of a sweep value to the first one, with its interval."""
-    return material.answers.trace.times(bench.name, f"questions:to_first_value:numerator={row.name}:ratio")
+    return material.results.times(bench.name, bench.ratio_at("to_first_value", row.name))
 
 
 def _scaling(material: Material) -> str:

@@ -33,8 +33,8 @@ def _verification(material: Material) -> Block:
     if bench is None:
         return Missing("The verification", "make bench")
     names = material.backends.order(row.backend for row in bench.rows if row.timed)
-    kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.rows if row.timed))
-    said = {(row.fractal, row.precision, row.mode, row.backend): row.verification["text"] for row in bench.rows if row.timed}
+    kinds = list(dict.fromkeys(row.kind for row in bench.rows if row.timed))
+    said = {(*row.kind, row.backend): row.verification["text"] for row in bench.rows if row.timed}
     return Table(
         ["fractal", "precision", "mode", *names],
         [[*kind, *(said.get((*kind, name), "–") for name in names)] for kind in kinds],

@@ -12,9 +12,9 @@ from ..answers import named
 from ..bench import Bench
 from ..blocks import Block, Figure, Missing, Table
 from ..figures import timings
-from ..models import label, ranked, with_scalar, work_over_scalar
+from ..models import label, ranked, with_scalar
+from ..number import Number
 from ..text import digits, join, where
-from ..trace import Place
 from . import Material
 from .tables import quotient_cell, time_cell
 
@@ -27,12 +27,12 @@ def _table(material: Material, bench: Bench) -> Table:
     """Returns backends as lines, fastest first, then the host compared with both baselines."""
     host, backends = material.backends.host, material.backends
     rows = with_scalar(bench, backends.reference)
-    kinds = list(dict.fromkeys((row.fractal, row.precision, row.mode) for row in rows))
-    by = {(row.fractal, row.precision, row.mode, label(row)): row for row in rows}
+    kinds = list(dict.fromkeys(row.kind for row in rows))
+    by = {(*row.kind, label(row)): row for row in rows}
     lines = [[name, *(time_cell(by.get((*kind, name))) for kind in kinds)] for name in ranked(rows)]
     own = [by.get((*kind, host)) for kind in kinds]
     over = [quotient_cell(row, "over_scalar") if row else "–" for row in own]
-    work = [work_over_scalar(bench, row, host) if row else None for row in own]
+    work = [bench.work_over_scalar(row, host) if row else None for row in own]
     lines += [
         [f"{host} over serial", *(quotient_cell(row, "speed_up") if row else "–" for row in own)],
         [f"{host} over scalar", *(_elsewhere(material, *kind) if cell == "–" else cell for cell, kind in zip(over, kinds))],
@@ -55,17 +55,17 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
 
 def fastest(bench: Bench) -> str:
     """Names the backends that are fastest for some fractal, precision and mode."""
-    kinds = dict.fromkeys((row.fractal, row.precision, row.mode) for row in bench.timed())
-    of_kind = [[row for row in bench.timed() if (row.fractal, row.precision, row.mode) == kind] for kind in kinds]
+    kinds = dict.fromkeys(row.kind for row in bench.timed())
+    of_kind = [[row for row in bench.timed() if row.kind == kind] for kind in kinds]
     best = dict.fromkeys(where(min(rows, key=lambda row: row.kernel.median)) for rows in of_kind)
     return join(list(best))
 
 
-def _peak_see(material: Material, bench: Bench) -> str:
+def _peak_see(bench: Bench) -> str:
     best = max((r for r in bench.rows if r.timed and r.figures["share_of_peak"]), key=lambda r: r.figures["share_of_peak"], default=None)
     if best is None:
         return ""
-    share = material.answers.trace.one(bench.name, f"rows:name={best.name}:figures.share_of_peak", "plain", 100)
+    share = (100 * Number.of_row(bench, best, "/figures/share_of_peak")).html("plain")
     return Markup(
         "the highest bar is {} % ({}, {}, {}, {}). The rest is operations other than multiply-adds, and idle lanes; Appendix B counts the loops' instructions."
     ).format(share, where(best), best.fractal, best.precision, best.mode)
@@ -75,8 +75,9 @@ def _cost_see(material: Material, bench: Bench) -> str:
     cost = material.answers.cost()
     if cost is None:
         return ""
-    path = f"rows:backend={material.backends.host}&sweep_value=&figures!=null:figures.over_scalar"
-    least, most = (material.answers.trace.number(Place((bench.name,), path, rule)) for rule in ("min", "max"))
+    own = bench.timed(backend=material.backends.host, sweep_value="")
+    ends = (pick(own, key=lambda row: row.figures["over_scalar"]) for pick in (min, max))
+    least, most = (Number.of_row(bench, row, "/figures/over_scalar").html() for row in ends)
     return Markup(
         "{} stay near the line, at {} to {} times the scalar kernel's speed per thread: the models' own loops cost little. {} is {} to {} times as "
         "fast as the scalar kernel, in fast mode partly because it does fewer operations. Ratios are taken round by round, so two "
@@ -100,7 +101,7 @@ def section(material: Material) -> dict[str, Any]:
     blocks: list[Block | None] = [
         _table(material, bench),
         _see(timings.over_scalar(bench, backends), _cost_see(material, bench)),
-        _see(timings.share_of_peak(bench, backends), _peak_see(material, bench)),
+        _see(timings.share_of_peak(bench, backends), _peak_see(bench)),
         _see(timings.machines(machines), _machines_see(machines)),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

@@ -8,12 +8,13 @@ import subprocess
 from collections.abc import Callable
 from typing import Any
 
-from ..bench import Bench, Row, checked
+from ..bench import Bench, Row
 from ..blocks import Missing, Table
 from ..errors import InputError
 from ..figures import portability
-from ..models import label, work_over_scalar
+from ..models import label
 from ..portability import measured, platforms
+from ..results import checked
 from ..text import digits, ms, percent
 from . import Material
 from .why import factor_table
@@ -43,11 +44,11 @@ def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str
     benches = material.results.study("standard")
     found: dict[tuple[str, ...], dict[str, str]] = {}
     for bench in benches:
-        for row in map(Row, bench.data["rows"]):
+        for row in bench.all_rows:
             if row.fractal != "all":
                 name = label(row)
                 text = cell(bench, row) if row.timed else "–" if row.unavailable else "FAILED"
-                found.setdefault((row.fractal, row.precision, row.mode, name), {})[bench.name] = text
+                found.setdefault((*row.kind, name), {})[bench.name] = text
     fractals = dict.fromkeys(key[0] for key in found)
     order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
 
@@ -141,7 +142,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
 def _simd_widths(material: Material) -> Table | None:
     """Compares the host's packs with the scalar kernel, if a sweep of SIMD widths has both."""
     rows = [
-        [bench.name, row.fractal, row.precision, row.mode, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
+        [bench.name, *row.kind, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
         for bench in material.results.study("simd-widths")
         for row in bench.timed(backend=material.backends.host)
         if row.figures["over_scalar"] is not None
@@ -184,7 +185,7 @@ def _race(race: dict[str, Any]) -> Table:
 
 def section(material: Material) -> dict[str, Any]:
     def work(bench: Bench, row: Row) -> str:
-        share = work_over_scalar(bench, row, material.backends.host)
+        share = bench.work_over_scalar(row, material.backends.host)
         return "–" if share is None or abs(share - 1) < 0.01 else digits(share)
 
     metric, not_measured = measured(_portability(material), material.results.machines())

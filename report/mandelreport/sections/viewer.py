@@ -7,12 +7,11 @@ from typing import Any
 
 from .. import viewer
 from ..blocks import Missing
-from ..shaders import missing_tools
 from . import Material
 
 
 def section(material: Material) -> dict[str, Any]:
-    absent = missing_tools()
+    absent = viewer.missing_tools()
     if absent:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "report/setup")}
     table = material.studio.fractals

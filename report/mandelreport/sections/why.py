@@ -11,12 +11,12 @@ from markupsafe import Markup
 from ..answers import counted
 from ..answers import factors as traced_factors
 from ..answers import verdict
-from ..bench import Bench
+from ..bench import Bench, Row
 from ..blocks import Missing, Table
 from ..figures import timings
 from ..figures.why import Factors, comparison, factors
+from ..number import Number
 from ..text import digits, ms, percent
-from ..trace import Place
 from . import Material
 
 FRACTALS = ("mandelbox", "mandelbulb")
@@ -72,27 +72,30 @@ def factor_table(material: Material) -> Table | None:
 
 def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
     """Returns the official scenes' factors, each with its place."""
-    trace, host, file = material.answers.trace, material.backends.host, bench.name
+    host = material.backends.host
     of = {f.fractal: f for f in found if f.view == "official" and f.precision == precision}
     if set(of) != set(FRACTALS):
         return None
     box, bulb = of["mandelbox"], of["mandelbulb"]
     if box.kernel is None or bulb.kernel is None:
         return None
-    rows = {(row.fractal, row.setting["view"]): row.name for row in bench.timed(backend=host, precision=precision, mode="exact")}
+    rows = {(row.fractal, row.setting["view"]): row for row in bench.timed(backend=host, precision=precision, mode="exact")}
     box_row, bulb_row = (rows[fractal, "official"] for fractal in FRACTALS)
 
-    def kernel(name: str) -> Place:
-        return Place((file,), f"rows:name={name}:figures:kernel_seconds:median")
+    def kernel(row: Row) -> Number:
+        return Number.of_row(bench, row, "/figures/kernel_seconds/median")
 
-    def ratio(question: str, numerator: str) -> Markup:
-        return trace.times(file, f"questions:{question}:numerator={numerator}:ratio")
+    def ratio(question: str, row: Row) -> Markup:
+        return material.results.times(bench.name, bench.ratio_at(question, row.name))
 
     def lanes(fractal: str) -> Markup:
-        return trace.number(counted(file, fractal, precision, "lane_use.0.together.in_iterations"), "plain", 100)
+        return (100 * counted(bench, fractal, precision, "lane_use/0/together/in_iterations")).html("plain")
 
-    def peak(name: str) -> Markup:
-        return trace.one(file, f"rows:name={name}:figures.share_of_peak", "plain", 100)
+    def peak(row: Row) -> Markup:
+        return (100 * Number.of_row(bench, row, "/figures/share_of_peak")).html("plain")
+
+    def work(row: Row) -> Number:
+        return Number.of_row(bench, row, "/operations") / Number.of_row(bench, row, "/work/iterations")
 
     times = box.kernel / bulb.kernel
     angles = next((f for f in found if f.view == "angles" and f.precision == precision), None)
@@ -102,10 +105,10 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         "backend": host,
         "ratio": ratio("mandelbox_to_mandelbulb", box_row),
         "slower": times > 1,
-        "verdict": verdict(bench.ratio("mandelbox_to_mandelbulb", box_row)),
+        "verdict": verdict(bench.ratio("mandelbox_to_mandelbulb", box_row.name)),
         "size": bench.size,
-        "sample": trace.number(counted(file, "mandelbox", precision, "pixels"), "whole"),
-        **traced_factors(trace, file, box_row, bulb_row),
+        "sample": counted(bench, "mandelbox", precision, "pixels").html("whole"),
+        **traced_factors(bench, box_row, bulb_row),
         "box_lanes": lanes("mandelbox"),
         "bulb_lanes": lanes("mandelbulb"),
         "box_peak": peak(box_row),
@@ -114,9 +117,8 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     if angles is not None and angles.kernel is not None:
         angles_row = rows["mandelbulb", "angles"]
         answer["angles"] = ratio("to_first_value", angles_row)
-        of = [Place((file,), f"rows:name={name}:operations/work.iterations") for name in (angles_row, bulb_row)]
-        answer["angle_operations"] = trace.number(of[0], over=of[1])
-        answer["against_angles"] = trace.number(kernel(box_row), over=kernel(angles_row))
+        answer["angle_operations"] = (work(angles_row) / work(bulb_row)).html()
+        answer["against_angles"] = (kernel(box_row) / kernel(angles_row)).html()
         answer["box_beats_angles"] = box.kernel < angles.kernel
     return answer
 

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers of the report's sentences. The page keeps each number's source, for readers and for a test.
+
+A source is a place or a formula of places. A place is a file's name and a JSON pointer (RFC 6901), such as
+bench.json#/rows/12/operations. The pointer of a text file is the index of a line and that of a word."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from markupsafe import Markup
+
+from .bench import Bench, Row
+from .errors import InputError
+from .text import digits
+
+STYLES = {
+    "digits": digits,
+    "four": lambda value: digits(value, 4),
+    "whole": lambda value: f"{value:,.0f}",
+    "plain": lambda value: f"{value:.0f}",
+}
+LONGEST = 200  # characters of a source that the page shows
+
+
+def found(data: Any, pointer: str) -> Any:
+    """Returns the value at a pointer of a file's content."""
+    if isinstance(data, str):
+        line, word = map(int, pointer.split("/")[1:])
+        return float(data.splitlines()[line].split()[word].rstrip("%"))
+    for key in pointer.split("/")[1:]:
+        data = data[int(key) if isinstance(data, list) else key]
+    return data
+
+
+@dataclass(frozen=True)
+class Number:
+    value: float
+    source: str
+
+    @staticmethod
+    def at(file: str, data: Any, pointer: str) -> Number:
+        """Returns the number at a pointer of a file with this content."""
+        value = found(data, pointer)
+        if not isinstance(value, (int, float)):
+            raise InputError(f"{file}: {pointer} is {value}, expected a number")
+        return Number(value, f"{file}#{pointer}")
+
+    @staticmethod
+    def of_row(bench: Bench, row: Row, pointer: str) -> Number:
+        """Returns a number at a pointer within a row of a result."""
+        return Number.at(bench.name, bench.data, bench.at(row, pointer))
+
+    @staticmethod
+    def of(value: float, rule: str, places: Iterable[str]) -> Number:
+        """Returns a number that a rule makes of several places: count, or significant (holm.greater)."""
+        return Number(value, f"{rule}({', '.join(places)})")
+
+    def __truediv__(self, other: Number) -> Number:
+        divisor = f"({other.source})" if " " in other.source else other.source
+        return Number(self.value / other.value, f"{self.source} / {divisor}")
+
+    def __rmul__(self, factor: float) -> Number:
+        return self if factor == 1 else Number(factor * self.value, f"{factor!r} * {self.source}")
+
+    def html(self, style: str = "digits") -> Markup:
+        shown = textwrap.shorten(self.source, LONGEST, placeholder=" ...")
+        form = '<data value="{!r}" title="{}" data-from="{}" data-style="{}">{}</data>'
+        return Markup(form).format(self.value, shown, self.source, style, STYLES[style](self.value))
