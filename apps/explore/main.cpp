@@ -11,7 +11,6 @@
 
 #include "apps/explore/view/explorer.h"
 #include "apps/explore/view/script.h"
-#include "apps/scene_options.h"
 #include "backends/all.h"
 #include "cli/arguments.h"
 #include "cli/option_values.h"
@@ -91,8 +90,7 @@ int body(int argc, char** argv)
     const Options options = parse_options(registry, argc, argv, done);
     if (done) return *done;
     const Fractal& fractal = options.fractal.empty() ? fractals().front() : fractal_named(options.fractal);
-    std::optional<Script> script;
-    if (!options.script.empty()) script.emplace(options.script);
+    const Script script = options.script.empty() ? Script() : read_script(options.script);
     if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {
         throw InputError(fmt::format("--folder: '{}' is not a folder", options.folder));
     }
@@ -105,7 +103,7 @@ int body(int argc, char** argv)
     model.say(said);
     if (!options.file.empty()) model.open(options.file);
     explorer.run([&] {
-        if (script) script->step(model, window, explorer);
+        if (script) script(model, window, explorer);
     });
     if (!script) {
         try {

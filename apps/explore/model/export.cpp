@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -32,11 +33,10 @@ std::string lower(std::string text)
 const Fractal& guess(const std::string& text, const std::string& name, const Fractal& hint)
 {
     for (const std::string& where : {lower(text), lower(std::filesystem::path(name).filename().string())}) {
-        for (const Fractal& fractal : fractals()) {
-            if (where.find(fractal.name) != std::string::npos) return fractal;
-        }
-        for (const Fractal& fractal : fractals()) {
-            if (where.find(fractal.short_name) != std::string::npos) return fractal;
+        for (const auto name_of : {&Fractal::name, &Fractal::short_name}) {
+            for (const Fractal& fractal : fractals()) {
+                if (where.find(fractal.*name_of) != std::string::npos) return fractal;
+            }
         }
     }
     return hint;
@@ -73,8 +73,9 @@ std::string free_name(const std::string& folder, const std::string& stem)
 {
     for (int number = 1;; ++number) {
         const std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
-        const auto taken = [&](const char* ending) { return std::filesystem::exists(name + ending); };
-        if (!taken(".dat") && !taken(".png") && !taken(".json") && !taken(".mp4")) return name;
+        const std::array endings{".dat", ".png", ".json", ".mp4"};
+        if (std::ranges::none_of(endings, [&](auto ending) { return std::filesystem::exists(name + ending); }))
+            return name;
     }
 }
 
@@ -90,15 +91,13 @@ Scene read_view(const std::string& file, const Fractal& hint)
     std::ifstream in(file, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(in), {});
     // If the file cannot be read, read_parameters() throws the error with the right message.
-    if (!in.good() && text.empty()) return read_parameters(file, hint).scene;
-    return view_of_text(text, file, hint);
+    return text.empty() ? read_parameters(file, hint).scene : view_of_text(text, file, hint);
 }
 
 void PictureTask::start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name)
 {
     if (running()) throw Error("a picture is being drawn already");
-    const Backend* backend = registry.find(setup.backend);
-    if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
+    const Backend& backend = backend_of(registry, setup);
     scene.image_file = std::filesystem::path(name + ".png").filename().string();
     const std::uint64_t needed =
         Image::pixels(scene.width, scene.height) * Image::bytes_per_pixel(Image::Layers::bytes) + spare_memory;
@@ -113,21 +112,13 @@ void PictureTask::start(const Registry& registry, const Setup& setup, Scene scen
     write_file(name + ".dat", text);
     share_ = std::make_shared<std::atomic<double>>(0);
     stop_ = std::stop_source();
-    task_.start([backend, setup, read, name, share = share_, stop = stop_.get_token()] {
-        const auto renderer = backend->create(options_of(setup));
+    task_.start([&backend, setup, read, name, share = share_, stop = stop_.get_token()] {
+        const auto renderer = backend.create(options_of(setup));
         Image image(read.width, read.height, Image::Layers::bytes);
         const RenderStats report = renderer->render(read, image, Progress([&](double done) { *share = done; }, stop));
         write_image(name + ".png", ImageFormat::png, image);
         return fmt::format("{}.png in {:.2f} s: {}", name, report.timings.wall, command_of(read, setup, name + ".dat"));
     });
-}
-
-std::string PictureTask::take_news()
-{
-    std::string failure;
-    const auto done = task_.take(failure);
-    if (done) return *done;
-    return failure.empty() ? "" : "picture: " + failure;
 }
 
 }  // namespace mandelmarch::explore

@@ -43,7 +43,7 @@ public:
     double progress() const { return share_ != nullptr ? share_->load() : 0; }
     void cancel() { stop_.request_stop(); }
     // Returns a message once after the task has ended; otherwise "".
-    std::string take_news();
+    std::string take_news() { return news_of(task_, "picture"); }
 
 private:
     Task<std::string> task_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/smooth.h"
@@ -32,8 +34,6 @@ Frame frame_of(const Path& path, const Scene& scene)
 
 }  // namespace
 
-void PathEditor::changed() { ++version_; }
-
 void PathEditor::go_to(double frame)
 {
     if (has_path()) at_ = std::clamp(frame, 0.0, static_cast<double>(frames() - 1));
@@ -54,8 +54,6 @@ Scene PathEditor::scene(int width, int height) const
     scene.centred = true;
     return scene;
 }
-
-void PathEditor::open(const std::string& file) { take(read_path(file)); }
 
 void PathEditor::save(const std::string& file) const
 {
@@ -114,10 +112,10 @@ void PathEditor::end_recording()
     changed();
 }
 
-Path PathEditor::smoothed_path() const
+void PathEditor::smooth()
 {
     if (!has_path()) throw Error("there is no path to smooth");
-    return smoothed(path_);
+    take(smoothed(path_));
 }
 
 void PathEditor::cut_before()
@@ -156,21 +154,15 @@ void PathEditor::film(const Registry& registry, const Setup& setup, const std::s
 {
     if (!has_path()) throw Error("there is no path to film");
     if (filming_.running()) return;
-    FilmOptions options{.output = file,
-                        .title = {},
-                        .authors = {},
-                        .picture = {},
-                        .renderer = options_of(setup),
-                        .segments = {},
-                        .frames = {}};
+    FilmOptions options;
+    options.output = file;
+    options.renderer = options_of(setup);
     options.picture.width = width;
     options.picture.height = height;
     check_film(options, frames(), path_.frames_per_second);
-    const Backend* backend = registry.find(setup.backend);
-    if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
-    filming_.start([path = path_, backend, options] {
+    filming_.start([path = path_, &backend = backend_of(registry, setup), options] {
         const auto ranks = one_rank();
-        const FilmStats report = make_film(path, *backend, options, *ranks);
+        const FilmStats report = make_film(path, backend, options, *ranks);
         return fmt::format("{}: {} frames in {:.0f} s", options.output, path.frames.size(), report.seconds);
     });
 }
@@ -198,25 +190,22 @@ std::string PathEditor::take_news()
         return fmt::format("a tour of seed {}, {} frames", path_.seed, frames());
     }
     if (!failure.empty()) return "planning: " + failure;
-    if (auto done = filming_.take(failure)) return *done;
-    if (!failure.empty()) return "film: " + failure;
-    return {};
+    return news_of(filming_, "film");
 }
 
 std::optional<std::size_t> PathEditor::next_broken() const
 {
-    std::optional<std::size_t> first;
-    std::optional<std::size_t> next;
+    std::set<std::size_t> named;
     for (const Row& row : rows_) {
-        if (row.kept()) continue;
         // The text was made by at_frame(), such as "frame 12".
         const std::size_t place = row.worst.find("frame ");
-        if (place == std::string::npos) continue;
-        const auto frame = static_cast<std::size_t>(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));
-        if (!first || frame < *first) first = frame;
-        if (static_cast<double>(frame) > at_ + 0.5 && (!next || frame < *next)) next = frame;
+        if (row.kept() || place == std::string::npos) continue;
+        named.insert(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));
     }
-    return next ? next : first;
+    if (named.empty()) return std::nullopt;
+    const auto next =
+        std::ranges::find_if(named, [this](std::size_t frame) { return static_cast<double>(frame) > at_ + 0.5; });
+    return next != named.end() ? *next : *named.begin();
 }
 
 }  // namespace mandelmarch::explore

@@ -29,7 +29,7 @@ public:
     // Returns the scene at the position, for a picture of this size in pixels.
     Scene scene(int width, int height) const;
 
-    void open(const std::string& file);  // throws InputError
+    void open(const std::string& file) { take(read_path(file)); }  // throws InputError
     void save(const std::string& file) const;
     // Replaces the path.
     void take(Path path);
@@ -39,7 +39,7 @@ public:
     void record(const Scene& scene, double seconds);
     void end_recording();
 
-    void smooth() { take(smoothed_path()); }
+    void smooth();
     // Remove the frames before and after the position.
     void cut_before();
     void cut_after();
@@ -70,8 +70,7 @@ public:
     }
 
 private:
-    Path smoothed_path() const;
-    void changed();
+    void changed() { ++version_; }
 
     Path path_;
     double at_ = 0;

@@ -12,11 +12,8 @@
 #include "core/image/image.h"
 
 namespace mandelmarch::explore {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-}  // namespace
 
 std::string settings_file()
 {

@@ -7,7 +7,8 @@
 #include <compare>
 #include <string>
 
-#include "core/render/backend.h"
+#include "core/base/error.h"
+#include "core/render/registry.h"
 
 namespace mandelmarch::explore {
 
@@ -43,6 +44,13 @@ inline Setup with_device(const Setup& setup, const Backend& backend, int device)
 {
     return {std::string(backend.name()), device,
             backend.info().role == Role::reference ? Precision::f64 : setup.precision, setup.mode};
+}
+
+inline const Backend& backend_of(const Registry& registry, const Setup& setup)
+{
+    const Backend* backend = registry.find(setup.backend);
+    if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
+    return *backend;
 }
 
 // Returns the renderer's options for a setup. Work is not counted, as in bin/render without --stats.

@@ -41,4 +41,12 @@ private:
     std::future<Result> result_;
 };
 
+// Returns once the result of a task or, after `name`, the message of its failure. Returns "" at all other times.
+inline std::string news_of(Task<std::string>& task, const std::string& name)
+{
+    std::string failure;
+    const auto done = task.take(failure);
+    return done ? *done : failure.empty() ? "" : name + ": " + failure;
+}
+
 }  // namespace mandelmarch::explore

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <numeric>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -193,11 +194,8 @@ void Explorer::tick()
 void Explorer::note_interval(double seconds)
 {
     intervals_.push_back(static_cast<float>(seconds));
-    intervals_seconds_ += seconds;
-    while (intervals_.size() > 1 && intervals_seconds_ > kept) {
-        intervals_seconds_ -= static_cast<double>(intervals_.front());
-        intervals_.pop_front();
-    }
+    const auto total = [&] { return std::accumulate(intervals_.begin(), intervals_.end(), 0.0); };
+    while (intervals_.size() > 1 && total() > kept) intervals_.pop_front();
 }
 
 void Explorer::wait_if_idle()
@@ -222,7 +220,9 @@ void Explorer::show_panels()
 void Explorer::show()
 {
     for (std::size_t i = 0; i < panes_.all().size(); ++i) {
-        panes_.all()[i]->sheet.show(window_.renderer(), panes_.place(i));
+        const SDL_Rect place = panes_.place(i);
+        SDL_Texture* texture = panes_.all()[i]->texture.get();
+        if (texture != nullptr) SDL_RenderCopy(window_.renderer(), texture, nullptr, &place);
     }
     window_.draw_panels();
     if (!shot_.empty()) model_.attempt([&] { window_.shoot(std::exchange(shot_, {})); });

@@ -44,7 +44,6 @@ private:
     Panes panes_;
     Input input_;
     std::deque<float> intervals_;  // seconds between frames, of the last ten seconds
-    double intervals_seconds_ = 0;
     std::string shot_;
     bool moving_ = false;
     bool flew_ = false;

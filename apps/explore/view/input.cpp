@@ -26,11 +26,6 @@ constexpr std::array keys{
 
 }  // namespace
 
-Input::~Input()
-{
-    if (pad_ != nullptr) SDL_GameControllerClose(pad_);
-}
-
 void Input::let_go()
 {
     held_.clear();
@@ -59,12 +54,10 @@ void Input::take(const SDL_Event& event, bool over_panel, bool in_panel, double 
             if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) let_go();
             break;
         case SDL_CONTROLLERDEVICEADDED:
-            if (pad_ == nullptr) pad_ = SDL_GameControllerOpen(event.cdevice.which);
+            if (pad_ == nullptr) pad_.reset(SDL_GameControllerOpen(event.cdevice.which));
             break;
         case SDL_CONTROLLERDEVICEREMOVED:
-            if (pad_ != nullptr && SDL_GameControllerFromInstanceID(event.cdevice.which) == pad_) {
-                SDL_GameControllerClose(std::exchange(pad_, nullptr));
-            }
+            if (pad_ != nullptr && SDL_GameControllerFromInstanceID(event.cdevice.which) == pad_.get()) pad_.reset();
             break;
         default: break;
     }
@@ -72,7 +65,7 @@ void Input::take(const SDL_Event& event, bool over_panel, bool in_panel, double 
 
 double Input::axis(SDL_GameControllerAxis axis) const
 {
-    const double value = pad_ != nullptr ? SDL_GameControllerGetAxis(pad_, axis) / 32767.0 : 0;
+    const double value = pad_ != nullptr ? SDL_GameControllerGetAxis(pad_.get(), axis) / 32767.0 : 0;
     return std::abs(value) < dead_zone ? 0 : value;
 }
 
@@ -85,7 +78,7 @@ MotionInput Input::wish()
         wish.turn = wish.turn + known.turn;
     }
     const auto button = [&](SDL_GameControllerButton which) {
-        return pad_ != nullptr && SDL_GameControllerGetButton(pad_, which) != 0 ? 1.0 : 0.0;
+        return pad_ != nullptr && SDL_GameControllerGetButton(pad_.get(), which) != 0 ? 1.0 : 0.0;
     };
     wish.way = wish.way + Vector{axis(SDL_CONTROLLER_AXIS_LEFTX),
                                  axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT) - axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT),

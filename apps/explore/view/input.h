@@ -4,6 +4,7 @@
 
 #include <SDL.h>
 
+#include <memory>
 #include <set>
 
 #include "apps/explore/model/motion.h"
@@ -12,11 +13,6 @@ namespace mandelmarch::explore {
 
 class Input {
 public:
-    ~Input();
-    Input() = default;
-    Input(const Input&) = delete;
-    Input& operator=(const Input&) = delete;
-
     // Processes an event. `over_panel`: a panel uses the mouse. `in_panel`: a panel uses the keyboard. `radians`: the
     // angle by which the camera turns if the mouse is dragged by one pixel.
     void take(const SDL_Event& event, bool over_panel, bool in_panel, double radians);
@@ -33,7 +29,7 @@ private:
     std::set<SDL_Keycode> held_;
     bool dragging_ = false;
     double yaw_ = 0, pitch_ = 0, notches_ = 0;
-    SDL_GameController* pad_ = nullptr;
+    std::unique_ptr<SDL_GameController, void (*)(SDL_GameController*)> pad_{nullptr, SDL_GameControllerClose};
 };
 
 }  // namespace mandelmarch::explore

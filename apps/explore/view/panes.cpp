@@ -156,7 +156,7 @@ void Panes::accept(SDL_Renderer* renderer, RenderedPicture drawn)
         1.0, static_cast<double>(order.scene.width) * order.scene.height / (static_cast<double>(whole.w) * whole.h));
     pane.seconds = drawn.seconds;
     pane.report = std::move(drawn.report);
-    pane.sheet.take(renderer, drawn.pixels);
+    update(pane.texture, renderer, drawn.pixels);
     pane.compared.reset();
     if (order.moving || order.samples > 1) return;
     pane.whole = std::move(drawn.image);
@@ -187,7 +187,7 @@ void Panes::mark(SDL_Renderer* renderer)
             // Equal pixels are darkened.
             pixel = most > visible ? mark_visible : most > 0 ? mark_any : (pixel >> 1 & 0x7F7F7F) | 0xFF000000U;
         }
-        pane.sheet.take(renderer, pixels);
+        update(pane.texture, renderer, pixels);
     }
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::array samples_at_rest{1, 2, 4};  // per pixel side, in the
 struct Pane {
     Setup setup;
     ResolutionControl resolution;
-    PictureTexture sheet;
+    Texture texture{nullptr, SDL_DestroyTexture};
     std::uint64_t view = 0;              // version of the view that the picture shows
     int samples = 0;                     // per pixel side; 0: rendered while the camera moved
     double share = 0;                    // number of the picture's pixels divided by that of the pane

@@ -85,12 +85,11 @@ private:
     {
         auto& renderer = renderers_[{order.setup, order.moving}];
         if (renderer != nullptr) return *renderer;
-        const Backend* backend = registry_.find(order.setup.backend);
-        if (backend == nullptr) throw Unavailable("there is no backend " + order.setup.backend);
+        const Backend& backend = backend_of(registry_, order.setup);
         // unavailable() throws the driver's error if the driver failed when its devices were listed.
-        if (const auto why = backend->unavailable()) throw Unavailable(order.setup.backend + ": " + *why);
+        if (const auto why = backend.unavailable()) throw Unavailable(order.setup.backend + ": " + *why);
         const RendererOptions options = options_of(order.setup);
-        renderer = backend->create(order.moving ? without_trial(options) : options);
+        renderer = backend.create(order.moving ? without_trial(options) : options);
         return *renderer;
     }
 
@@ -111,12 +110,11 @@ RenderThread::RenderThread(const Registry& registry) : registry_(registry) {}
 
 RenderThread::~RenderThread()
 {
-    if (shared_ == nullptr) return;
-    std::unique_lock lock(shared_->mutex);
-    shared_->ends = true;
-    shared_->stop.request_stop();
-    shared_->changed.notify_all();
-    shared_->changed.wait_for(lock, parting, [this] { return shared_->ended; });
+    const auto left = shared_;
+    abandon();
+    if (left == nullptr) return;
+    std::unique_lock lock(left->mutex);
+    left->changed.wait_for(lock, parting, [&left] { return left->ended; });
 }
 
 void RenderThread::work(const std::shared_ptr<Shared>& shared, const Registry& registry)

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <vector>
 
 #include "cli/option_values.h"
 #include "core/base/console.h"
@@ -21,6 +22,24 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr int longest = 1'000'000;  // frames; largest duration of a command
+
+struct ScriptLine {
+    std::string place;               // "file:line"
+    std::vector<std::string> words;  // the command and its arguments
+    int frame = 0;                   // number of frames since the line began
+
+    [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place, why)); }
+
+    // Returns an argument from `low` to `high`. Throws InputError.
+    int integer(std::size_t word, int low, int high) const
+    {
+        try {
+            return whole_option(words[0], words.at(word), low, high);
+        } catch (const InputError& error) {
+            fail(error.what());
+        }
+    }
+};
 
 void push_key(const ScriptLine& line, const Window& window, bool down)
 {
@@ -177,40 +196,28 @@ void check(const ScriptLine& line)
 
 }  // namespace
 
-int ScriptLine::integer(std::size_t word, int low, int high) const
-{
-    try {
-        return whole_option(words[0], words.at(word), low, high);
-    } catch (const InputError& error) {
-        fail(error.what());
-    }
-}
-
-void ScriptLine::fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place, why)); }
-
-Script::Script(const std::string& file)
+Script read_script(const std::string& file)
 {
     std::ifstream in(file);
     if (!in) throw InputError(fmt::format("{}:1: cannot be opened, expected a script", file));
+    std::vector<ScriptLine> lines;
     int number = 0;
     for (std::string text; std::getline(in, text);) {
         std::istringstream words(text.substr(0, text.find('#')));
         const ScriptLine line{fmt::format("{}:{}", file, ++number), {std::istream_iterator<std::string>(words), {}}};
         if (line.words.empty()) continue;
         check(line);
-        lines_.push_back(line);
+        lines.push_back(line);
     }
-}
-
-void Script::step(Model& model, Window& window, Explorer& explorer)
-{
-    for (; at_ < lines_.size(); ++at_) {
-        if (!carry_out(lines_[at_], {model, window, explorer})) {
-            ++lines_[at_].frame;
-            return;
+    return [lines, at = std::size_t{0}](Model& model, Window& window, Explorer& explorer) mutable {
+        for (; at < lines.size(); ++at) {
+            if (!carry_out(lines[at], {model, window, explorer})) {
+                ++lines[at].frame;
+                return;
+            }
         }
-    }
-    model.quit = true;
+        model.quit = true;
+    };
 }
 
 }  // namespace mandelmarch::explore

@@ -101,30 +101,19 @@ void draw_triangles(SDL_Renderer* renderer, const ImDrawData& data)
 
 }  // namespace
 
-void PictureTexture::clear()
+void update(Texture& texture, SDL_Renderer* renderer, const Pixels& pixels)
 {
-    if (texture_ != nullptr) SDL_DestroyTexture(texture_);
-    texture_ = nullptr;
-}
-
-void PictureTexture::take(SDL_Renderer* renderer, const Pixels& pixels)
-{
-    if (texture_ == nullptr || width_ != pixels.width || height_ != pixels.height) {
-        clear();
-        texture_ =
-            SDL_CreateTexture(renderer, format_of(renderer), SDL_TEXTUREACCESS_STREAMING, pixels.width, pixels.height);
-        if (texture_ == nullptr) throw Error(fmt::format("no memory for a picture in the window: {}", SDL_GetError()));
-        SDL_SetTextureBlendMode(texture_, SDL_BLENDMODE_NONE);
-        SDL_SetTextureScaleMode(texture_, SDL_ScaleModeLinear);
-        width_ = pixels.width;
-        height_ = pixels.height;
+    int width = 0;
+    int height = 0;
+    if (texture != nullptr) SDL_QueryTexture(texture.get(), nullptr, nullptr, &width, &height);
+    if (width != pixels.width || height != pixels.height) {
+        texture.reset(
+            SDL_CreateTexture(renderer, format_of(renderer), SDL_TEXTUREACCESS_STREAMING, pixels.width, pixels.height));
+        if (texture == nullptr) throw Error(fmt::format("no memory for a picture in the window: {}", SDL_GetError()));
+        SDL_SetTextureBlendMode(texture.get(), SDL_BLENDMODE_NONE);
+        SDL_SetTextureScaleMode(texture.get(), SDL_ScaleModeLinear);
     }
-    SDL_UpdateTexture(texture_, nullptr, pixels.of.data(), 4 * pixels.width);
-}
-
-void PictureTexture::show(SDL_Renderer* renderer, const SDL_Rect& where) const
-{
-    if (texture_ != nullptr) SDL_RenderCopy(renderer, texture_, nullptr, &where);
+    SDL_UpdateTexture(texture.get(), nullptr, pixels.of.data(), 4 * pixels.width);
 }
 
 Window::Window(const std::string& title, int width, int height)
@@ -164,7 +153,7 @@ Window::Window(const std::string& title, int width, int height)
     ImGui::GetStyle().AntiAliasedFill = false;
     ImGui::GetStyle().AntiAliasedLines = false;
     ImGui::GetStyle().WindowRounding = 0;
-    letters_ = font_texture(renderer_);
+    letters_.reset(font_texture(renderer_));
     ImGui_ImplSDL2_InitForSDLRenderer(window_
 #if __has_include(<backends/imgui_impl_sdl2.h>)
                                       ,
@@ -175,7 +164,7 @@ Window::Window(const std::string& title, int width, int height)
 
 Window::~Window()
 {
-    SDL_DestroyTexture(letters_);
+    letters_.reset();
     ImGui_ImplSDL2_Shutdown();
     ImGui::DestroyContext();
     SDL_DestroyRenderer(renderer_);

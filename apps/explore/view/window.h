@@ -4,6 +4,7 @@
 
 #include <SDL.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,22 +13,10 @@
 
 namespace mandelmarch::explore {
 
-// The texture with which a picture is drawn in the window.
-class PictureTexture {
-public:
-    PictureTexture() = default;
-    ~PictureTexture() { clear(); }
-    PictureTexture(const PictureTexture&) = delete;
-    PictureTexture& operator=(const PictureTexture&) = delete;
+using Texture = std::unique_ptr<SDL_Texture, void (*)(SDL_Texture*)>;
 
-    void take(SDL_Renderer* renderer, const Pixels& pixels);
-    void show(SDL_Renderer* renderer, const SDL_Rect& where) const;
-    void clear();
-
-private:
-    SDL_Texture* texture_ = nullptr;
-    int width_ = 0, height_ = 0;
-};
+// Copies a picture to a texture. Creates the texture if it does not exist or has another size.
+void update(Texture& texture, SDL_Renderer* renderer, const Pixels& pixels);
 
 class Window : public Desktop {
 public:
@@ -62,7 +51,7 @@ private:
     SDL_Renderer* renderer_ = nullptr;
     bool waits_ = false;
     bool focus_ = false;
-    SDL_Texture* letters_ = nullptr;  // of Dear ImGui's font
+    Texture letters_{nullptr, SDL_DestroyTexture};  // of Dear ImGui's font
 };
 
 }  // namespace mandelmarch::explore
