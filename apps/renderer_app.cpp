@@ -252,8 +252,6 @@ void print_trace(const char* program, const Options& options, const Registry& re
     print(text_of(trace_pixel(scene, options.renderer, x, y)));
 }
 
-}  // namespace
-
 int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
@@ -309,6 +307,16 @@ int render_program(const Registry& registry, const char* program, const char* fr
     write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
     return exit_success;
+}
+
+}  // namespace
+
+int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv)
+{
+    const auto body = [&](int count, char** values) {
+        return render_program(backends(count, values), program, fractal, count, values);
+    };
+    return run_program(program, body, argc, argv);
 }
 
 }  // namespace mandelmarch
