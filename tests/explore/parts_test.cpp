@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <set>
 
+#include "apps/explore/actions/actions.h"
 #include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/motion.h"
@@ -158,6 +160,17 @@ TEST(ExplorePaths, ARecordingHasThirtyFramesASecond)
     path_editor.end_recording();
     EXPECT_NEAR(static_cast<double>(path_editor.frames()), 61, 1);
     EXPECT_NEAR(path_editor.path().frames.back().eye.x, scene.eye.x, 0.003);
+}
+
+TEST(ExploreActions, NamesAndKeysAreUnique)
+{
+    std::set<std::string_view> names;
+    for (const Action& action : actions()) {
+        EXPECT_TRUE(names.insert(action.name).second) << action.name;
+        EXPECT_TRUE(action.key.empty() || names.insert(action.key).second) << action.key;
+        EXPECT_EQ(action_named(action.name), &action);
+    }
+    EXPECT_EQ(action_named("fly"), nullptr);
 }
 
 TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)

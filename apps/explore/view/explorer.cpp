@@ -147,7 +147,7 @@ double Explorer::budget() const
     const double one = period - showing_ - spare;
     const SDL_Rect place = panes_.place(0);
     const double count = static_cast<double>(panes_.all().size());
-    const auto small = panes_.all().front()->resolution.size(place.w, place.h, one / count).first < place.w * 3 / 8;
+    const auto small = panes_.all().front().resolution.size(place.w, place.h, one / count).first < place.w * 3 / 8;
     return std::max(one + (small ? period : 0), 0.002);
 }
 
@@ -221,7 +221,7 @@ void Explorer::show()
 {
     for (std::size_t i = 0; i < panes_.all().size(); ++i) {
         const SDL_Rect place = panes_.place(i);
-        SDL_Texture* texture = panes_.all()[i]->texture.get();
+        SDL_Texture* texture = panes_.all()[i].texture.get();
         if (texture != nullptr) SDL_RenderCopy(window_.renderer(), texture, nullptr, &place);
     }
     window_.draw_panels();
@@ -233,14 +233,14 @@ std::string Explorer::state() const
 {
     using Json = nlohmann::ordered_json;
     Json drawn = Json::array();
-    for (const auto& pane : panes_.all()) {
-        drawn.push_back({{"setup", name_of(pane->setup)},
-                         {"view", pane->view},
-                         {"samples", pane->samples},
-                         {"seconds", pane->seconds},
-                         {"failure", pane->failure},
-                         {"differing", pane->compared ? Json(pane->compared->differing) : Json()},
-                         {"visibly", pane->compared ? Json(pane->compared->visibly_differing) : Json()}});
+    for (const Pane& pane : panes_.all()) {
+        drawn.push_back({{"setup", name_of(pane.setup)},
+                         {"view", pane.view},
+                         {"samples", pane.samples},
+                         {"seconds", pane.seconds},
+                         {"failure", pane.failure},
+                         {"differing", pane.compared ? Json(pane.compared->differing) : Json()},
+                         {"visibly", pane.compared ? Json(pane.compared->visibly_differing) : Json()}});
     }
     const PathEditor& path_editor = model_.path_editor;
     const auto broken =

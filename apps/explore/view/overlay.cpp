@@ -60,7 +60,7 @@ void show_overlay(const Model& model, const Panes& panes, const SDL_Rect& area, 
 {
     const ShownView& view = model.view;
     for (std::size_t i = 0; i < panes.all().size(); ++i) {
-        const Pane& pane = *panes.all()[i];
+        const Pane& pane = panes.all()[i];
         const SDL_Rect place = panes.place(i);
         Column column{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.w)};
         if (panes.all().size() > 1 && i == view.chosen()) {

@@ -27,14 +27,8 @@ Panes::Panes(const Registry& registry, const Setup& setup) : render_thread_(regi
 void Panes::arrange(const std::vector<Setup>& setups, const SDL_Rect& area)
 {
     area_ = area;
-    if (panes_.size() > setups.size()) panes_.resize(setups.size());
-    for (std::size_t i = 0; i < setups.size(); ++i) {
-        if (i == panes_.size()) {
-            panes_.push_back(std::make_unique<Pane>());
-            panes_.back()->setup = setups[i];
-        }
-        set(*panes_[i], setups[i]);
-    }
+    panes_.resize(setups.size());
+    for (std::size_t i = 0; i < setups.size(); ++i) set(panes_[i], setups[i]);
 }
 
 void Panes::set(Pane& pane, const Setup& setup)
@@ -80,7 +74,7 @@ std::optional<RenderRequest> Panes::next(bool moving, double budget) const
 {
     const SDL_Rect whole = place(0);
     const auto order = [&](std::size_t number, int samples, int width, int height) {
-        RenderRequest made{static_cast<int>(number), view_, panes_[number]->setup, scene_, samples, moving};
+        RenderRequest made{static_cast<int>(number), view_, panes_[number].setup, scene_, samples, moving};
         made.scene.width = width;
         made.scene.height = height;
         if (moving) made.scene.centred = true;
@@ -89,8 +83,8 @@ std::optional<RenderRequest> Panes::next(bool moving, double budget) const
     if (moving) {
         const double each = budget / static_cast<double>(panes_.size());
         for (std::size_t i = 0; i < panes_.size(); ++i) {
-            if (panes_[i]->view == view_ || waits_after_failure(*panes_[i])) continue;
-            const auto [width, height] = panes_[i]->resolution.size(whole.w, whole.h, each);
+            if (panes_[i].view == view_ || waits_after_failure(panes_[i])) continue;
+            const auto [width, height] = panes_[i].resolution.size(whole.w, whole.h, each);
             return order(i, 1, width, height);
         }
         return std::nullopt;
@@ -98,8 +92,8 @@ std::optional<RenderRequest> Panes::next(bool moving, double budget) const
     for (const int samples : samples_at_rest) {
         if (samples > last_samples()) break;
         for (std::size_t i = 0; i < panes_.size(); ++i) {
-            if (waits_after_failure(*panes_[i])) continue;
-            const bool there = panes_[i]->view == view_ && panes_[i]->samples >= samples;
+            if (waits_after_failure(panes_[i])) continue;
+            const bool there = panes_[i].view == view_ && panes_[i].samples >= samples;
             if (!there) return order(i, samples, whole.w, whole.h);
         }
     }
@@ -108,8 +102,8 @@ std::optional<RenderRequest> Panes::next(bool moving, double budget) const
 
 bool Panes::missing() const
 {
-    return std::ranges::any_of(panes_, [&](const auto& pane) {
-        return pane->view != view_ || (pane->samples < last_samples() && pane->failure.empty());
+    return std::ranges::any_of(panes_, [&](const Pane& pane) {
+        return pane.view != view_ || (pane.samples < last_samples() && pane.failure.empty());
     });
 }
 
@@ -119,7 +113,7 @@ void Panes::work(SDL_Renderer* renderer, bool moving, double budget, Moment unti
     if (const RenderRequest* current = render_thread_.current();
         current != nullptr && render_thread_.silence() > short_silence) {
         const auto pane = static_cast<std::size_t>(current->pane);
-        if (pane >= panes_.size() || panes_[pane]->setup != current->setup) render_thread_.abandon();
+        if (pane >= panes_.size() || panes_[pane].setup != current->setup) render_thread_.abandon();
     }
     for (;;) {
         if (render_thread_.current() == nullptr) {
@@ -137,7 +131,7 @@ void Panes::accept(SDL_Renderer* renderer, RenderedPicture drawn)
 {
     const RenderRequest& order = drawn.order;
     if (drawn.cancelled || static_cast<std::size_t>(order.pane) >= panes_.size()) return;
-    Pane& pane = *panes_[static_cast<std::size_t>(order.pane)];
+    Pane& pane = panes_[static_cast<std::size_t>(order.pane)];
     if (pane.setup != order.setup) return;
     if (!drawn.failure.empty()) {
         pane.failure = drawn.failure;
@@ -166,11 +160,11 @@ void Panes::accept(SDL_Renderer* renderer, RenderedPicture drawn)
 
 void Panes::mark(SDL_Renderer* renderer)
 {
-    const Pane& first = *panes_.front();
+    const Pane& first = panes_.front();
     if (first.whole_view != view_) return;
     const Pixels expected = pixels_of(first.whole);
     for (std::size_t i = 1; i < panes_.size(); ++i) {
-        Pane& pane = *panes_[i];
+        Pane& pane = panes_[i];
         if (pane.whole_view != view_ || pane.whole.width() != first.whole.width() ||
             pane.whole.height() != first.whole.height()) {
             continue;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +37,7 @@ class Panes {
 public:
     Panes(const Registry& registry, const Setup& setup);
 
-    const std::vector<std::unique_ptr<Pane>>& all() const { return panes_; }
+    const std::vector<Pane>& all() const { return panes_; }
 
     // Sets the panes' setups and the part of the window for pictures. A pane with a new setup is rendered again; its
     // old picture remains visible until then.
@@ -67,7 +66,7 @@ private:
     bool waits_after_failure(const Pane& pane) const;
 
     RenderThread render_thread_;
-    std::vector<std::unique_ptr<Pane>> panes_;
+    std::vector<Pane> panes_;
     Scene scene_;
     std::uint64_t view_ = 0;
     bool marks_ = true;
