@@ -22,8 +22,8 @@ public:
 };
 
 struct Action {
-    // A key is heeded anywhere, or only while no panel has the keyboard, because it types a character or acts on
-    // panels, too. If held, only a repeated key performs its action again.
+    // anywhere: also while a panel has the keyboard. over_pictures: not then, because the key types a character or acts
+    // on panels. repeated: as over_pictures, and a key that is held performs its action repeatedly.
     enum class Heeded { anywhere, over_pictures, repeated };
 
     std::string_view name;  // in scripts; buttons show blanks in place of hyphens
