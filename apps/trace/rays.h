@@ -12,7 +12,8 @@ namespace mandelmarch {
 // kernel's Scene in the function's precision.
 using TraceRay = void (*)(const void* scene, Trace& trace);
 
-// Returns the function for a fractal, precision and mode, or nullptr if this build does not contain the fractal.
-TraceRay ray_of(std::string_view fractal, Precision precision, Mode mode);
+// Returns the function for "FRACTAL_PRECISION_MODE", such as "mandelbox_float_exact", or nullptr if this build does not
+// contain the fractal.
+TraceRay ray_of(std::string_view variant);
 
 }  // namespace mandelmarch

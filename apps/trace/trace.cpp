@@ -82,7 +82,8 @@ std::string head(const Trace& trace)
 
 Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int y)
 {
-    const TraceRay ray = ray_of(scene.fractal->name, options.precision, options.mode);
+    const TraceRay ray =
+        ray_of(fmt::format("{}_{}_{}", scene.fractal->name, name_of(options.precision), name_of(options.mode)));
     if (ray == nullptr) throw Unavailable(fmt::format("no rays are traced for the {}", scene.fractal->name));
     Trace trace{};
     trace.precision = options.precision;
