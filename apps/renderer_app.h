@@ -6,8 +6,8 @@
 
 namespace mandelmarch {
 
-// The main function of these programs. `fractal`: the fractal's name; nullptr: the option --fractal gives it. `backends`:
-// program_backends() (backends/all.h), which this library does not link.
+// The main function of these programs. `fractal`: the fractal's name; nullptr: the option --fractal gives it.
+// `backends`: program_backends() (backends/all.h), which this library does not link.
 int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv);
 
 }  // namespace mandelmarch
